@@ -106,6 +106,7 @@ const QList<Room>& rooms()
           "rendering/display/stimulus_bank.h", "protocols/"},
          true},
         {"study/app/pieces/", "widgets that pages are made of", {"study/app/state/", "study/session/", "protocols/"}, true},
+        {"study/app/pages/tools/", "the page of the work around the sessions", {"study/app/pieces/", "study/app/state/"}, true},
         {"study/app/pages/", "the pages", {"study/app/pieces/", "study/app/state/", "study/session/", "protocols/"}, true},
         {"study/app/", "the window, and the hands that drive it", {"study/app/", "study/session/", "protocols/"}, true},
         {"study/looking/",

@@ -9,11 +9,13 @@
 
 #include "protocols/files/errors.h"
 #include "study/app/pages/data_page.h"
+#include "study/app/pages/monitor_window.h"
 #include "study/app/pages/new_study_page.h"
 #include "study/app/pages/session_page.h"
 #include "study/app/pages/stage_page.h"
 #include "study/app/pages/start_page.h"
 #include "study/app/pages/study_page.h"
+#include "study/app/pages/tools/tools_page.h"
 #include "study/app/pieces/pieces.h"
 #include "study/app/state/recent_studies.h"
 
@@ -43,6 +45,7 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
       m_newStudyPage(new NewStudyPage(options.makeStudy, this)),
       m_dataPage(new DataPage(options.lookAtData, this)),
       m_studyPage(new StudyPage(this)),
+      m_toolsPage(new ToolsPage(options.useTool, this)),
       m_sessionPage(new SessionPage(this))
 {
     setObjectName("mainWindow");
@@ -50,13 +53,15 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
     m_pages->setObjectName("pages");
     for (QWidget* page :
          {static_cast<QWidget*>(m_startPage), static_cast<QWidget*>(m_newStudyPage), static_cast<QWidget*>(m_dataPage),
-          static_cast<QWidget*>(m_studyPage), static_cast<QWidget*>(m_sessionPage)})
+          static_cast<QWidget*>(m_studyPage), static_cast<QWidget*>(m_toolsPage), static_cast<QWidget*>(m_sessionPage)})
         m_pages->addWidget(page);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_pages);
     resize(QSize(1100, 750).boundedTo(screen()->availableSize()));
+    m_studyPage->offerTools(static_cast<bool>(options.useTool));
     connectPages();
+    connectTools();
     connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q), this), &QShortcut::activated, this, [this] { close(); });
     showStart();
 }
@@ -102,6 +107,25 @@ void MainWindow::connectPages()
     connect(m_sessionPage, &SessionPage::leaveRequested, this, &MainWindow::leaveSession, Qt::QueuedConnection);
 }
 
+void MainWindow::connectTools()
+{
+    connect(m_studyPage, &StudyPage::toolsRequested, this, [this] {
+        m_toolsPage->present(m_study->store().folder().folder);
+        m_pages->setCurrentWidget(m_toolsPage);
+        m_toolsPage->focusFirst();
+    });
+    connect(m_toolsPage, &ToolsPage::backRequested, this, &MainWindow::showStudy);
+    connect(m_toolsPage, &ToolsPage::monitorRequested, this, [this] { showingFaults(*m_toolsPage, [&] { openMonitor(); }); });
+}
+
+void MainWindow::openMonitor()
+{
+    if (!m_monitor) m_monitor = std::make_unique<MonitorWindow>(m_study->store().folder().folder, m_options);
+    m_monitor->show();
+    m_monitor->raise();
+    m_monitor->activateWindow();
+}
+
 QWidget* MainWindow::currentPage() const { return m_pages->currentWidget(); }
 
 void MainWindow::showStart()
@@ -117,6 +141,7 @@ void MainWindow::openStudy(const std::filesystem::path& folder)
 {
     auto opened = std::make_unique<OpenStudy>(folder);
     m_session.reset();
+    m_monitor.reset();
     m_study = std::move(opened);
     const auto whole = std::filesystem::absolute(folder).lexically_normal();
     rememberStudy(m_options.settings.get(), QString::fromStdString(whole.string()));
@@ -135,6 +160,7 @@ void MainWindow::showStudy()
 void MainWindow::closeStudy()
 {
     m_session.reset();
+    m_monitor.reset();
     m_study.reset();
     showStart();
 }
@@ -193,10 +219,12 @@ void MainWindow::leaveSession()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    if (m_session && !pauseForLeaving())
+    if (m_session && !pauseForLeaving()) {
         event->ignore();
-    else
-        QWidget::closeEvent(event);
+        return;
+    }
+    m_monitor.reset();  // an open monitor would keep the program running
+    QWidget::closeEvent(event);
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event)

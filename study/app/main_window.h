@@ -1,4 +1,4 @@
-// The main window: a stack of five pages (start, new study, data set, study, session), the open study and session, and the
+// The main window: a stack of six pages (start, new study, data set, study, tools, session), the open study and session, and the
 // appearance. It decides nothing about a session; it connects the pages to the controller.
 #pragma once
 
@@ -15,10 +15,12 @@ class QStackedWidget;
 namespace study::app {
 
 class DataPage;
+class MonitorWindow;
 class NewStudyPage;
 class SessionPage;
 class StartPage;
 class StudyPage;
+class ToolsPage;
 
 class MainWindow : public QWidget {
     Q_OBJECT
@@ -48,6 +50,8 @@ private:
     void connectSession();
     void showStart();
     void showStudy();
+    void connectTools();
+    void openMonitor();
     void refreshSession();
     void leaveSession();
     /// Pauses a running session. False if the pause cannot be stored; the next attempt then returns true.
@@ -65,7 +69,9 @@ private:
     NewStudyPage* m_newStudyPage;
     DataPage* m_dataPage;
     StudyPage* m_studyPage;
+    ToolsPage* m_toolsPage;
     SessionPage* m_sessionPage;
+    std::unique_ptr<MonitorWindow> m_monitor;  ///< of the open study; empty until it is asked for
 };
 
 }  // namespace study::app

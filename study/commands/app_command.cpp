@@ -6,6 +6,7 @@
 #include "reports/analysis/quality_flags.h"
 #include "study/app/app.h"
 #include "study/commands/command_line.h"
+#include "study/commands/study_tools.h"
 #include "study/commands/text_checks.h"
 #include "study/looking/look_at_data.h"
 #include "study/making/new_study.h"
@@ -67,6 +68,7 @@ app::AppOptions optionsOf(const AppCall& call)
     options.settings = app::userSettings();
     options.lookAtData = looking::lookAtData();
     options.readFlags = flagsOf;
+    options.useTool = studyTools(call.operatorName);
     options.operatedBy = session::operatedBy(call.operatorName, versionText());
     options.operatedBy.plainImages = leavesPlainImages(call);
     return options;

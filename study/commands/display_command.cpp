@@ -8,7 +8,7 @@
 #include "rendering/display/display_check.h"
 #include "reports/text/plain_words.h"
 #include "study/commands/command_line.h"
-#include "study/commands/number_checks.h"
+#include "study/commands/parts/number_checks.h"
 
 namespace study::commands {
 

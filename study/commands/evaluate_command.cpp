@@ -10,7 +10,7 @@
 #include "stats/kernels/threads.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
-#include "study/commands/number_checks.h"
+#include "study/commands/parts/number_checks.h"
 #include "study/commands/progress.h"
 #include "study/evaluation/evaluation_json.h"
 #include "study/evaluation/evaluation_text.h"

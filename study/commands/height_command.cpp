@@ -13,7 +13,7 @@
 #include "rendering/images/image_io.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
-#include "study/commands/number_checks.h"
+#include "study/commands/parts/number_checks.h"
 #include "study/looking/picture_decoder.h"
 #include "study/measuring/height_reconstruction.h"
 

@@ -14,7 +14,7 @@
 #include "rendering/signals/tactile/calibration.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
-#include "study/commands/number_checks.h"
+#include "study/commands/parts/number_checks.h"
 #include "study/looking/picture_decoder.h"
 
 namespace study::commands {

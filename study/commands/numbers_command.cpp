@@ -12,7 +12,7 @@
 #include "study/analyse/similarity.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
-#include "study/commands/number_checks.h"
+#include "study/commands/parts/number_checks.h"
 #include "study/looking/open_study.h"
 
 namespace study::commands {

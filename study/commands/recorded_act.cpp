@@ -8,17 +8,20 @@
 
 namespace study::commands {
 
+std::string addAct(const database::StudyStore& store, const std::string& kind, const std::filesystem::path& path,
+                   const std::string& operatorName)
+{
+    if (store.isUpgradedCopy()) return "an earlier version made this study, and only the app or `replay` upgrades it";
+    const auto by = session::operatedBy(operatorName, versionText());
+    const std::string whole = path.empty() ? "" : std::filesystem::absolute(path).lexically_normal().string();
+    return database::recordAct(store.folder(), {kind, by.operatorName, by.program, by.host, whole, store.head(), {}})
+        .value_or("");
+}
+
 void recordAct(const database::StudyStore& store, const std::string& kind, const std::filesystem::path& path)
 {
-    if (store.isUpgradedCopy()) {
-        std::fprintf(stderr, "not recorded: an earlier version made this study, and only the app or `replay` upgrades it\n");
-        return;
-    }
-    const auto by = session::operatedBy({}, versionText());
-    const std::string whole = path.empty() ? "" : std::filesystem::absolute(path).lexically_normal().string();
-    const auto refused =
-        database::recordAct(store.folder(), {kind, by.operatorName, by.program, by.host, whole, store.head(), {}});
-    if (refused) std::fprintf(stderr, "not recorded: %s\n", refused->c_str());
+    if (const std::string refused = addAct(store, kind, path); !refused.empty())
+        std::fprintf(stderr, "not recorded: %s\n", refused.c_str());
 }
 
 }  // namespace study::commands

@@ -8,7 +8,7 @@
 #include "protocols/files/whole_file.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
-#include "study/commands/number_checks.h"
+#include "study/commands/parts/number_checks.h"
 #include "study/looking/picture_decoder.h"
 #include "study/looking/read_signal.h"
 #include "study/looking/sheet.h"

@@ -40,6 +40,7 @@ StudyPage::StudyPage(QWidget* parent)
       m_participant(field("participantField", tr("Code of the next participant"), this)),
       m_enrol(mainButton("enrolButton", tr("Enrol and begin (Enter)"), this)),
       m_close(plainButton("closeStudyButton", tr("Close the study (Esc)"), this)),
+      m_tools(plainButton("toolsButton", tr("Tools… (F2)"), this)),
       m_message(new MessageBar("studyMessage", this))
 {
     setObjectName("studyPage");
@@ -75,6 +76,7 @@ StudyPage::StudyPage(QWidget* parent)
     column->addWidget(m_message);
     auto* bottom = new QHBoxLayout;
     bottom->addWidget(m_close);
+    bottom->addWidget(m_tools);
     bottom->addWidget(appearanceHint(page), 1);
     column->addLayout(bottom);
     auto* outer = new QVBoxLayout(this);
@@ -85,6 +87,7 @@ StudyPage::StudyPage(QWidget* parent)
     setTabOrder(m_going, m_resume);
     setTabOrder(m_resume, m_places);
     setTabOrder(m_places, m_close);
+    setTabOrder(m_close, m_tools);
 
     connect(m_enrol, &QPushButton::clicked, this, &StudyPage::enrol);
     connect(m_resume, &QPushButton::clicked, this, &StudyPage::resumeChosen);
@@ -92,6 +95,7 @@ StudyPage::StudyPage(QWidget* parent)
     connect(m_places, &QTreeWidget::itemActivated, this, &StudyPage::resumeChosen);
     connect(m_places, &QTreeWidget::currentItemChanged, this, &StudyPage::showChosen);
     connect(m_close, &QPushButton::clicked, this, &StudyPage::closeRequested);
+    connect(m_tools, &QPushButton::clicked, this, &StudyPage::toolsRequested);
 }
 
 QFrame* StudyPage::card(const char* objectName, const QString& caption, const QString& hint,
@@ -275,6 +279,8 @@ void StudyPage::enrol()
         Q_EMIT sessionRequested(participant);
 }
 
+void StudyPage::offerTools(bool isOffered) { m_tools->setVisible(isOffered); }
+
 void StudyPage::showFault(const QString& text) { m_message->showFault(text); }
 
 void StudyPage::focusFirst()
@@ -292,6 +298,8 @@ void StudyPage::keyPressEvent(QKeyEvent* event)
     auto* pressed = qobject_cast<QPushButton*>(focusWidget());
     if (event->key() == Qt::Key_Escape)
         Q_EMIT closeRequested();
+    else if (event->key() == Qt::Key_F2 && m_tools->isVisible())
+        m_tools->click();
     else if (isEnter(event->key()) && pressed)
         pressed->click();
     else if (isEnter(event->key()) && focusWidget() == m_participant)

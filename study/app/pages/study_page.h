@@ -26,11 +26,14 @@ public:
     void present(const StudyOverview& overview, database::ParticipantKind kind);
     void showFault(const QString& text);
     void focusFirst();
+    /// Shows the button of the tools.
+    void offerTools(bool isOffered);
 
 Q_SIGNALS:
     /// The operator enrols this participant, or continues the session if there is one.
     void sessionRequested(const QString& participant);
     void closeRequested();
+    void toolsRequested();
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -63,6 +66,7 @@ private:
     QLineEdit* m_participant;
     QPushButton* m_enrol;
     QPushButton* m_close;
+    QPushButton* m_tools;
     MessageBar* m_message;
 };
 

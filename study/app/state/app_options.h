@@ -15,6 +15,7 @@
 #include "study/app/state/data_look.h"
 #include "study/app/state/monitor.h"
 #include "study/app/state/screen_cover.h"
+#include "study/app/state/study_tool.h"
 #include "study/session/clock.h"
 #include "study/session/operated_by.h"
 
@@ -48,6 +49,7 @@ struct AppOptions {
     std::shared_ptr<session::Clock> clock;  ///< empty: the system's clock
     std::shared_ptr<QSettings> settings;    ///< recent studies and appearance; empty: nothing is stored
     LookAtData lookAtData;                  ///< empty: the window offers no data sets
+    UseTool useTool;                        ///< empty: the study page offers no tools
     ReadFlags readFlags;                    ///< for the monitor; empty: no flags are shown
     database::ParticipantKind kind = database::ParticipantKind::Human;
     session::OperatedBy operatedBy;  ///< recorded with every sitting

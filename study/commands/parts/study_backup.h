@@ -1,0 +1,14 @@
+// The work of `vis2hap backup`, also for the tools page of the window.
+#pragma once
+
+#include <filesystem>
+
+#include "database/study_store.h"
+
+namespace study::commands {
+
+/// Packs a copy of the whole study into the new tar file `out`, also while a session runs. Throws badInput where the file exists
+/// or would lie in the study, environmentFault where there is no room; no half-written file is left.
+void writeBackup(const database::StudyStore& store, const std::filesystem::path& out);
+
+}  // namespace study::commands

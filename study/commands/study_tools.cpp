@@ -1,0 +1,140 @@
+#include "study/commands/study_tools.h"
+
+#include <nlohmann/json.hpp>
+
+#include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
+#include "reports/write_report.h"
+#include "study/commands/export_command.h"
+#include "study/commands/parts/study_backup.h"
+#include "study/commands/passphrase_option.h"
+#include "study/commands/recorded_act.h"
+#include "study/making/study_sheets.h"
+#include "study/records/blinded_report.h"
+#include "study/records/evidence/data_sheet.h"
+#include "study/records/evidence/data_sheet_text.h"
+#include "study/records/stored_study.h"
+#include "study/records/study_faults.h"
+#include "study/records/study_status.h"
+
+namespace study::commands {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ToolCall {
+    const database::StudyStore& store;
+    fs::path out;  ///< what to write: a name that is free
+    std::string operatorName;
+    const app::ToolProgress& progress;
+};
+
+/// "INTO/STUDY-KIND", or with "-2", "-3" … where that exists.
+fs::path freeName(const fs::path& study, const fs::path& into, const std::string& kind, const std::string& ending)
+{
+    std::error_code unknown;
+    if (into.empty() || !fs::is_directory(into, unknown))
+        throw protocols::badInput(
+            {"there is no such folder", into.string(), "a folder that exists", "choose another folder; nothing was written"});
+    const auto inStudy = fs::weakly_canonical(into).lexically_relative(fs::weakly_canonical(study));
+    if (!inStudy.empty() && *inStudy.begin() != "..")
+        throw protocols::badInput({"the files would lie in the study", into.string(), "a folder outside " + study.string(),
+                                   "choose another folder; nothing was written"});
+    const std::string stem = study.filename().string() + "-" + kind;
+    fs::path path = into / (stem + ending);
+    for (int number = 2; fs::exists(path); ++number) path = into / (stem + "-" + std::to_string(number) + ending);
+    return path;
+}
+
+app::ToolOutcome recorded(const ToolCall& call, const std::string& kind, std::string text)
+{
+    const std::string refused = addAct(call.store, kind, call.out, call.operatorName);
+    text += refused.empty() ? "Recorded in the study.\n" : "Not recorded in the study: " + refused + "\n";
+    return {text + "Log head " + textOf(call.store.head()) + "\n", call.out};
+}
+
+app::ToolOutcome verified(const database::StudyStore& store)
+{
+    const records::Findings findings = records::findingsOf(store);
+    std::string text = findings.faults.empty() ? "sound" : std::to_string(findings.faults.size()) + " faults:";
+    text += "\n";
+    for (const auto& fault : findings.faults) text += fault + "\n";
+    for (const auto& note : findings.notes) text += "note: " + note + "\n";
+    return {text + "Log head " + textOf(store.head()) + "\n", {}, findings.faults.empty()};
+}
+
+app::ToolOutcome sheets(const ToolCall& call)
+{
+    making::writeSheets(call.store, call.out);
+    return {"Open the pages in a browser and print them.\n", call.out};
+}
+
+app::ToolOutcome backup(const ToolCall& call)
+{
+    writeBackup(call.store, call.out);
+    return recorded(call, "backup", std::to_string(call.store.answerCount()) + " answers; `tar xf` restores the study.\n");
+}
+
+app::ToolOutcome exported(const ToolCall& call)
+{
+    writeExport(call.store, call.out, {"csv", false}, {});
+    return recorded(call, "export",
+                    call.store.unblinding() ? "Answers of the unblinded study.\n" : "Blinded: no condition, no fabric.\n");
+}
+
+app::ToolOutcome reported(const ToolCall& call)
+{
+    std::optional<reports::StudyData> data;
+    // An open key would show scores while sessions run; the operator must not see them.
+    if (call.store.unblinding()) data = records::studyData(call.store, {});
+    if (!data) {
+        reports::writeProgressReport(records::blindedReport(call.store), call.out);
+        return recorded(call, "report", "Blinded: progress, balance and flags. Results follow after the unblinding.\n");
+    }
+    const reports::AnalysisOptions options{reports::Depth::Whole, 0, [&](int done, int total, const std::string& step) {
+                                               call.progress(total > 0 ? 1.0 * done / total : 0.0, step);
+                                           }};
+    reports::writeReport(reports::analyse(std::move(*data), options), call.out,
+                         {textOf(call.store.head()), call.store.facts().madeWith});
+    return recorded(call, "report", "Open index.html in a browser.\n");
+}
+
+app::ToolOutcome dataSheet(const ToolCall& call)
+{
+    const std::string text = records::textOfDataSheet(records::dataSheetOf(call.store));
+    protocols::writeWholeFile(call.out, text);
+    return {text, call.out};
+}
+
+}  // namespace
+
+app::UseTool studyTools(const std::string& operatorName)
+{
+    return [operatorName](app::StudyTool tool, const fs::path& study, const fs::path& into,
+                          const app::ToolProgress& progress) -> app::ToolOutcome {
+        const auto store = records::openStudy(study);
+        const auto writing = [&](const std::string& kind, const std::string& ending = {}) {
+            return ToolCall{store, freeName(study, into, kind, ending), operatorName, progress};
+        };
+        switch (tool) {
+            case app::StudyTool::Status:
+                return {records::textOf(records::statusOf(store, {}))};
+            case app::StudyTool::Verify:
+                return verified(store);
+            case app::StudyTool::Sheets:
+                return sheets(writing("sheets"));
+            case app::StudyTool::Backup:
+                return backup(writing("backup", ".tar"));
+            case app::StudyTool::Export:
+                return exported(writing("export"));
+            case app::StudyTool::Report:
+                return reported(writing("report"));
+            case app::StudyTool::DataSheet:
+                return dataSheet(writing("data-sheet", ".txt"));
+        }
+        throw std::logic_error("unknown tool");
+    };
+}
+
+}  // namespace study::commands

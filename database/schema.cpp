@@ -225,6 +225,11 @@ int checkedVersion(const SqliteConnection& connection)
         throw protocols::badInput({"a newer version of this program made the study (schema " + std::to_string(version) + ")",
                                    connection.file().string(), "schema " + std::to_string(schemaVersion) + " or older",
                                    "update this program"});
+    const auto hasColumn = QStringLiteral("SELECT COUNT(*) FROM pragma_table_info('responses') WHERE name = 'answer_begun_at'");
+    if (version == schemaVersion && connection.value(hasColumn).toInt() == 0)
+        throw protocols::badInput({"a development version of this program made the study, and its table of answers lacks columns",
+                                   connection.file().string(), "a study of 0.5.0 or of this version",
+                                   "finish and export it with the program that made it"});
     return version;
 }
 

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <opencv2/core/mat.hpp>
+#include <optional>
 #include <string>
 
 namespace rendering {
@@ -26,6 +27,9 @@ public:
     virtual std::string name() const = 0;
     /// False where nothing can be felt, because the session runs without a device.
     virtual bool isThere() const { return true; }
+
+    /// Size of the surface in pixels, if the device states it.
+    virtual std::optional<cv::Size> surfacePx() const { return std::nullopt; }
 
     virtual bool reportsTouches() const { return false; }
     /// Sets the function that is called when a finger touches the display, on the thread that shows images.

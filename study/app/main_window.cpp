@@ -12,6 +12,7 @@
 #include "study/app/pages/monitor_window.h"
 #include "study/app/pages/new_study_page.h"
 #include "study/app/pages/session_page.h"
+#include "study/app/pages/setup/display_page.h"
 #include "study/app/pages/stage_page.h"
 #include "study/app/pages/start_page.h"
 #include "study/app/pages/study_page.h"
@@ -44,6 +45,7 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
       m_startPage(new StartPage(this)),
       m_newStudyPage(new NewStudyPage(options.makeStudy, this)),
       m_dataPage(new DataPage(options.lookAtData, this)),
+      m_displayPage(new DisplayPage(options, this)),
       m_studyPage(new StudyPage(this)),
       m_toolsPage(new ToolsPage(options.useTool, this)),
       m_sessionPage(new SessionPage(this))
@@ -53,14 +55,21 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
     m_pages->setObjectName("pages");
     for (QWidget* page :
          {static_cast<QWidget*>(m_startPage), static_cast<QWidget*>(m_newStudyPage), static_cast<QWidget*>(m_dataPage),
-          static_cast<QWidget*>(m_studyPage), static_cast<QWidget*>(m_toolsPage), static_cast<QWidget*>(m_sessionPage)})
+          static_cast<QWidget*>(m_displayPage), static_cast<QWidget*>(m_studyPage), static_cast<QWidget*>(m_toolsPage),
+          static_cast<QWidget*>(m_sessionPage)})
         m_pages->addWidget(page);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_pages);
     resize(QSize(1100, 750).boundedTo(screen()->availableSize()));
-    m_studyPage->offerTools(static_cast<bool>(options.useTool));
+    m_rehearses = options.isDisplayGiven;
+    const std::string remembered = rememberedDisplay(options.settings.get());
+    const bool isAllowed = options.allowsPlainImages || !leavesPlainImages(remembered);
+    if (!options.isDisplayGiven && options.kind == database::ParticipantKind::Human && !remembered.empty() && isAllowed)
+        useDisplay(remembered);
     connectPages();
+    connectDisplayPage();
+    m_studyPage->offerTools(static_cast<bool>(options.useTool));
     connectTools();
     connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q), this), &QShortcut::activated, this, [this] { close(); });
     showStart();
@@ -89,7 +98,7 @@ void MainWindow::connectPages()
     connect(m_studyPage, &StudyPage::closeRequested, this, &MainWindow::closeStudy);
     connect(m_studyPage, &StudyPage::sessionRequested, this, [this](const QString& participant) {
         if (const QString fault = m_study->protocolFault(); !fault.isEmpty()) return m_studyPage->showFault(fault);
-        showingFaults(*m_studyPage, [&] { startSession(protocols::ParticipantId(participant.toStdString())); });
+        showingFaults(*m_studyPage, [&] { requestSession(protocols::ParticipantId(participant.toStdString())); });
     });
     connect(m_sessionPage, &SessionPage::correctionRequested, this,
             [this] { m_sessionPage->openCorrection(m_session->correctables()); });
@@ -105,6 +114,49 @@ void MainWindow::connectPages()
     });
     // Queued, so that the page is not rebuilt while it still handles its own event.
     connect(m_sessionPage, &SessionPage::leaveRequested, this, &MainWindow::leaveSession, Qt::QueuedConnection);
+}
+
+void MainWindow::connectDisplayPage()
+{
+    connect(m_startPage, &StartPage::displayRequested, this, [this] { showDisplay(); });
+    connect(m_studyPage, &StudyPage::displayRequested, this, [this] { showDisplay(); });
+    connect(m_displayPage, &DisplayPage::backRequested, this, &MainWindow::leaveDisplay);
+    connect(m_displayPage, &DisplayPage::chosen, this, [this](const QString& specification) {
+        m_rehearses = false;
+        useDisplay(specification.toStdString());
+    });
+    connect(m_displayPage, &DisplayPage::rehearsalRequested, this, [this] {
+        m_rehearses = true;
+        useDisplay("none");
+        const auto waiting = m_waiting;
+        leaveDisplay();
+        if (waiting) showingFaults(*m_studyPage, [&] { requestSession(*waiting); });
+    });
+    connect(m_sessionPage, &SessionPage::patternRequested, this, [this](const std::optional<TestPattern>& pattern) {
+        if (m_session) m_session->showPattern(pattern, rememberedScale(m_options.settings.get(), m_options.display));
+    });
+}
+
+void MainWindow::useDisplay(const std::string& specification)
+{
+    m_options.display = specification;
+    m_options.operatedBy.plainImages = leavesPlainImages(specification);
+}
+
+void MainWindow::showDisplay(const QString& why)
+{
+    m_displayPage->present(m_options.display, why);
+    m_pages->setCurrentWidget(m_displayPage);
+    m_displayPage->focusFirst();
+}
+
+void MainWindow::leaveDisplay()
+{
+    m_waiting.reset();
+    if (m_study)
+        showStudy();
+    else
+        showStart();
 }
 
 void MainWindow::connectTools()
@@ -167,13 +219,31 @@ void MainWindow::closeStudy()
 
 void MainWindow::startSession(const protocols::ParticipantId& participant)
 {
+    m_session.reset();  // A driver serves one connection at a time.
+    begin(participant, m_options.openDisplay(m_options.display));
+}
+
+void MainWindow::requestSession(const protocols::ParticipantId& participant)
+{
     m_session.reset();
-    m_session = std::make_unique<SessionController>(m_study->store(), participant, m_study->bank(),
-                                                    m_options.openDisplay(m_options.display), m_options.clock, m_options.kind,
-                                                    m_options.operatedBy, nullptr);
+    auto display = m_options.openDisplay(m_options.display);
+    if (display->isThere() || m_rehearses || m_options.kind != database::ParticipantKind::Human)
+        return begin(participant, std::move(display));
+    display.reset();
+    showDisplay(tr("No display is connected, so %1 would feel nothing. Connect a display, or rehearse without one.")
+                    .arg(QString::fromStdString(participant.value)));
+    m_waiting = participant;
+}
+
+void MainWindow::begin(const protocols::ParticipantId& participant, std::unique_ptr<rendering::HapticDisplay> display)
+{
+    m_session = std::make_unique<SessionController>(m_study->store(), participant, m_study->bank(), std::move(display),
+                                                    m_options.clock, m_options.kind, m_options.operatedBy, nullptr);
     m_leavingWasRefused = false;
     connectSession();
-    m_sessionPage->begin(m_session->facts());
+    SessionFacts facts = m_session->facts();
+    facts.mmPerPixel = rememberedScale(m_options.settings.get(), m_options.display);
+    m_sessionPage->begin(facts);
     m_pages->setCurrentWidget(m_sessionPage);
     setWindowTitle(tr("%1 – %2 – Vis2Hap").arg(QString::fromStdString(participant.value), m_study->name()));
     m_sessionPage->present(m_session->view(), m_session->canCorrect());
@@ -183,6 +253,7 @@ void MainWindow::connectSession()
 {
     connect(m_session.get(), &SessionController::viewChanged, this, &MainWindow::refreshSession);
     connect(m_session.get(), &SessionController::reported, m_sessionPage, &SessionPage::showMessage);
+    connect(m_session.get(), &SessionController::patternShown, m_sessionPage, &SessionPage::showPattern);
 }
 
 void MainWindow::refreshSession()

@@ -1,5 +1,5 @@
-// The main window: a stack of six pages (start, new study, data set, study, tools, session), the open study and session, and the
-// appearance. It decides nothing about a session; it connects the pages to the controller.
+// The main window: a stack of seven pages (start, new study, data set, display, study, tools, session), the open study and
+// session, and the appearance. It decides nothing about a session; it connects the pages to the controller.
 #pragma once
 
 #include <QWidget>
@@ -15,6 +15,7 @@ class QStackedWidget;
 namespace study::app {
 
 class DataPage;
+class DisplayPage;
 class MonitorWindow;
 class NewStudyPage;
 class SessionPage;
@@ -32,6 +33,9 @@ public:
     void openStudy(const std::filesystem::path& folder);
     /// Enrols the participant, or resumes the session, and shows it. Throws protocols::Error.
     void startSession(const protocols::ParticipantId& participant);
+    /// Starts the session of a person only with a display, or where the operator chose to rehearse without one; otherwise shows
+    /// the display page with the reason. Throws protocols::Error.
+    void requestSession(const protocols::ParticipantId& participant);
 
     OpenStudy* study() const { return m_study.get(); }
     SessionController* session() const { return m_session.get(); }
@@ -47,7 +51,12 @@ protected:
 
 private:
     void connectPages();
+    void connectDisplayPage();
     void connectSession();
+    void begin(const protocols::ParticipantId& participant, std::unique_ptr<rendering::HapticDisplay> display);
+    void useDisplay(const std::string& specification);
+    void showDisplay(const QString& why = {});
+    void leaveDisplay();
     void showStart();
     void showStudy();
     void connectTools();
@@ -63,11 +72,14 @@ private:
     std::unique_ptr<OpenStudy> m_study;
     std::unique_ptr<SessionController> m_session;
     bool m_leavingWasRefused = false;
+    bool m_rehearses = false;                           ///< the operator chose to run sessions without a display
+    std::optional<protocols::ParticipantId> m_waiting;  ///< whose session waits for a display
 
     QStackedWidget* m_pages;
     StartPage* m_startPage;
     NewStudyPage* m_newStudyPage;
     DataPage* m_dataPage;
+    DisplayPage* m_displayPage;
     StudyPage* m_studyPage;
     ToolsPage* m_toolsPage;
     SessionPage* m_sessionPage;

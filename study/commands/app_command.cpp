@@ -5,6 +5,7 @@
 #include "protocols/files/errors.h"
 #include "reports/analysis/quality_flags.h"
 #include "study/app/app.h"
+#include "study/app/state/tried_display.h"
 #include "study/commands/command_line.h"
 #include "study/commands/study_tools.h"
 #include "study/commands/text_checks.h"
@@ -18,7 +19,7 @@ namespace {
 
 struct AppCall {
     std::string study;
-    std::string display = "none";
+    std::string display;  ///< empty: the display that the display page remembers
     std::string operatorName;
     bool monitor = false;
     bool plainImages = false;
@@ -57,26 +58,26 @@ std::vector<app::MonitorFlag> flagsOf(const database::StudyStore& store)
     return flags;
 }
 
-bool leavesPlainImages(const AppCall& call) { return call.display.starts_with("folder:"); }
-
 app::AppOptions optionsOf(const AppCall& call)
 {
     app::AppOptions options;
     if (!call.study.empty()) options.study = call.study;
-    options.display = call.display;
+    if (!call.display.empty()) options.display = call.display;
+    options.isDisplayGiven = !call.display.empty();
+    options.allowsPlainImages = call.plainImages;
     options.makeStudy = makeForApp;
     options.settings = app::userSettings();
     options.lookAtData = looking::lookAtData();
     options.readFlags = flagsOf;
     options.useTool = studyTools(call.operatorName);
     options.operatedBy = session::operatedBy(call.operatorName, versionText());
-    options.operatedBy.plainImages = leavesPlainImages(call);
+    options.operatedBy.plainImages = app::leavesPlainImages(call.display);
     return options;
 }
 
 void requireAllowedDisplay(const AppCall& call)
 {
-    if (leavesPlainImages(call) && !call.plainImages)
+    if (app::leavesPlainImages(call.display) && !call.plainImages)
         throw protocols::badInput({"this display leaves every image as a plain file, which an operator can open", call.display,
                                    "a driver (exec:COMMAND or tcp:HOST:PORT), or the option --plain-images",
                                    "see \"The display\" in the README; reports will state --plain-images"});
@@ -101,8 +102,8 @@ void addApp(CLI::App& app, Action& action)
     app.add_option("--display", call->display,
                    "haptic display: none; folder:DIR (writes DIR/current.pgm); exec:COMMAND (starts a driver); "
                    "tcp:HOST:PORT (a driver on another computer); cover:N (a black window on touch screen N, which "
-                   "reports the first touch); or a display under a cover: folder:DIR,cover:N")
-        ->capture_default_str();
+                   "reports the first touch); or a display under a cover: folder:DIR,cover:N. Default: the display that the page "
+                   "\"Display\" remembers; none named here is a rehearsal without a display");
     app.add_option("--operator", call->operatorName, "who runs the sessions (default: the name of this account)")
         ->check(isName());
     app.add_flag("--plain-images", call->plainImages, "allow --display folder:DIR with people; every report states it");

@@ -145,16 +145,25 @@ protocols::Protocol protocolOf(const database::StudyFacts& facts)
 
 std::vector<std::string> stampsOf(const database::StudyStore& store, const database::StudyFacts& facts)
 {
-    std::set<protocols::ParticipantId> seen;
+    std::set<protocols::ParticipantId> seen, people;
+    std::size_t withoutDisplay = 0;
+    for (const auto& enrolment : store.enrolments())
+        if (enrolment.kind == database::ParticipantKind::Human) people.insert(enrolment.participant);
     for (const auto& sitting : store.eventsOfKind("sitting_started")) {
         const auto payload = nlohmann::json::parse(sitting.payloadJson, nullptr, false);
         if (payload.is_object() && payload.contains("plain_images")) seen.insert(sitting.participant);
+        if (payload.is_object() && payload.contains("display") && payload["display"] == "none" &&
+            people.contains(sitting.participant))
+            ++withoutDisplay;
     }
     std::vector<std::string> stamps = facts.stamps;
     if (!seen.empty())
         stamps.push_back("The display left its images as plain files in sessions of " +
                          reports::counted(seen.size(), "participant") +
                          " (--plain-images): an operator could have seen what was rendered.");
+    if (withoutDisplay > 0)
+        stamps.push_back(reports::counted(withoutDisplay, "sitting") +
+                         " ran without a display: participants of these sittings felt no image on the glass.");
     return stamps;
 }
 

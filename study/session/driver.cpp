@@ -135,6 +135,7 @@ Driver::Driver(StudyStore& store, const protocols::ParticipantId& participant, d
       m_clock(clock),
       m_operatedBy(std::move(operatedBy))
 {
+    m_operatedBy.display = display.isThere() ? display.name() : "none";
     requireKeptProtocol(store);
     store.enrol(participant, kind);
     m_plan = readPlan(store, participant);

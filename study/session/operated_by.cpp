@@ -38,7 +38,7 @@ std::string hostName()
 
 OperatedBy operatedBy(const std::string& name, const std::string& program)
 {
-    return {name.empty() ? accountName() : name, program, hostName(), false};
+    return {name.empty() ? accountName() : name, program, hostName(), false, {}};
 }
 
 }  // namespace study::session

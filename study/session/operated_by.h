@@ -10,6 +10,7 @@ struct OperatedBy {
     std::string program;       ///< "vis2hap 0.6.0"
     std::string host;
     bool plainImages = false;  ///< the display leaves each image as a plain file while it can be felt
+    std::string display = {};  ///< name of the display; "none" if nothing can be felt
     bool operator==(const OperatedBy&) const = default;
 };
 

@@ -161,11 +161,14 @@ void addOperator(Json& payload, const EventBody& body, const OperatedBy& operate
 {
     const bool isStart = std::holds_alternative<SittingStarted>(body);
     const bool changesAnswers = std::holds_alternative<Corrected>(body) || std::holds_alternative<Voided>(body);
-    if (operatedBy == OperatedBy{} || (!isStart && !changesAnswers)) return;
+    OperatedBy nobody;
+    nobody.display = operatedBy.display;  // The display alone says nothing about who runs the sitting.
+    if (operatedBy == nobody || (!isStart && !changesAnswers)) return;
     payload["operator"] = operatedBy.operatorName;
     if (!isStart) return;
     payload["program"] = operatedBy.program;
     payload["host"] = operatedBy.host;
+    if (!operatedBy.display.empty()) payload["display"] = operatedBy.display;
     if (operatedBy.plainImages) payload["plain_images"] = true;
 }
 

@@ -105,6 +105,9 @@ private Q_SLOTS:
         QTest::newRow("a newer study") << "study"
                                        << "PRAGMA user_version = 99"
                                        << "newer version of this program made the study (schema 99)";
+        QTest::newRow("a development version's") << "study"
+                                                 << "ALTER TABLE responses RENAME COLUMN answer_begun_at TO another"
+                                                 << "development version";
     }
 
     void whatIsNoStudyIsRefused()

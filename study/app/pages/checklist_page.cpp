@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "study/app/pieces/line_form.h"
+#include "study/app/pieces/pattern_buttons.h"
 #include "study/app/pieces/pieces.h"
 #include "study/app/pieces/tick_box.h"
 
@@ -15,6 +16,8 @@ ChecklistPage::ChecklistPage(QWidget* parent)
     : StagePage(parent),
       m_rows(new QVBoxLayout),
       m_readings(new LineForm("reading", this)),
+      m_patternsCaption(label("patternsCaption", Type::Body, this)),
+      m_patterns(new PatternButtons(this)),
       m_action(mainButton("confirmButton", tr("Everything is ready (Enter)"), this))
 {
     auto* head = new PageHead(this);
@@ -25,18 +28,31 @@ ChecklistPage::ChecklistPage(QWidget* parent)
     column->setSpacing(14);
     column->addWidget(head);
     column->addLayout(m_rows);
+    column->addWidget(m_patternsCaption);
+    column->addWidget(m_patterns);
     column->addWidget(m_readings);
     column->addSpacing(6);
     column->addWidget(m_action, 0, Qt::AlignLeft);
     column->addStretch(1);
     connect(m_action, &QPushButton::clicked, this, &ChecklistPage::confirm);
+    connect(m_patterns, &PatternButtons::patternRequested, this, &ChecklistPage::patternRequested);
 }
+
+void ChecklistPage::setPattern(const std::optional<TestPattern>& pattern) { m_patterns->setShown(pattern); }
 
 void ChecklistPage::begin(const SessionFacts& facts)
 {
     clearLayout(*m_rows);
     m_boxes.clear();
     for (const QString& line : facts.checklist) m_rows->addWidget(rowFor(line));
+    const bool isThere = !facts.displayName.isEmpty();
+    showText(*m_patternsCaption, !isThere ? QString()
+                                 : facts.mmPerPixel
+                                     ? tr("Feel the test pattern:")
+                                     : tr("Feel the test pattern. Gratings need the width of a pixel from the display page."));
+    m_patterns->setVisible(isThere);
+    m_patterns->setUsable(isThere, facts.mmPerPixel);
+    m_patterns->setShown(std::nullopt);
     m_readings->setCaptions(facts.readings);
     m_readings->setVisible(!facts.readings.isEmpty());
     setTabOrderAfter(facts.readings.isEmpty() ? static_cast<QWidget&>(*this) : *m_readings, {m_action});

@@ -6,12 +6,14 @@
 
 #include "study/app/pages/stage_page.h"
 
+class QLabel;
 class QPushButton;
 class QVBoxLayout;
 
 namespace study::app {
 
 class LineForm;
+class PatternButtons;
 
 class ChecklistPage : public StagePage {
     Q_OBJECT
@@ -21,6 +23,8 @@ public:
     /// Clears all ticks and readings.
     void begin(const SessionFacts& facts) override;
     void present(const session::View&) override {}
+    /// Shows which test pattern can be felt; none if it is off.
+    void setPattern(const std::optional<TestPattern>& pattern);
     bool pressKey(int key) override;
     QWidget& firstFocus() override;
 
@@ -36,6 +40,8 @@ private:
     QVBoxLayout* m_rows;
     std::vector<QCheckBox*> m_boxes;  ///< one for each line of the checklist
     LineForm* m_readings;
+    QLabel* m_patternsCaption;
+    PatternButtons* m_patterns;
     QPushButton* m_action;
 };
 

@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "study/app/pages/checklist_page.h"
 #include "study/app/pages/correction_panel.h"
 #include "study/app/pages/guide_page.h"
 #include "study/app/pages/reason_panel.h"
@@ -39,6 +40,7 @@ SessionPage::SessionPage(QWidget* parent)
     column->addWidget(m_footer);
     connect(m_stages, &StageStack::eventRequested, this, &SessionPage::eventRequested);
     connect(m_stages, &StageStack::answerMarked, this, &SessionPage::answerMarked);
+    connect(m_stages, &StageStack::patternRequested, this, &SessionPage::patternRequested);
     connect(m_stages, &StageStack::hinted, this, [this](const QString& text) { showMessage(text, Tone::Hint); });
     connect(m_stages, &StageStack::panelCloseRequested, this, &SessionPage::closePanel);
     connect(&m_stages->guide(), &GuidePage::leaveRequested, this, &SessionPage::leaveRequested);
@@ -149,6 +151,7 @@ void SessionPage::openCorrection(const std::vector<Correctable>& answers)
 
 void SessionPage::openPanel(StagePage& panel)
 {
+    Q_EMIT patternRequested(std::nullopt);  // The panel hides the buttons of the patterns.
     m_panel = &panel;
     m_message->clearMessage();
     m_footer->setPanelOpen(true);
@@ -169,6 +172,13 @@ void SessionPage::closePanelAndMessage()
     m_message->clearMessage();
     m_panel = nullptr;
     m_footer->setPanelOpen(false);
+}
+
+void SessionPage::showPattern(const std::optional<TestPattern>& pattern)
+{
+    m_header->setPattern(pattern ? patternName(*pattern) : QString());
+    m_stages->checklist().setPattern(pattern);
+    m_header->present(m_view);
 }
 
 void SessionPage::showMessage(const QString& text, Tone tone)

@@ -28,6 +28,8 @@ public:
     /// Closes the panel and clears the message after an accepted event.
     void closePanelAndMessage();
     void showMessage(const QString& text, Tone tone);
+    /// Shows which test pattern can be felt; none if it is off.
+    void showPattern(const std::optional<TestPattern>& pattern);
     const session::View& shownView() const { return m_view; }
 
     /// True while the page offers the refresher and the checklist of a later sitting.
@@ -40,6 +42,7 @@ Q_SIGNALS:
     void eventRequested(const study::session::EventBody& event);
     void answerMarked(study::app::AnswerMark mark);
     void correctionRequested();
+    void patternRequested(const std::optional<rendering::TestPattern>& pattern);
     /// The operator leaves the session; a running session must be paused first.
     void leaveRequested();
 

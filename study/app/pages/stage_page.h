@@ -5,6 +5,7 @@
 
 #include "study/app/state/answer_mark.h"
 #include "study/app/state/session_facts.h"
+#include "study/app/state/tried_display.h"
 #include "study/session/driver.h"
 
 namespace study::app {
@@ -30,6 +31,8 @@ Q_SIGNALS:
     void answerMarked(study::app::AnswerMark mark);
     /// A hint for the operator that does not come from the engine; empty clears the last hint.
     void hinted(const QString& text);
+    /// The operator switches a test pattern of the display on, or off (none).
+    void patternRequested(const std::optional<rendering::TestPattern>& pattern);
 };
 
 inline bool isEnter(int key) { return key == Qt::Key_Return || key == Qt::Key_Enter; }

@@ -78,6 +78,7 @@ Page* StageStack::add(const char* areaName)
     connect(page, &StagePage::eventRequested, this, &StageStack::eventRequested);
     connect(page, &StagePage::answerMarked, this, &StageStack::answerMarked);
     connect(page, &StagePage::hinted, this, &StageStack::hinted);
+    connect(page, &StagePage::patternRequested, this, &StageStack::patternRequested);
     connect(area->verticalScrollBar(), &QScrollBar::rangeChanged, area, [area] { scrollToTextEntry(*area); });
     return page;
 }

@@ -8,6 +8,7 @@
 
 namespace study::app {
 
+class ChecklistPage;
 class CorrectionPanel;
 class GuidePage;
 class ReasonPanel;
@@ -20,6 +21,7 @@ public:
 
     GuidePage& guide() const { return *m_guide; }
     TrayPage& tray() const { return *m_tray; }
+    ChecklistPage& checklist() const { return *m_checklist; }
     CorrectionPanel& correction() const { return *m_correction; }
     ReasonPanel& reason() const { return *m_reason; }
 
@@ -32,6 +34,7 @@ public:
     bool scrollBy(int key);
 
 Q_SIGNALS:
+    void patternRequested(const std::optional<rendering::TestPattern>& pattern);
     void eventRequested(const study::session::EventBody& event);
     void answerMarked(study::app::AnswerMark mark);
     void hinted(const QString& text);
@@ -47,7 +50,7 @@ private:
     StagePage* m_facts;
     StagePage* m_familiarisation;
     StagePage* m_scaleTraining;
-    StagePage* m_checklist;
+    ChecklistPage* m_checklist;
     TrayPage* m_tray;
     StagePage* m_question;
     StagePage* m_debriefing;

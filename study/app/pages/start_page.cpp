@@ -22,6 +22,7 @@ StartPage::StartPage(QWidget* parent)
       m_open(mainButton("openButton", tr("Open the study (Enter)"), this)),
       m_new(button("newStudyButton", tr("Create a new study…"), this)),
       m_data(button("lookAtDataButton", tr("Look at a data set…"), this)),
+      m_display(button("displayButton", tr("Display…"), this)),
       m_message(new MessageBar("startMessage", this))
 {
     setObjectName("startPage");
@@ -57,7 +58,7 @@ StartPage::StartPage(QWidget* parent)
     column->addWidget(caption);
     column->addLayout(folderRow);
     column->addSpacing(10);
-    column->addLayout(actionsRow({m_open, m_new, m_data}));
+    column->addLayout(actionsRow({m_open, m_new, m_data, m_display}));
     column->addSpacing(6);
     column->addWidget(m_message);
     column->addStretch(2);
@@ -74,6 +75,7 @@ StartPage::StartPage(QWidget* parent)
     connect(m_browse, &QPushButton::clicked, this, &StartPage::browse);
     connect(m_new, &QPushButton::clicked, this, &StartPage::newStudyRequested);
     connect(m_data, &QPushButton::clicked, this, &StartPage::dataRequested);
+    connect(m_display, &QPushButton::clicked, this, &StartPage::displayRequested);
 }
 
 void StartPage::present(const QStringList& recentFolders, bool canMakeStudies, bool canLookAtData)

@@ -27,6 +27,7 @@ Q_SIGNALS:
     void openRequested(const QString& folder);
     void newStudyRequested();
     void dataRequested();
+    void displayRequested();
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -42,6 +43,7 @@ private:
     QPushButton* m_open;
     QPushButton* m_new;
     QPushButton* m_data;
+    QPushButton* m_display;
     MessageBar* m_message;
 };
 

@@ -39,6 +39,7 @@ StudyPage::StudyPage(QWidget* parent)
       m_resume(mainButton("resumeButton", tr("Continue a session"), this)),
       m_participant(field("participantField", tr("Code of the next participant"), this)),
       m_enrol(mainButton("enrolButton", tr("Enrol and begin (Enter)"), this)),
+      m_display(button("displayButton", tr("Display…"), this)),
       m_close(plainButton("closeStudyButton", tr("Close the study (Esc)"), this)),
       m_tools(plainButton("toolsButton", tr("Tools… (F2)"), this)),
       m_message(new MessageBar("studyMessage", this))
@@ -75,6 +76,7 @@ StudyPage::StudyPage(QWidget* parent)
     column->addLayout(m_middle, 1);
     column->addWidget(m_message);
     auto* bottom = new QHBoxLayout;
+    bottom->addWidget(m_display);
     bottom->addWidget(m_close);
     bottom->addWidget(m_tools);
     bottom->addWidget(appearanceHint(page), 1);
@@ -86,9 +88,11 @@ StudyPage::StudyPage(QWidget* parent)
     setTabOrder(m_enrol, m_going);
     setTabOrder(m_going, m_resume);
     setTabOrder(m_resume, m_places);
-    setTabOrder(m_places, m_close);
+    setTabOrder(m_places, m_display);
+    setTabOrder(m_display, m_close);
     setTabOrder(m_close, m_tools);
 
+    connect(m_display, &QPushButton::clicked, this, &StudyPage::displayRequested);
     connect(m_enrol, &QPushButton::clicked, this, &StudyPage::enrol);
     connect(m_resume, &QPushButton::clicked, this, &StudyPage::resumeChosen);
     connect(m_participant, &QLineEdit::textChanged, this, [this] { m_isAskedAgain = false; });
@@ -253,9 +257,10 @@ void StudyPage::resumeChosen()
         m_message->showHint(tr("Choose a participant whose session has started but is not finished."));
     else if (typed != place->participant) {
         m_going->setFocus();
-        m_message->showHint(typed.isEmpty() ? tr("Type %1 to continue with this participant.").arg(place->participant)
-                                            : tr("%1 is chosen in the list, and %2 is typed. Choose and type the same participant.")
-                                                  .arg(place->participant, typed));
+        m_message->showHint(typed.isEmpty()
+                                ? tr("Type %1 to continue with this participant.").arg(place->participant)
+                                : tr("%1 is chosen in the list, and %2 is typed. Choose and type the same participant.")
+                                      .arg(place->participant, typed));
     } else
         Q_EMIT sessionRequested(place->participant);
 }

@@ -33,6 +33,7 @@ Q_SIGNALS:
     /// The operator enrols this participant, or continues the session if there is one.
     void sessionRequested(const QString& participant);
     void closeRequested();
+    void displayRequested();
     void toolsRequested();
 
 protected:
@@ -65,6 +66,7 @@ private:
     QPushButton* m_resume;
     QLineEdit* m_participant;
     QPushButton* m_enrol;
+    QPushButton* m_display;
     QPushButton* m_close;
     QPushButton* m_tools;
     MessageBar* m_message;

@@ -2,16 +2,29 @@
 
 #include <QApplication>
 #include <QShortcut>
+#include <QVariant>
 #include <QWidget>
 
 #include "study/app/state/recent_studies.h"
 
 namespace study::app {
 
+namespace {
+
+/// The font before any appearance was applied: a second window must not enlarge what the first has enlarged.
+QFont originalFont()
+{
+    constexpr char fontName[] = "vis2hapFont";
+    if (!qApp->property(fontName).isValid()) qApp->setProperty(fontName, QApplication::font());
+    return qApp->property(fontName).value<QFont>();
+}
+
+}  // namespace
+
 AppearanceKeys::AppearanceKeys(std::shared_ptr<QSettings> settings, QWidget& window)
     : QObject(&window),
       m_settings(std::move(settings)),
-      m_base(QApplication::font()),
+      m_base(originalFont()),
       m_appearance(rememberedAppearance(m_settings.get()))
 {
     const auto bind = [&](const QKeySequence& keys, auto work) {

@@ -51,6 +51,7 @@ void SessionHeader::begin(const SessionFacts& facts)
 {
     m_sittingMinutes = facts.sittingMinutes;
     m_displayName = facts.displayName;
+    m_pattern.clear();
     setRole(*m_display, m_displayName.isEmpty() ? "fault" : "tag");
 }
 
@@ -70,6 +71,8 @@ void SessionHeader::present(const session::View& view)
 {
     if (m_displayName.isEmpty())
         m_display->setText(tr("NO DISPLAY: rehearsal"));
+    else if (!m_pattern.isEmpty())
+        m_display->setText(tr("Display on: %1 (%2)").arg(m_pattern, m_displayName));
     else
         m_display->setText(isFelt(view) ? tr("Display on: %1").arg(m_displayName) : tr("Display off: %1").arg(m_displayName));
     const bool isOver = std::holds_alternative<session::Finished>(view.state.stage) ||

@@ -18,10 +18,12 @@ public:
 
     void begin(const SessionFacts& facts);
     void present(const session::View& view);
+    /// Name of the test pattern that can be felt; empty if none.
+    void setPattern(const QString& pattern) { m_pattern = pattern; }
 
 private:
     int m_sittingMinutes = 60;
-    QString m_displayName;
+    QString m_displayName, m_pattern;
     QLabel* m_display;
     QLabel* m_participant;
     QLabel* m_part;

@@ -44,10 +44,12 @@ using OpenDisplay = std::function<std::unique_ptr<rendering::HapticDisplay>(cons
 struct AppOptions {
     std::optional<std::filesystem::path> study;  ///< opened at the start
     std::string display = "none";                ///< argument of `openDisplay`
+    bool isDisplayGiven = false;     ///< the operator named `display`: it replaces the remembered one, and "none" is meant
+    bool allowsPlainImages = false;  ///< whether the display page offers folder:DIR
     OpenDisplay openDisplay = app::openDisplay;
     MakeStudy makeStudy;                    ///< empty: the window offers no new study
     std::shared_ptr<session::Clock> clock;  ///< empty: the system's clock
-    std::shared_ptr<QSettings> settings;    ///< recent studies and appearance; empty: nothing is stored
+    std::shared_ptr<QSettings> settings;    ///< recent studies, display and appearance; empty: nothing is stored
     LookAtData lookAtData;                  ///< empty: the window offers no data sets
     UseTool useTool;                        ///< empty: the study page offers no tools
     ReadFlags readFlags;                    ///< for the monitor; empty: no flags are shown

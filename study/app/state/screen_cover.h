@@ -23,6 +23,7 @@ public:
     void clear() override { m_wrapped->clear(); }
     std::string name() const override;
     bool reportsTouches() const override { return true; }
+    std::optional<cv::Size> surfacePx() const override { return m_wrapped->surfacePx(); }
     bool isThere() const override { return m_wrapped->isThere(); }
     /// Reports touches by a finger, presses of the mouse, and touches that the wrapped display reports.
     void onTouched(std::function<void(const rendering::Touch&)> touched) override;

@@ -59,6 +59,46 @@ SessionController::SessionController(database::StudyStore& store, const protocol
     watchDisplay();
 }
 
+SessionController::~SessionController()
+{
+    try {
+        if (m_pattern) m_display->clear();
+    } catch (const std::exception&) {
+        // The display is closed next, and then a driver clears its device.
+    }
+}
+
+void SessionController::clearPattern()
+{
+    if (!m_pattern) return;
+    m_display->clear();
+    m_pattern.reset();
+    Q_EMIT patternShown(std::nullopt);
+}
+
+void SessionController::showPattern(const std::optional<TestPattern>& pattern, std::optional<double> mmPerPixel)
+{
+    const bool isInTheList = std::holds_alternative<session::CheckingList>(m_view.state.stage) && !m_view.state.paused;
+    try {
+        clearPattern();
+        if (pattern && isInTheList) {
+            const cv::Mat image = rendering::testPatternImage(*pattern, m_display->surfacePx(), mmPerPixel);
+            m_pattern = pattern;  // A display that fails may show the image nevertheless.
+            m_display->show(image);
+            Q_EMIT patternShown(m_pattern);
+        }
+    } catch (const std::exception& fault) {
+        const QString trouble = QString::fromUtf8(fault.what());
+        try {
+            clearPattern();
+        } catch (const std::exception&) {
+            // Report the first fault of the display; later ones are consequences. The next event clears it again.
+        }
+        Q_EMIT patternShown(m_pattern);
+        Q_EMIT reported(trouble, Tone::Fault);
+    }
+}
+
 void SessionController::watchDisplay()
 {
     if (m_display->descriptorToWatch() < 0) return;
@@ -86,6 +126,11 @@ void SessionController::send(const session::EventBody& asked)
     ++m_eventsSent;
     QString trouble;
     try {
+        if (m_pattern && std::holds_alternative<session::Paused>(event)) {
+            m_pattern.reset();  // A pause clears the display itself, and must not fail here.
+            Q_EMIT patternShown(std::nullopt);
+        } else
+            clearPattern();  // The pattern must not be felt after the checklist.
         m_lastOutcome->refusal = m_driver.send(event);
     } catch (const std::exception& fault) {
         m_lastOutcome->fault = std::current_exception();

@@ -12,6 +12,7 @@
 #include "study/app/state/answer_form.h"
 #include "study/app/state/app_options.h"
 #include "study/app/state/session_facts.h"
+#include "study/app/state/tried_display.h"
 #include "study/session/driver.h"
 
 namespace study::app {
@@ -39,6 +40,7 @@ public:
     SessionController(database::StudyStore& store, const protocols::ParticipantId& participant, rendering::StimulusBank& bank,
                       std::unique_ptr<rendering::HapticDisplay> display, std::shared_ptr<session::Clock> clock,
                       database::ParticipantKind kind, const session::OperatedBy& operatedBy, QObject* parent);
+    ~SessionController() override;
 
     /// Sends the event to the engine. Never throws: refusals and faults are reported by signal and kept in lastOutcome().
     void send(const session::EventBody& event);
@@ -46,6 +48,9 @@ public:
     void displayTouched(const rendering::Touch& touch = {});
     /// Stamps the beginning of the present answer now, if nothing has stamped it yet.
     void markAnswerBegun(session::BegunBy by);
+    /// Shows a test pattern while the checklist is open, or clears it (none). Never throws: faults are reported by signal.
+    /// Every event clears the pattern first.
+    void showPattern(const std::optional<TestPattern>& pattern, std::optional<double> mmPerPixel);
     /// Takes back the stamp that the first key of an entry made.
     void unmarkEntry();
     /// The stamps of the next answer, as a script states them.
@@ -64,11 +69,13 @@ public:
 
 Q_SIGNALS:
     void viewChanged();
+    void patternShown(const std::optional<rendering::TestPattern>& pattern);
     void reported(const QString& text, study::app::Tone tone);
 
 private:
     const protocols::Question& questionOf(const session::StoredAnswer& answer) const;
     Correctable correctableOf(const session::StoredAnswer& answer) const;
+    void clearPattern();
     void reportOutcome(const QString& trouble);
     void watchDisplay();
     void attendDisplay();
@@ -84,6 +91,7 @@ private:
     std::optional<std::int64_t> m_begunAtNs, m_releasedAtNs;  ///< of the present question
     session::BegunBy m_begunBy = session::BegunBy::Entry;
     std::optional<session::AnswerStamps> m_scriptedStamps;
+    std::optional<TestPattern> m_pattern;  ///< that can be felt
     std::optional<EventOutcome> m_lastOutcome;
     int m_eventsSent = 0;
 };

@@ -21,7 +21,8 @@ struct SessionFacts {
     bool secondEntry = false;                     ///< every answer is entered twice and must agree
     bool confirmPieces = false;                   ///< every piece on the tray is confirmed by its code
     bool displayReportsTouches = false;
-    QString displayName;  ///< empty: the session runs without a display
+    QString displayName;                    ///< empty: the session runs without a display
+    std::optional<double> mmPerPixel = {};  ///< scale of the display, mm per pixel, if the operator measured it
 };
 
 /// The stroking instruction as the pages of a presentation show it; empty if the protocol has none.

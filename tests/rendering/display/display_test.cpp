@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <fstream>
 #include <opencv2/core.hpp>
+#include <set>
 
+#include "rendering/display/test_patterns.h"
 #include "rendering/images/image_io.h"
 #include "tests/rendering/refusal.h"
 
@@ -14,6 +16,40 @@ using namespace rendering;
 class DisplayTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    void patternsHaveTheStatedPixels()
+    {
+        using enum TestPatternKind;
+        const cv::Size size(16, 3);
+        const auto row = [&](const TestPattern& pattern, std::optional<double> mmPerPixel = {}) {
+            const cv::Mat image = testPatternImage(pattern, size, mmPerPixel);
+            std::vector<int> values;
+            for (int column = 0; column < image.cols; ++column) values.push_back(image.at<std::uint8_t>(1, column));
+            for (int line = 0; line < image.rows; ++line)
+                if (cv::norm(image.row(line), image.row(1), cv::NORM_INF) > 0) values.clear();
+            return values;
+        };
+        const int h = 255;
+        QCOMPARE(row({Uniform, 0}), std::vector<int>(16, h));
+        QCOMPARE(row({Edge, 0}), (std::vector<int>{0, 0, 0, 0, 0, 0, 0, 0, h, h, h, h, h, h, h, h}));
+        QCOMPARE(row({Grating, 2}, 0.25), (std::vector<int>{0, 0, 0, 0, h, h, h, h, 0, 0, 0, 0, h, h, h, h}));
+        QCOMPARE(row({Grating, 1}, 0.5), (std::vector<int>{0, h, 0, h, 0, h, 0, h, 0, h, 0, h, 0, h, 0, h}));
+        QCOMPARE(row({Grating, 4}, 0.5), (std::vector<int>{0, 0, 0, 0, h, h, h, h, 0, 0, 0, 0, h, h, h, h}));
+        QCOMPARE(row({Ramp, 0}), (std::vector<int>{0, 17, 34, 51, 68, 85, 102, 119, 136, 153, 170, 187, 204, 221, 238, 255}));
+        QCOMPARE(testPatternImage({Edge, 0}, std::nullopt, std::nullopt).size(), cv::Size(1280, 800));
+        QVERIFY(refusalOf([&] {
+                    testPatternImage({Grating, 2}, size, std::nullopt);
+                }).contains("scale of the display is unknown"));
+        QVERIFY(refusalOf([&] { testPatternImage({Grating, 1}, size, 0.6); }).contains("at least 2 pixels"));
+    }
+
+    void everyPatternHasANameOfItsOwn()
+    {
+        std::set<std::string> names;
+        for (const TestPattern& pattern : testPatterns()) names.insert(nameOf(pattern));
+        QCOMPARE(names, (std::set<std::string>{"uniform", "edge", "grating 1 mm", "grating 2 mm", "grating 4 mm", "grating 8 mm",
+                                               "left–right ramp"}));
+    }
+
     void sessionRunsWithoutADevice()
     {
         const auto display = openDisplay("none");

@@ -3,10 +3,14 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <QComboBox>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
 #include <QProcess>
+#include <QPushButton>
+#include <QSettings>
 #include <QTest>
 #include <opencv2/core.hpp>
 
@@ -16,6 +20,7 @@
 #include "tests/support/open_window.h"
 #include "tests/support/played_session.h"
 #include "tests/support/program.h"
+#include "tests/support/whole_protocol.h"
 
 using namespace study::app;
 using namespace study::session;
@@ -80,6 +85,13 @@ private Q_SLOTS:
     void studyPageShowsWhyTheDriverCannotStart();
     void driverClearsTheDisplayAfterTheProgramIsKilled();
     void plainImagesMustBeAllowed();
+    void aPersonNeedsADisplayOrARehearsal();
+    void noneOnTheCommandLineIsARehearsal();
+    void displayPageConnectsAndRemembers();
+    void displayPageShowsFaultsInPlainWords_data();
+    void displayPageShowsFaultsInPlainWords();
+    void patternIsFeltOnlyWhileItsButtonIsDown();
+    void patternOfTheChecklistEndsWithIt();
 };
 
 void AppDisplayTest::displayShowsImagesOnlyWhilePresenting()
@@ -226,6 +238,147 @@ void AppDisplayTest::driverClearsTheDisplayAfterTheProgramIsKilled()
     child.kill();
     QVERIFY(child.waitForFinished());
     QTRY_COMPARE(displayedIn(displayFolder()), 0);
+}
+
+void AppDisplayTest::aPersonNeedsADisplayOrARehearsal()
+{
+    ShownWindow shown;
+    const auto folder = newStudy();
+    shown.window.openStudy(folder.folder);
+    shown.gui.click("enrolButton");
+    QCOMPARE(shown.window.currentPage()->objectName(), QStringLiteral("displayPage"));
+    QVERIFY(!shown.window.session());
+    QVERIFY(shown.widget<QLabel>("displayMessage").text().startsWith("No display is connected, so P01 would feel nothing."));
+    QVERIFY(shown.window.study()->store().enrolments().empty());
+    shown.gui.pressKey(Qt::Key_Escape);  // goes back without a session
+    QCOMPARE(shown.window.currentPage()->objectName(), QStringLiteral("studyPage"));
+    shown.gui.click("enrolButton");
+    shown.gui.click("rehearseButton");
+    QVERIFY(shown.window.session());
+    QCOMPARE(shown.window.currentPage()->objectName(), QStringLiteral("sessionPage"));
+    QCOMPARE(shown.widget<QLabel>("displayFact").text(), QStringLiteral("NO DISPLAY: rehearsal"));
+    shown.window.close();
+    ShownWindow another;  // needs the act again
+    another.window.openStudy(newStudy().folder);
+    another.gui.click("enrolButton");
+    QVERIFY(!another.window.session());
+}
+
+void AppDisplayTest::noneOnTheCommandLineIsARehearsal()
+{
+    AppOptions options;
+    options.isDisplayGiven = true;
+    ShownWindow shown(options);
+    shown.window.openStudy(newStudy().folder);
+    shown.gui.click("enrolButton");
+    QVERIFY(shown.window.session());
+}
+
+void AppDisplayTest::displayPageConnectsAndRemembers()
+{
+    AppOptions options;
+    options.settings = std::make_shared<QSettings>(filePath("display.ini"), QSettings::IniFormat);
+    options.clock = m_clock = std::make_shared<VirtualClock>();
+    {
+        ShownWindow shown(options);
+        shown.gui.click("displayButton");
+        auto& kinds = shown.widget<QComboBox>("displayKind");
+        QCOMPARE(kinds.findData(QStringLiteral("folder:")), -1);  // plain images were not allowed
+        kinds.setCurrentIndex(kinds.findData(QStringLiteral("exec:")));
+        shown.widget<QLineEdit>("displayArgumentField").setText(VIS2HAP_REFERENCE_DISPLAY " '" + displayFolder() + "'");
+        shown.gui.click("connectDisplayButton");
+        QVERIFY2(shown.widget<QLabel>("displayState").text().startsWith("Connected: "),
+                 qPrintable(shown.widget<QLabel>("displayMessage").text()));
+        QVERIFY2(shown.widget<QLabel>("displayAbout").text().contains(" px  ·  "),
+                 qPrintable(shown.widget<QLabel>("displayAbout").text()));
+        QVERIFY(!shown.window.currentPage()->findChild<QPushButton*>("pattern4Button")->isEnabled());  // no scale yet
+        QTest::keyClicks(&shown.widget<QLineEdit>("displayScaleField"), "0.17");
+        QVERIFY(shown.window.currentPage()->findChild<QPushButton*>("pattern4Button")->isEnabled());
+    }
+    ShownWindow next(options);
+    next.window.openStudy(newStudy(tests::support::wholeStudy()).folder);
+    next.gui.click("enrolButton");
+    QVERIFY(next.window.session());
+    QVERIFY(next.widget<QLabel>("displayFact").text().contains("exec:"));
+    stepTo<CheckingList>(next);
+    QVERIFY(next.window.currentPage()->findChild<QPushButton*>("pattern4Button")->isEnabled());
+}
+
+void AppDisplayTest::displayPageShowsFaultsInPlainWords_data()
+{
+    QTest::addColumn<QString>("kind");
+    QTest::addColumn<QString>("argument");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("wrong command") << "exec:"
+                                   << "/nowhere/driver"
+                                   << "exit code 127";
+    QTest::newRow("no hello") << "exec:"
+                              << "exit 0"
+                              << "ended";
+    QTest::newRow("no connection") << "tcp:"
+                                   << "127.0.0.1:1"
+                                   << "refused";
+    QTest::newRow("no screen") << "cover:"
+                               << "9"
+                               << "no screen 9";
+}
+
+void AppDisplayTest::displayPageShowsFaultsInPlainWords()
+{
+    QFETCH(QString, kind);
+    QFETCH(QString, argument);
+    QFETCH(QString, words);
+    ShownWindow shown;
+    shown.gui.click("displayButton");
+    auto& kinds = shown.widget<QComboBox>("displayKind");
+    kinds.setCurrentIndex(kinds.findData(kind));
+    shown.widget<QLineEdit>("displayArgumentField").setText(argument);
+    shown.gui.click("connectDisplayButton");
+    const QString message = shown.widget<QLabel>("displayMessage").text();
+    QVERIFY2(message.contains(words), qPrintable(message));
+    QCOMPARE(shown.widget<QLabel>("displayState").text(), QStringLiteral("Not connected"));
+    QVERIFY(!shown.window.currentPage()->findChild<QPushButton*>("pattern1Button")->isEnabled());
+}
+
+void AppDisplayTest::patternIsFeltOnlyWhileItsButtonIsDown()
+{
+    ShownWindow shown(withReference());
+    shown.gui.click("displayButton");
+    shown.gui.click("connectDisplayButton");
+    QCOMPARE(displayedIn(displayFolder()), 0);
+    shown.gui.click("pattern1Button");
+    QCOMPARE(displayedIn(displayFolder()), 255);
+    QCOMPARE(shown.widget<QLabel>("patternShown").text(), QStringLiteral("On: uniform"));
+    shown.gui.click("pattern2Button");
+    QCOMPARE(displayedIn(displayFolder()), -1);  // an edge is not uniform
+    QVERIFY(!shown.window.currentPage()->findChild<QPushButton*>("pattern1Button")->isChecked());
+    shown.gui.click("pattern2Button");
+    QCOMPARE(displayedIn(displayFolder()), 0);
+    shown.gui.click("pattern1Button");
+    QCOMPARE(displayedIn(displayFolder()), 255);
+    shown.gui.pressKey(Qt::Key_Escape);
+    QCOMPARE(displayedIn(displayFolder()), 0);
+    QCOMPARE(shown.window.currentPage()->objectName(), QStringLiteral("startPage"));
+}
+
+void AppDisplayTest::patternOfTheChecklistEndsWithIt()
+{
+    ShownWindow shown(withReference());
+    shown.window.openStudy(newStudy(tests::support::wholeStudy()).folder);
+    shown.window.startSession(protocols::ParticipantId("P01"));
+    stepTo<CheckingList>(shown);
+    shown.gui.click("pattern1Button");
+    QCOMPARE(displayedIn(displayFolder()), 255);
+    QVERIFY(shown.widget<QLabel>("displayFact").text().startsWith("Display on: uniform"));
+    shown.gui.pressKey(Qt::Key_P);
+    QCOMPARE(displayedIn(displayFolder()), 0);
+    QVERIFY2(shown.widget<QLabel>("displayFact").text().startsWith("Display off: "),
+             qPrintable(shown.widget<QLabel>("displayFact").text()));
+    shown.gui.pressKey(Qt::Key_Return);
+    shown.gui.click("pattern1Button");
+    QCOMPARE(displayedIn(displayFolder()), 255);
+    stepTo<PlacingTray>(shown);
+    QCOMPARE(displayedIn(displayFolder()), 0);
 }
 
 void AppDisplayTest::plainImagesMustBeAllowed()

@@ -271,6 +271,12 @@ void AppLooksTest::visitAround(OpenWindow& open, const Look& look)
     page.open("fabrics");
     QTRY_VERIFY(!page.isBusy());
     look(open.window(), "data-open");
+    open.gui().pressKey(Qt::Key_Escape);
+    open.gui().click("displayButton");
+    look(open.window(), "display");
+    open.gui().click("connectDisplayButton");
+    open.gui().click("pattern2Button");
+    look(open.window(), "display-pattern");
 }
 
 void AppLooksTest::visitMonitor(OpenWindow& open, const Look& look)

@@ -7,6 +7,8 @@
 
 #include "protocols/files/whole_file.h"
 #include "study/records/blinded_report.h"
+#include "study/session/driver.h"
+#include "study/session/stimuli.h"
 #include "tests/support/played_session.h"
 #include "tests/support/study_builder.h"
 
@@ -57,6 +59,38 @@ private Q_SLOTS:
         QVERIFY(page.find("Head of the log: " + textOf(store.head())) != std::string::npos);
         QVERIFY(page.find("The data have no flags.") != std::string::npos && page.find("Flags on the data") == std::string::npos);
         QCOMPARE(protocols::readWholeFile(report / "tables/flags.csv"), "participant,flag,reason\r\n");
+    }
+
+    void sittingsWithoutADisplayAreStated()
+    {
+        QTemporaryDir place;
+        const auto folder = tests::support::buildStudy(place.filePath("study").toStdString(), {.participants = 3});
+        const study::session::OperatedBy ada{"Ada", "vis2hap", "lab", false};
+        const auto stampsNow = [&] {
+            const database::StudyStore store(folder, database::StudyStore::Access::Read);
+            return study::records::stampsOf(store, store.facts());
+        };
+        const auto play = [&](const char* participant, database::ParticipantKind kind, rendering::HapticDisplay& display) {
+            database::StudyStore store(folder, database::StudyStore::Access::Write);
+            rendering::StimulusBank bank(study::session::stimuliOf(store));
+            study::session::VirtualClock clock;
+            const study::session::Driver driver(store, protocols::ParticipantId(participant), kind, bank, display, clock, ada);
+        };
+        const auto none = rendering::openDisplay("none");
+        const auto there = rendering::openDisplay("folder:" + place.filePath("shown").toStdString());
+        const auto before = stampsNow();
+        play("S01", database::ParticipantKind::Scripted, *none);
+        play("P02", database::ParticipantKind::Human, *there);
+        QCOMPARE(stampsNow(), before);
+        play("P03", database::ParticipantKind::Human, *none);
+        QCOMPARE(stampsNow().size(), before.size() + 1);
+        QVERIFY(stampsNow().back().starts_with("1 sitting ran without a display:"));
+        play("P03", database::ParticipantKind::Human, *none);
+        play("P03", database::ParticipantKind::Human, *there);
+        QVERIFY(stampsNow().back().starts_with("2 sittings ran without a display:"));
+        const database::StudyStore store(folder, database::StudyStore::Access::Read);
+        const std::string last = store.events(protocols::ParticipantId("P03")).back().payloadJson;
+        QVERIFY2(last.find("\"display\":\"folder:") != std::string::npos, last.c_str());
     }
 
     void imagesThatLayOpenAreStated()

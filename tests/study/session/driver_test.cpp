@@ -412,7 +412,8 @@ private Q_SLOTS:
         session.send(Voided{"wrong swatch"});
         std::map<std::string, std::string> last;
         for (const auto& event : session.store.events(protocols::ParticipantId("S01"))) last[event.kind] = event.payloadJson;
-        QCOMPARE(last["sitting_started"], std::string(R"({"operator":"Ada","program":"vis2hap test","host":"lab-1"})"));
+        QCOMPARE(last["sitting_started"],
+                 std::string(R"({"operator":"Ada","program":"vis2hap test","host":"lab-1","display":"fake"})"));
         QVERIFY(last["corrected"].ends_with(R"("why":"misheard","operator":"Ada"})"));
         QCOMPARE(last["voided"], std::string(R"({"why":"wrong swatch","operator":"Ada"})"));
         const auto state = session.driver->state();

@@ -43,6 +43,16 @@ BareStatement prepared(const BareConnection& connection, const char* sql)
     return BareStatement(statement);
 }
 
+/// "INSERT INTO responses VALUES (?, …)" with one value for each column.
+BareStatement insertionInto(const BareConnection& connection, const std::string& table)
+{
+    const BareStatement columns = prepared(connection, ("SELECT COUNT(*) FROM pragma_table_info('" + table + "')").c_str());
+    if (sqlite3_step(columns.get()) != SQLITE_ROW) throw std::runtime_error("no table " + table);
+    std::string values = "?";
+    for (int column = 1; column < sqlite3_column_int(columns.get(), 0); ++column) values += ", ?";
+    return prepared(connection, ("INSERT INTO " + table + " VALUES (" + values + ")").c_str());
+}
+
 /// Runs a statement that returns no rows, with the columns of the row that `source` stands on.
 void runBare(const BareStatement& statement, const BareStatement& source = nullptr)
 {
@@ -63,14 +73,14 @@ public:
         : m_target(openBare(empty)), m_source(openBare(played))
     {
         const BareStatement people = prepared(m_source, "SELECT * FROM participants");
-        const BareStatement insert = prepared(m_target, "INSERT INTO participants VALUES (?, ?, ?, ?, ?)");
+        const BareStatement insert = insertionInto(m_target, "participants");
         while (nextRow(people)) runBare(insert, people);
         m_begin = prepared(m_target, "BEGIN IMMEDIATE");
         m_commit = prepared(m_target, "COMMIT");
         m_events = prepared(m_source, "SELECT * FROM events WHERE kind = 'answered' ORDER BY sequence");
         m_responses = prepared(m_source, "SELECT * FROM responses ORDER BY event");
-        m_insertEvent = prepared(m_target, "INSERT INTO events VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
-        m_insertResponse = prepared(m_target, "INSERT INTO responses VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+        m_insertEvent = insertionInto(m_target, "events");
+        m_insertResponse = insertionInto(m_target, "responses");
     }
 
     /// Commits the rows of the next answer. Milliseconds.

@@ -1,5 +1,6 @@
 #include "study/app/pages/setup/display_page.h"
 
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QComboBox>
 #include <QKeyEvent>
@@ -54,6 +55,7 @@ DisplayPage::DisplayPage(const AppOptions& options, QWidget* parent)
 {
     setObjectName("displayPage");
     name(*m_kind, "displayKind", tr("Kind of display"));
+    name(*m_kind->view(), "displayKinds", tr("Kinds of displays"));
     for (const KindOfDisplay& kind : kindsOfDisplays())
         if (options.allowsPlainImages || !leavesPlainImages(kind.prefix))
             m_kind->addItem(kind.name, QString::fromLatin1(kind.prefix));

@@ -34,43 +34,12 @@ private:
     std::map<std::string, std::vector<protocols::FabricId>> m_trays;
 };
 
-AnswerRecord recordOf(const ResponseRow& row, KnownTrays& trays)
-{
-    AnswerRecord record;
-    record.trial = {row.trial};
-    record.question = protocols::QuestionId(row.question);
-    record.presentationCode = protocols::PresentationCode(row.presentationCode);
-    record.alternatives = trays.of(row.alternatives);
-    record.answer = row.choice;
-    if (row.ratingTenths) record.rating = protocols::Tenths{*row.ratingTenths};
-    record.readyAtNs = row.readyAt;
-    record.touchedAtNs = row.touchedAt;
-    record.touchedBy = row.touchedBy.value_or("");
-    record.touchEndedAtNs = row.touchEndedAt;
-    record.answerBegunAtNs = row.answerBegunAt;
-    record.answerBegunBy = row.answerBegunBy.value_or("");
-    record.answeredAtNs = row.answeredAt;
-    record.entries = row.entries;
-    return record;
-}
-
-/// Touch to answer begun, s. A script states one time, so without a touch its time runs from the question.
-std::optional<double> responseSecondsOf(const ResponseRow& row)
-{
-    const bool isScripted = row.answerBegunBy == "script";
-    if (!row.answerBegunAt || (!row.touchedAt && !isScripted)) return std::nullopt;
-    const std::int64_t from = row.touchedAt.value_or(row.readyAt);
-    // An operator who stamps the touch late, after the first key, has not measured this time.
-    if (*row.answerBegunAt < from) return std::nullopt;
-    return static_cast<double>(*row.answerBegunAt - from) / 1e9;
-}
-
 CurrentAnswer currentAnswerOf(const QSqlQuery& query, KnownTrays& trays)
 {
     const ResponseRow row = rowFrom(query, ResponseColumns::OfCurrentAnswers, firstResponseColumn);
     CurrentAnswer answer;
     answer.participant = protocols::ParticipantId(row.participant);
-    answer.record = recordOf(row, trays);
+    answer.record = answerRecordOf(row, trays.of(row.alternatives));
     answer.attempt = row.attempt;
     answer.storedAtNs = row.storedAt;
     answer.event = query.value(0).toLongLong();
@@ -86,6 +55,37 @@ CurrentAnswer currentAnswerOf(const QSqlQuery& query, KnownTrays& trays)
 }
 
 }  // namespace
+
+AnswerRecord answerRecordOf(const ResponseRow& row, std::vector<protocols::FabricId> alternatives)
+{
+    AnswerRecord record;
+    record.trial = {row.trial};
+    record.question = protocols::QuestionId(row.question);
+    record.presentationCode = protocols::PresentationCode(row.presentationCode);
+    record.alternatives = std::move(alternatives);
+    record.answer = row.choice;
+    if (row.ratingTenths) record.rating = protocols::Tenths{*row.ratingTenths};
+    record.readyAtNs = row.readyAt;
+    record.touchedAtNs = row.touchedAt;
+    record.touchedBy = row.touchedBy.value_or("");
+    record.touchEndedAtNs = row.touchEndedAt;
+    record.answerBegunAtNs = row.answerBegunAt;
+    record.answerBegunBy = row.answerBegunBy.value_or("");
+    record.answeredAtNs = row.answeredAt;
+    record.entries = row.entries;
+    record.isCorrection = row.isCorrection;
+    return record;
+}
+
+std::optional<double> responseSecondsOf(const ResponseRow& row)
+{
+    const bool isScripted = row.answerBegunBy == "script";
+    if (!row.answerBegunAt || (!row.touchedAt && !isScripted)) return std::nullopt;
+    const std::int64_t from = row.touchedAt.value_or(row.readyAt);
+    // An operator who stamps the touch late, after the first key, has not measured this time.
+    if (*row.answerBegunAt < from) return std::nullopt;
+    return static_cast<double>(*row.answerBegunAt - from) / 1e9;
+}
 
 StudyFacts factsIn(const SqliteConnection& sqlite)
 {

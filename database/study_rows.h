@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "database/response_columns.h"
 #include "database/sqlite_connection.h"
 #include "database/study_store.h"
 
@@ -22,6 +23,11 @@ std::vector<EventRecord> eventsOfKindIn(const SqliteConnection& connection, cons
 std::vector<CurrentAnswer> answersIn(const SqliteConnection& sqlite);  ///< by slot, trial and question
 std::vector<StudyStore::Flag> flagsIn(const SqliteConnection& sqlite);
 std::optional<UnblindingRecord> unblindingIn(const SqliteConnection& sqlite);
+/// The answer of a row; its note is empty. `alternatives`: those of the row, read.
+AnswerRecord answerRecordOf(const ResponseRow& row, std::vector<protocols::FabricId> alternatives);
+/// From the touch to the beginning of the answer, s; none where a stamp is missing. A script states one time, so without a touch
+/// its time runs from the question.
+std::optional<double> responseSecondsOf(const ResponseRow& row);
 LogHead headIn(const SqliteConnection& sqlite);
 std::vector<Erasure> erasuresIn(const SqliteConnection& sqlite);
 std::map<protocols::ParticipantId, std::map<std::string, std::string>> personalFactsIn(const SqliteConnection& sqlite);

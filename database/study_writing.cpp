@@ -55,6 +55,9 @@ void takeStampsOfFirst(const SqliteConnection& sqlite, ResponseRow& row)
     const ResponseRow first = rowFrom(query, ResponseColumns::OfTable, 0);
     row.readyAt = first.readyAt;
     row.touchedAt = first.touchedAt;
+    row.touchEndedAt = first.touchEndedAt;
+    row.answerBegunAt = first.answerBegunAt;
+    row.answerBegunBy = first.answerBegunBy;
     row.answeredAt = first.answeredAt;
 }
 

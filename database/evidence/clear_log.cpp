@@ -3,29 +3,9 @@
 #include "database/response_columns.h"
 #include "database/sqlite_connection.h"
 #include "database/stored_texts.h"
+#include "database/study_rows.h"
 
 namespace database {
-
-namespace {
-
-AnswerRecord answerFrom(const ResponseRow& row)
-{
-    AnswerRecord record;
-    record.trial = {row.trial};
-    record.question = protocols::QuestionId(row.question);
-    record.presentationCode = protocols::PresentationCode(row.presentationCode);
-    record.alternatives = fabricsOf(row.alternatives);
-    record.answer = row.choice;
-    if (row.ratingTenths) record.rating = protocols::Tenths{*row.ratingTenths};
-    record.readyAtNs = row.readyAt;
-    record.touchedAtNs = row.touchedAt;
-    record.touchedBy = row.touchedBy.value_or("");
-    record.answeredAtNs = row.answeredAt;
-    record.isCorrection = row.isCorrection;
-    return record;
-}
-
-}  // namespace
 
 LogHead eachClearEntry(const StudyStore& store, const std::function<void(const ClearEntry&)>& take)
 {
@@ -59,7 +39,8 @@ std::vector<LoggedAnswer> answersGivenBy(const StudyStore& store, const protocol
     while (row.next()) {
         const ResponseRow stored = rowFrom(row, ResponseColumns::OfTable, 4);
         answers.push_back({row.value(0).toLongLong(), row.value(1).toInt(), stored.attempt, row.value(3).toInt() != 0,
-                           fromQt(row.value(2)), answerFrom(stored)});
+                           fromQt(row.value(2)), responseSecondsOf(stored),
+                           answerRecordOf(stored, fabricsOf(stored.alternatives))});
     }
     return answers;
 }

@@ -28,7 +28,8 @@ struct LoggedAnswer {
     int sitting = 0, attempt = 1;
     bool voided = false;
     std::string wallTime;
-    AnswerRecord record;  ///< its note is empty
+    std::optional<double> responseSeconds;  ///< touch to answer begun; none where a stamp is missing
+    AnswerRecord record;                    ///< its note is empty
 };
 /// Every answer of the participant, in the order in which they were given.
 std::vector<LoggedAnswer> answersGivenBy(const StudyStore& store, const protocols::ParticipantId& participant);

@@ -265,7 +265,7 @@ void Player::moveOn()
     if (m_hands.state().paused) return act(Resumed{});
     if (const auto preparation = nextOfPreparation(m_trials.protocol, stage)) return act(*preparation);
     if (std::holds_alternative<PlacingTray>(stage)) {
-        m_clock.advanceSeconds(2);
+        m_clock.advanceSeconds(std::max(2.0, m_trials.protocol.deadTimeSeconds));
         return act(trayReadyOf(m_trials.protocol, m_trials.trials[std::get<PlacingTray>(stage).index].alternatives,
                                m_trials.fabricNames));
     }

@@ -105,7 +105,7 @@ void playSimulated(SimulatedParticipant& participant, const Plan& plan, Hands& h
     while (true) {
         const Stage stage = hands.state().stage;
         if (std::holds_alternative<Finished>(stage) || std::holds_alternative<Withdrawn>(stage)) return;
-        clock.advanceSeconds(1);
+        clock.advanceSeconds(std::max(1.0, plan.protocol.deadTimeSeconds));
         if (hands.state().paused)
             act(Resumed{});
         else if (const auto preparation = nextOfPreparation(plan.protocol, stage))

@@ -95,7 +95,12 @@ ordered_json answerRow(const Person& person, const database::LoggedAnswer& answe
     if (record.answer) row["answer"] = answerText(question, record);
     if (record.rating) row["rating"] = record.rating->inScaleUnits();
     row["seconds"] = static_cast<double>(record.answeredAtNs - record.touchedAtNs.value_or(record.readyAtNs)) / 1e9;
+    if (answer.responseSeconds) row["response_seconds"] = *answer.responseSeconds;
     if (record.touchedAtNs) row["touched_by"] = record.touchedBy;
+    if (record.touchEndedAtNs && record.touchedAtNs)
+        row["touching_seconds"] = static_cast<double>(*record.touchEndedAtNs - *record.touchedAtNs) / 1e9;
+    if (record.answerBegunAtNs) row["answer_begun_by"] = record.answerBegunBy;
+    if (record.entries) row["entries"] = *record.entries;
     row["is_correction"] = record.isCorrection;
     row["voided"] = answer.voided;
     if (person.naming) addNames(row, person, question, record);
@@ -232,9 +237,10 @@ std::string cellOf(const ordered_json& row, const std::string& column)
 
 std::string answersCsv(const ordered_json& data)
 {
-    std::vector<std::string> columns{"entry",    "time",   "sitting", "trial",   "attempt",    "presentation_code",
-                                     "question", "answer", "rating",  "seconds", "touched_by", "is_correction",
-                                     "voided"};
+    std::vector<std::string> columns{
+        "entry",   "time",          "sitting", "trial",      "attempt",          "presentation_code", "question",
+        "answer",  "rating",        "seconds", "touched_by", "response_seconds", "touching_seconds",  "answer_begun_by",
+        "entries", "is_correction", "voided"};
     if (!data["blinded"].get<bool>()) columns.insert(columns.end(), {"fabric", "condition", "answer_fabric", "correct"});
     std::vector<std::string> head{"participant"};
     head.insert(head.end(), columns.begin(), columns.end());

@@ -87,6 +87,12 @@ class EvidenceCommandTest : public QObject {
         tests::support::buildStudy(study.toStdString(), {.protocol = protocol});
         {
             OpenSession first({study.toStdString()}, "P1", database::ParticipantKind::Human, {"Ada", "test", "here"});
+            first.stepUntil("Presenting");
+            first.send(study::session::Touched{study::session::TouchSource::Display});
+            first.clock.advanceSeconds(3);
+            const auto next = tests::support::nextEvent(first.driver->view(), first.driver->plan());
+            first.send(study::session::Answered{std::get<study::session::Answered>(*next).response,
+                                                {.begunAgoNs = 1000000000, .touchEndedAgoNs = 500000000}});
             first.playUntilAnswers(2);
             first.stepUntil("Presenting");
             first.send(Noted{"smells of <glue>", true});
@@ -199,6 +205,9 @@ private Q_SLOTS:
         const auto table = tableOf(out + "/your-answers.csv");
         QCOMPARE(table.rows.size(), data["answers"].size());
         QCOMPARE(cell(table, 0, "participant"), "P1");
+        QCOMPARE(cell(table, 0, "answer_begun_by"), "entry");
+        QCOMPARE(cell(table, 0, "response_seconds"), "2");
+        QCOMPARE(cell(table, 0, "touching_seconds"), "2.5");
         const QString page = bytesOf(out + "/your-data.html");
         for (const char* text : {"Your data in the study A &lt;study&gt; of touch", "smells of &lt;glue&gt;", "it was fun",
                                  "I agree to take part.", "wrong piece", "You may ask for a new sheet after the study"})

@@ -92,21 +92,25 @@ private Q_SLOTS:
     void aRecordedSessionReplaysToTheSameRows_data()
     {
         QTest::addColumn<bool>("unblinded");
-        QTest::newRow("by trial, blinded") << false;
-        QTest::newRow("by rendering, unblinded") << true;
+        QTest::addColumn<double>("deadTimeSeconds");
+        QTest::newRow("by trial, blinded") << false << 0.0;
+        QTest::newRow("by rendering, unblinded") << true << 0.0;
+        QTest::newRow("a dead time longer than a script's steps") << false << 5.0;
     }
 
     void aRecordedSessionReplaysToTheSameRows()
     {
         QFETCH(bool, unblinded);
-        OpenSession recorded(buildStudy(newPath()), "S01");
+        QFETCH(double, deadTimeSeconds);
+        const StudyRecipe recipe{.deadTimeSeconds = deadTimeSeconds};
+        OpenSession recorded(buildStudy(newPath(), recipe), "S01");
         playEventfully(recorded);
         if (unblinded) unblind(recorded.store, {"Ada", "it is over", "2026-01-01T00:00:00Z"}, {});
         const auto out = newPath();
         std::filesystem::create_directory(out);
         const std::string text = scriptOf(recorded.store, out);
         QCOMPARE(text.find("v_grey") != std::string::npos, unblinded);
-        OpenSession twin(buildStudy(newPath()), "S01");
+        OpenSession twin(buildStudy(newPath(), recipe), "S01");
         replay(text, twin);
         const auto rows = rowsOf(recorded.store), again = rowsOf(twin.store);
         QVERIFY(rows.size() > 24u);

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <set>
 
+#include "database/evidence/clear_log.h"
 #include "protocols/files/errors.h"
 #include "tests/support/played_session.h"
 #include "tests/support/raw_sqlite.h"
@@ -90,6 +91,13 @@ private Q_SLOTS:
         QCOMPARE(stored.seconds, 6.0);
         QCOMPARE(stored.record.answerBegunBy, std::string("spoken"));
         QCOMPARE(*stored.record.touchEndedAtNs, *stored.record.touchedAtNs + second);
+
+        const protocols::QuestionId question = stored.record.question;  // a correction keeps every time of the answer
+        session.send(Corrected{question, session.driver->plan().trials[0].alternatives[0], "misheard"});
+        const auto corrected = database::answersGivenBy(session.store, protocols::ParticipantId("S01")).back();
+        QVERIFY(corrected.record.isCorrection);
+        QCOMPARE(corrected.responseSeconds, std::optional(2.0));
+        QCOMPARE(corrected.record.touchEndedAtNs, stored.record.touchEndedAtNs);
 
         session.stepUntil("Presenting");
         stored = answer({.begunAgoNs = 4 * second});  // nobody stamped the touch

@@ -11,6 +11,7 @@
 #include <QRegularExpression>
 #include <QTemporaryFile>
 #include <QTest>
+#include <algorithm>
 #include <cstdio>
 
 #include "protocols/condition.h"
@@ -79,11 +80,14 @@ private:
     QtMessageHandler m_before;
 };
 
+/// The texts of all windows in an order of their own: Qt lists windows by their addresses, which differ from run to run.
 std::vector<QString> textsOfAllWindows()
 {
+    std::vector<std::vector<QString>> windows;
+    for (const QWidget* window : QApplication::topLevelWidgets()) windows.push_back(textsIn(*window));
+    std::sort(windows.begin(), windows.end());
     std::vector<QString> texts;
-    for (const QWidget* window : QApplication::topLevelWidgets())
-        for (const QString& text : textsIn(*window)) texts.push_back(text);
+    for (const auto& window : windows) texts.insert(texts.end(), window.begin(), window.end());
     return texts;
 }
 

@@ -11,6 +11,7 @@
 #include "database/response_columns.h"
 #include "database/schema.h"
 #include "database/state_audit.h"
+#include "protocols/files/sha256.h"
 
 namespace database {
 
@@ -56,6 +57,9 @@ void readResponses(const SqliteConnection& sqlite, Log& log, std::vector<std::st
         log[order.next(query.value(0).toLongLong())].responses.push_back(rowFrom(query, ResponseColumns::OfTable, 1));
 }
 
+/// The bytes of a column that the query casts to BLOB: Qt would convert a text to UTF-16, and this program back.
+std::string bytesOf(const QVariant& value) { return value.toByteArray().toStdString(); }
+
 void readRest(const SqliteConnection& sqlite, Log& log, std::vector<std::string>& faults)
 {
     OrderCheck order("notes", faults);
@@ -67,13 +71,23 @@ void readRest(const SqliteConnection& sqlite, Log& log, std::vector<std::string>
         log[order.next(row.value(0).toLongLong())].notes.push_back({fromQt(row.value(1)), row.value(2).toInt(),
                                                                     row.value(3).toInt(), textOrNone(row.value(4)),
                                                                     fromQt(row.value(5)), row.value(6).toInt() != 0});
+    OrderCheck orderOfFingers("finger_samples", faults);
+    row =
+        sqlite.run(QStringLiteral("SELECT event, participant, trial, attempt, began_at, count, left_out, CAST(samples AS BLOB) "
+                                  "FROM finger_samples ORDER BY id"));
+    while (row.next())
+        log[orderOfFingers.next(row.value(0).toLongLong())].finger.push_back({fromQt(row.value(1)),
+                                                                              row.value(2).toInt(),
+                                                                              row.value(3).toInt(),
+                                                                              row.value(4).toLongLong(),
+                                                                              row.value(5).toInt(),
+                                                                              row.value(6).toInt(),
+                                                                              {},
+                                                                              protocols::sha256(bytesOf(row.value(7)))});
     row = sqlite.run(QStringLiteral("SELECT event, who, why, wall_time FROM unblindings"));
     while (row.next())
         log[row.value(0).toLongLong()].unblinding = {fromQt(row.value(1)), fromQt(row.value(2)), fromQt(row.value(3))};
 }
-
-/// The bytes of a column that the query casts to BLOB: Qt would convert a text to UTF-16, and this program back.
-std::string bytesOf(const QVariant& value) { return value.toByteArray().toStdString(); }
 
 /// An entry of the log with its rows and its links, ready to be checked.
 struct LinkedEntry {
@@ -140,7 +154,7 @@ bool isErased(const LogEntry& entry, const std::map<std::string, std::int64_t>& 
 bool isEmptied(const LogEntry& entry, const StoredLinks& links)
 {
     return links.salt.empty() && entry.event.payloadJson == "{}" && entry.event.wallTime.empty() && entry.event.atNs == 0 &&
-           entry.responses.empty() && entry.voids.empty() && entry.notes.empty();
+           entry.responses.empty() && entry.voids.empty() && entry.notes.empty() && entry.finger.empty();
 }
 
 /// Whether the rows, the content and the hash of an entry agree, and nothing is left where the entry was erased.

@@ -16,7 +16,7 @@ namespace database {
 
 namespace {
 
-constexpr const char* emptiedTables[] = {"responses", "voids", "notes", "events"};
+constexpr const char* emptiedTables[] = {"responses", "voids", "notes", "finger_samples", "events"};
 constexpr std::size_t shortestText = 8;  // a shorter one may stand in a file by chance
 
 std::string folderOf(const SqliteConnection& sqlite) { return sqlite.file().parent_path().string(); }
@@ -45,6 +45,9 @@ std::set<std::string> textsOnlyOf(const SqliteConnection& sqlite, const Erasure&
         {"SELECT text FROM notes WHERE participant = ?", "SELECT text FROM notes WHERE participant <> ?", true},
         {"SELECT choice FROM responses WHERE participant = ? AND choice IS NOT NULL",
          "SELECT choice FROM responses WHERE participant <> ? AND choice IS NOT NULL", true},
+        // A long text lies in several pages of the file, and its beginning in one.
+        {"SELECT substr(samples, 1, 64) FROM finger_samples WHERE participant = ?",
+         "SELECT substr(samples, 1, 64) FROM finger_samples WHERE participant <> ?", true},
         {"SELECT salt FROM events WHERE participant = ?", "SELECT salt FROM events WHERE participant <> ?", true},
     };
     std::set<std::string> only;
@@ -71,6 +74,10 @@ void removeAnswers(const SqliteConnection& sqlite, const std::string& participan
     for (const char* table : emptiedTables) unguard(sqlite, table);
     record.answers = removed(sqlite, "responses", participant);
     record.notes = removed(sqlite, "notes", participant);
+    record.fingerSamples =
+        sqlite.value(QStringLiteral("SELECT TOTAL(count) FROM finger_samples WHERE participant = ?"), {toQt(participant)})
+            .toLongLong();
+    removed(sqlite, "finger_samples", participant);
     removed(sqlite, "voids", participant);
     sqlite.run(QStringLiteral("UPDATE events SET payload = '{}', at_ns = 0, wall_time = '', salt = '' WHERE participant = ?"),
                {toQt(participant)});

@@ -67,6 +67,11 @@ void insertRows(const SqliteConnection& connection, const LogEntry& entry)
                 "INSERT INTO notes(event, participant, trial, attempt, question, text, is_flag) VALUES (?, ?, ?, ?, ?, ?, ?)"),
             {event, toQt(row.participant), row.trial, row.attempt, row.question ? QVariant(toQt(*row.question)) : QVariant(),
              toQt(row.text), int(row.isFlag)});
+    for (const FingerRow& row : entry.finger)
+        connection.run(QStringLiteral("INSERT INTO finger_samples(event, participant, trial, attempt, began_at, count, left_out, "
+                                      "samples) VALUES (?, ?, ?, ?, ?, ?, ?, ?)"),
+                       {event, toQt(row.participant), row.trial, row.attempt, qlonglong(row.beganAt), row.count, row.leftOut,
+                        toQt(row.samples)});
     if (entry.unblinding)
         connection.run(QStringLiteral("INSERT INTO unblindings(event, who, why, wall_time) VALUES (?, ?, ?, ?)"),
                        {event, toQt(entry.unblinding->who), toQt(entry.unblinding->why), toQt(entry.unblinding->wallTime)});
@@ -81,6 +86,7 @@ std::string placesOf(const LogEntry& entry)
     for (const VoidRow& row : entry.voids) bytes << std::string("void") << row.participant << row.trial << row.attempt;
     for (const NoteRow& row : entry.notes)
         bytes << std::string("note") << row.participant << row.trial << row.attempt << row.question << row.isFlag;
+    for (const FingerRow& row : entry.finger) bytes << std::string("finger") << row.participant << row.trial << row.attempt;
     return bytes.text();
 }
 
@@ -90,6 +96,8 @@ std::string commitmentOf(const LogEntry& entry, const std::string& salt)
     bytes << salt << entry.event.payloadJson << entry.event.atNs << entry.event.wallTime;
     for (const ResponseRow& row : entry.responses) addContentTo(bytes, row);
     for (const NoteRow& row : entry.notes) bytes << std::string("note") << row.text;
+    for (const FingerRow& row : entry.finger)
+        bytes << std::string("finger") << row.beganAt << row.count << row.leftOut << row.samplesSha256;
     if (entry.unblinding)
         bytes << std::string("unblinding") << entry.unblinding->who << entry.unblinding->why << entry.unblinding->wallTime;
     return bytes.hash();

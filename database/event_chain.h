@@ -31,6 +31,18 @@ struct NoteRow {
     bool isFlag = false;
 };
 
+/// A row of `finger_samples`. The chain covers the hash of the samples, so that an audit need not keep them.
+struct FingerRow {
+    std::string participant;
+    int trial = 0;
+    int attempt = 1;
+    std::int64_t beganAt = 0;  ///< time of the first sample
+    int count = 0;
+    int leftOut = 0;
+    std::string samples = {};  ///< finger_text.h; an audit leaves it empty
+    std::string samplesSha256 = {};
+};
+
 /// An event and all rows that its transaction stores.
 struct LogEntry {
     EventRecord event;
@@ -38,6 +50,7 @@ struct LogEntry {
     std::vector<VoidRow> voids;
     std::vector<NoteRow> notes;
     std::optional<UnblindingRecord> unblinding;
+    std::vector<FingerRow> finger = {};
 };
 
 /// The places of the entry's rows, which stay after an erasure: canonical bytes, empty for an entry without rows.

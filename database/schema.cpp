@@ -60,6 +60,12 @@ constexpr const char* tables[] = {
         participant TEXT NOT NULL REFERENCES participants(id), trial INTEGER NOT NULL, attempt INTEGER NOT NULL,
         question TEXT, text TEXT NOT NULL, is_flag INTEGER NOT NULL DEFAULT 0) STRICT)",
     "CREATE INDEX notes_of_trial ON notes(participant, trial, attempt)",
+    // What a sensor of the display measured of the finger, up to an answer of the presentation. samples: finger_text.h.
+    R"(CREATE TABLE finger_samples(
+        id INTEGER PRIMARY KEY, event INTEGER NOT NULL REFERENCES events(sequence),
+        participant TEXT NOT NULL REFERENCES participants(id), trial INTEGER NOT NULL, attempt INTEGER NOT NULL,
+        began_at INTEGER NOT NULL, count INTEGER NOT NULL, left_out INTEGER NOT NULL, samples TEXT NOT NULL) STRICT)",
+    "CREATE INDEX finger_samples_of_trial ON finger_samples(participant, trial, attempt)",
     R"(CREATE TABLE unblindings(
         event INTEGER PRIMARY KEY REFERENCES events(sequence), who TEXT NOT NULL, why TEXT NOT NULL,
         wall_time TEXT NOT NULL) STRICT)",
@@ -84,21 +90,10 @@ constexpr const char* tables[] = {
         previous_hash TEXT NOT NULL, hash TEXT NOT NULL UNIQUE) STRICT)",
 };
 
-constexpr const char* appendOnlyTables[] = {"study",
-                                            "fabrics",
-                                            "stimuli",
-                                            "slots",
-                                            "trials",
-                                            "events",
-                                            "responses",
-                                            "voids",
-                                            "notes",
-                                            "unblindings",
-                                            "swatches",
-                                            "familiarisation",
-                                            "protocol_versions",
-                                            "erasures",
-                                            "acts"};
+constexpr const char* appendOnlyTables[] = {
+    "study",    "fabrics", "stimuli",        "slots",       "trials",   "events",          "responses",
+    "voids",    "notes",   "finger_samples", "unblindings", "swatches", "familiarisation", "protocol_versions",
+    "erasures", "acts"};
 
 // The documented view for the SQL of users; its columns must not change. The program itself never reads it. A piece is the code
 // on a piece of fabric, or the fabric's id where the pieces have no codes.
@@ -225,9 +220,11 @@ int checkedVersion(const SqliteConnection& connection)
         throw protocols::badInput({"a newer version of this program made the study (schema " + std::to_string(version) + ")",
                                    connection.file().string(), "schema " + std::to_string(schemaVersion) + " or older",
                                    "update this program"});
-    const auto hasColumn = QStringLiteral("SELECT COUNT(*) FROM pragma_table_info('responses') WHERE name = 'answer_begun_at'");
-    if (version == schemaVersion && connection.value(hasColumn).toInt() == 0)
-        throw protocols::badInput({"a development version of this program made the study, and its table of answers lacks columns",
+    const auto newest = QStringLiteral(
+        "SELECT (SELECT COUNT(*) FROM pragma_table_info('responses') WHERE name = 'answer_begun_at') + "
+        "(SELECT COUNT(*) FROM sqlite_master WHERE type = 'table' AND name = 'finger_samples')");
+    if (version == schemaVersion && connection.value(newest).toInt() < 2)
+        throw protocols::badInput({"a development version of this program made the study, and tables or columns are missing",
                                    connection.file().string(), "a study of 0.5.0 or of this version",
                                    "finish and export it with the program that made it"});
     return version;

@@ -13,6 +13,7 @@
 
 #include "database/study_folder.h"
 #include "protocols/allocation.h"
+#include "protocols/finger_sample.h"
 #include "protocols/ids.h"
 #include "protocols/protocol.h"
 
@@ -147,6 +148,7 @@ struct Erasure {
 struct ErasureRecord {
     std::int64_t event = 0;  ///< entry of the log
     int answers = 0, notes = 0, facts = 0;
+    std::int64_t fingerSamples = 0;
     std::string wallTime;
     std::size_t searchedFiles = 0;   ///< files of the study in which the removed texts were looked for
     std::size_t searchedTexts = 0;   ///< salts, facts, notes and words that no other participant has
@@ -217,10 +219,18 @@ public:
         std::string text;
         bool isFlag = false;  ///< marks the presentation for a later check
     };
-    /// What one transaction stores: the event, its answers, the trial that it voids, a note, the slot's new state.
+    /// What the display measured of the finger during one presentation, since the answer before.
+    struct FingerStretch {
+        protocols::TrialNumber trial;
+        std::vector<protocols::FingerSample> samples;  ///< in the order of time; not empty
+        int leftOut = 0;                               ///< samples that were too many or too close to each other
+    };
+    /// What one transaction stores: the event, its answers, the finger before them, the trial that it voids, a note, the slot's
+    /// new state.
     struct Append {
         EventRecord event;
         std::vector<AnswerRecord> answers;
+        std::optional<FingerStretch> finger;
         std::optional<protocols::TrialNumber> voids;
         std::optional<Note> note;
         std::optional<SlotState> slotState;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "database/disk/finger_text.h"
 #include "database/event_chain.h"
 #include "database/stored_texts.h"
 #include "database/study_rows.h"
@@ -90,6 +91,17 @@ ResponseRow rowOf(const SqliteConnection& sqlite, const StudyStore::Append& entr
     return row;
 }
 
+FingerRow fingerRowOf(const SqliteConnection& sqlite, const std::string& participant, const StudyStore::FingerStretch& stretch)
+{
+    FingerRow row{participant, stretch.trial.value, attemptOf(sqlite, participant, stretch.trial.value)};
+    row.beganAt = stretch.samples.front().atNs;
+    row.count = static_cast<int>(stretch.samples.size());
+    row.leftOut = stretch.leftOut;
+    row.samples = fingerTextOf(stretch.samples);
+    row.samplesSha256 = protocols::sha256(row.samples);
+    return row;
+}
+
 LogEntry logEntryOf(const SqliteConnection& sqlite, const StudyStore::Append& entry)
 {
     LogEntry log;
@@ -104,6 +116,7 @@ LogEntry logEntryOf(const SqliteConnection& sqlite, const StudyStore::Append& en
     if (entry.note)
         log.notes.push_back({participant, entry.note->trial.value, attemptOf(sqlite, participant, entry.note->trial.value),
                              std::nullopt, entry.note->text, entry.note->isFlag});
+    if (entry.finger) log.finger.push_back(fingerRowOf(sqlite, participant, *entry.finger));
     if (entry.voids) log.voids.push_back({participant, entry.voids->value, attemptOf(sqlite, participant, entry.voids->value)});
     return log;
 }

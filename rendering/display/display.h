@@ -17,6 +17,13 @@ struct Touch {
     std::chrono::nanoseconds ago{0};  ///< time between the touch and this report, if the device knows it
 };
 
+/// What the device measured of the finger. A value that it has no sensor for is missing; every value is finite.
+struct FingerReport {
+    std::chrono::nanoseconds ago{0};  ///< time between the measurement and this report
+    std::optional<double> xMm, yMm;   ///< from the upper left corner of the surface
+    std::optional<double> forceN;     ///< normal force
+};
+
 class HapticDisplay {
 public:
     virtual ~HapticDisplay() = default;
@@ -36,6 +43,8 @@ public:
     virtual void onTouched(std::function<void(const Touch&)>) {}
     /// Sets the function that is called when the finger leaves the display. `ago` is the age of that moment.
     virtual void onReleased(std::function<void(const Touch&)>) {}
+    /// Sets the function that is called with each sample of the finger while an image is shown.
+    virtual void onFinger(std::function<void(const FingerReport&)>) {}
 
     /// File descriptor that becomes readable when the device sends something between two calls; constant for the lifetime of
     /// the display. -1 where the device never does.

@@ -58,8 +58,8 @@ void DriverDialogue::take(const std::string& line)
         unexpected = "reported a touch of image " + std::to_string(message->id) + ", which is not shown";
     else if (message->kind == MessageKind::Touched)
         m_isTouched = true;
-    else if (message->kind == MessageKind::Released) {
-        // The finger may leave after the image is gone, so any image is allowed here.
+    else if (message->kind == MessageKind::Released || message->kind == MessageKind::Finger) {
+        // The finger may move and leave after the image is gone, so any image is allowed here.
     } else if (m_open.erase(message->id) == 0)
         unexpected = "answered " + inWords(message) + " to request " + std::to_string(message->id) +
                      ", which was not sent or was already answered";

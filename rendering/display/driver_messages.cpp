@@ -16,7 +16,7 @@ struct KindRow {
 constexpr KindRow kinds[] = {{MessageKind::Hello, "hello"},     {MessageKind::Shown, "shown"},
                              {MessageKind::Cleared, "cleared"}, {MessageKind::Status, "status"},
                              {MessageKind::Touched, "touched"}, {MessageKind::Released, "released"},
-                             {MessageKind::Failed, "failed"}};
+                             {MessageKind::Finger, "finger"},   {MessageKind::Failed, "failed"}};
 
 std::optional<MessageKind> kindNamed(const ordered_json& name)
 {
@@ -47,6 +47,24 @@ bool takeCount(const ordered_json& message, const char* field, std::optional<std
     if (!(value >= 0 && value <= most) || value != std::floor(value)) return false;
     target = static_cast<std::int64_t>(value);
     return true;
+}
+
+/// Reads a measured value. One beyond `most` in size comes from no sensor and makes the message invalid.
+bool takeMeasured(const ordered_json& message, const char* field, double most, std::optional<double>& target)
+{
+    const auto found = message.find(field);
+    if (found == message.end() || found->is_null()) return true;
+    double value = 0;
+    if (!take(message, field, &ordered_json::is_number, value) || !(std::abs(value) <= most)) return false;
+    target = value;
+    return true;
+}
+
+bool takeFinger(const ordered_json& message, DriverMessage& result)
+{
+    constexpr double mostMm = 1e4, mostN = 1e3;
+    return takeMeasured(message, "x_mm", mostMm, result.xMm) && takeMeasured(message, "y_mm", mostMm, result.yMm) &&
+           takeMeasured(message, "force_n", mostN, result.forceN);
 }
 
 bool takeFields(const ordered_json& message, DriverMessage& result)
@@ -88,6 +106,7 @@ std::optional<DriverMessage> driverMessageFrom(std::string_view line)
     const auto kind = kindNamed(message.at("type"));
     DriverMessage result;
     if (!kind || !takeFields(message, result)) return std::nullopt;
+    if (*kind == MessageKind::Finger && !takeFinger(message, result)) return std::nullopt;
     result.kind = *kind;
     return result;
 }

@@ -11,9 +11,9 @@ namespace rendering {
 
 inline constexpr const char* displaySchema = "vis2hap.display/1";
 
-enum class MessageKind { Hello, Shown, Cleared, Status, Touched, Released, Failed };
+enum class MessageKind { Hello, Shown, Cleared, Status, Touched, Released, Finger, Failed };
 
-/// Message of a driver: the reply to the request `id`, or a touch of the image `id`.
+/// Message of a driver: the reply to the request `id`, or what a finger does on the image `id`.
 struct DriverMessage {
     MessageKind kind = MessageKind::Failed;
     std::int64_t id = 0;
@@ -23,6 +23,8 @@ struct DriverMessage {
     bool touches = false;                 ///< Hello: whether it reports touches
     std::optional<std::int64_t> showing;  ///< Status: id of the image that can be felt
     std::string why;                      ///< Failed
+    std::optional<double> xMm, yMm;       ///< Finger: position from the upper left corner; at most 10 m
+    std::optional<double> forceN;         ///< Finger: normal force; at most 1 kN
     bool operator==(const DriverMessage&) const = default;
 };
 const char* nameOf(MessageKind kind);

@@ -163,6 +163,10 @@ std::optional<DriverMessage> ExternalDisplay::received(const std::string& line)
         m_noise = printable(line);
         return std::nullopt;
     }
+    if (message->kind == MessageKind::Finger) {
+        reportFinger(*message);
+        return message;
+    }
     if (message->deviceS) {
         const auto device = std::chrono::duration_cast<nanoseconds>(std::chrono::duration<double>(*message->deviceS));
         m_clockAhead.push_back(steady_clock::now().time_since_epoch() - device);
@@ -183,6 +187,19 @@ void ExternalDisplay::reportTouch(const std::function<void(const Touch&)>& repor
     if (message.deviceS)
         touch.ago = std::min(m_clockAhead.back() - *std::min_element(m_clockAhead.begin(), m_clockAhead.end()), oldestTouch);
     report(touch);
+}
+
+/// Samples come many at once after a busy moment, so they use the difference between the clocks and do not change it.
+void ExternalDisplay::reportFinger(const DriverMessage& sample) const
+{
+    if (!m_showing || sample.id != *m_showing || !m_finger) return;
+    FingerReport report{nanoseconds(0), sample.xMm, sample.yMm, sample.forceN};
+    if (sample.deviceS && !m_clockAhead.empty()) {
+        const auto device = std::chrono::duration_cast<nanoseconds>(std::chrono::duration<double>(*sample.deviceS));
+        const nanoseconds ahead = steady_clock::now().time_since_epoch() - device;
+        report.ago = std::clamp(ahead - *std::min_element(m_clockAhead.begin(), m_clockAhead.end()), nanoseconds(0), oldestTouch);
+    }
+    m_finger(report);
 }
 
 void ExternalDisplay::processMessages()

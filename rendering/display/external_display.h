@@ -33,6 +33,7 @@ public:
     bool reportsTouches() const override { return m_hello.touches; }
     void onTouched(std::function<void(const Touch&)> touched) override { m_touched = std::move(touched); }
     void onReleased(std::function<void(const Touch&)> released) override { m_released = std::move(released); }
+    void onFinger(std::function<void(const FingerReport&)> finger) override { m_finger = std::move(finger); }
     int descriptorToWatch() const override { return m_watched; }
     void processMessages() override;
 
@@ -49,6 +50,7 @@ private:
     std::optional<DriverMessage> exchange(const DriverRequest& request, std::chrono::milliseconds patience);
     std::optional<DriverMessage> received(const std::string& line);
     void reportTouch(const std::function<void(const Touch&)>& report, const DriverMessage& touch);
+    void reportFinger(const DriverMessage& sample) const;
     void lose(const std::string& why);
     void wakeIfLinesWait();
     protocols::Fault fault(const std::string& what) const;
@@ -65,6 +67,7 @@ private:
     std::string m_trouble, m_noise;                     ///< reason of the last loss; the last line that was not a message
     std::deque<std::chrono::nanoseconds> m_clockAhead;  ///< our clock minus the device's for the last time stamps
     std::function<void(const Touch&)> m_touched, m_released;
+    std::function<void(const FingerReport&)> m_finger;
 };
 
 }  // namespace rendering

@@ -2,16 +2,18 @@
 // your own. Its device is a folder: current.pgm is the image that can be felt, all 0 while cleared. It uses nothing of
 // the main program, so this file can be copied.
 //
-//   vis2hap-reference-display DIR [--listen PORT] [--delay MS] [--touch-after MS] [--crash-at N]
+//   vis2hap-reference-display DIR [--listen PORT] [--delay MS] [--touch-after MS] [--finger-every MS] [--crash-at N]
 //
-// Without --listen it uses its standard streams. For tests: --delay delays every reply, --touch-after reports a touch
-// after each image, --crash-at ends the program at the Nth image.
+// Without --listen it uses its standard streams. For tests: --delay delays every reply. --touch-after reports a touch after
+// each image, and --finger-every then reports where the finger is: 40 mm to and fro at 80 mm/s, with 0.5 N. --crash-at ends
+// the program at the Nth image.
 #include <arpa/inet.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -32,7 +34,7 @@ constexpr std::size_t mostBytes = 64u << 20;
 
 struct Options {
     std::filesystem::path folder;
-    int port = 0, delayMs = 0, touchAfterMs = -1, crashAt = 0;
+    int port = 0, delayMs = 0, touchAfterMs = -1, fingerEveryMs = 0, crashAt = 0;
 };
 
 double nowS() { return std::chrono::duration<double>(steady_clock::now().time_since_epoch()).count(); }
@@ -85,6 +87,7 @@ private:
             return send({{"type", "failed"}, {"id", id}, {"why", "width x height differs from the number of bytes"}});
         output(width, height, image);
         m_showing = id;
+        m_fingerDue.reset();
         if (m_options.touchAfterMs >= 0) m_touchDue = steady_clock::now() + std::chrono::milliseconds(m_options.touchAfterMs);
         send({{"type", "shown"}, {"id", id}, {"at_s", nowS()}});
     }
@@ -94,6 +97,7 @@ private:
         output(0, 0, {});
         m_showing = nullptr;
         m_touchDue.reset();
+        m_fingerDue.reset();
         send({{"type", "cleared"}, {"id", id}, {"at_s", nowS()}});
     }
 
@@ -120,17 +124,47 @@ private:
         }
     }
 
-    /// Waits for more bytes, and reports a touch when it is due. Returns false at the end of file.
+    /// Milliseconds until the next report; -1 without one.
+    int untilNextReport() const
+    {
+        const auto due = m_touchDue ? m_touchDue : m_fingerDue;
+        if (!due) return -1;
+        const auto left = std::chrono::ceil<std::chrono::milliseconds>(*due - steady_clock::now()).count();
+        return static_cast<int>(std::max(0L, static_cast<long>(left)));
+    }
+
+    /// Sends the report that is due: the touch, then samples of the finger.
+    void report()
+    {
+        const auto now = steady_clock::now();
+        if (m_touchDue && *m_touchDue <= now) {
+            send({{"type", "touched"}, {"id", m_showing}, {"at_s", nowS()}});
+            m_touchedAt = now;
+            m_touchDue.reset();
+            if (m_options.fingerEveryMs > 0) m_fingerDue = now;
+        } else if (m_fingerDue && *m_fingerDue <= now) {
+            send({{"type", "finger"},
+                  {"id", m_showing},
+                  {"at_s", nowS()},
+                  {"x_mm", strokePlaceMm(std::chrono::duration<double>(now - m_touchedAt).count())},
+                  {"y_mm", 20.0},
+                  {"force_n", 0.5}});
+            m_fingerDue = now + std::chrono::milliseconds(m_options.fingerEveryMs);
+        }
+    }
+
+    static double strokePlaceMm(double seconds)
+    {
+        constexpr double leftMm = 20, strokeMm = 40, mmPerS = 80;
+        const double along = std::fmod(seconds * mmPerS, 2 * strokeMm);
+        return leftMm + (along < strokeMm ? along : 2 * strokeMm - along);
+    }
+
+    /// Waits for more bytes, and sends reports that are due. Returns false at the end of file.
     bool readMore()
     {
-        while (true) {
-            const auto left =
-                m_touchDue ? std::chrono::ceil<std::chrono::milliseconds>(*m_touchDue - steady_clock::now()).count() : -1;
-            pollfd waiting{m_in, POLLIN, 0};
-            if (::poll(&waiting, 1, m_touchDue ? static_cast<int>(std::max(0L, static_cast<long>(left))) : -1) > 0) break;
-            if (m_touchDue) send({{"type", "touched"}, {"id", m_showing}, {"at_s", nowS()}});
-            m_touchDue.reset();
-        }
+        pollfd waiting{m_in, POLLIN, 0};
+        while (::poll(&waiting, 1, untilNextReport()) <= 0) report();
         char chunk[65536];
         const ssize_t got = ::read(m_in, chunk, sizeof chunk);
         if (got > 0) m_buffer.append(chunk, static_cast<std::size_t>(got));
@@ -161,7 +195,8 @@ private:
     std::string m_buffer;
     ordered_json m_showing = nullptr;
     int m_images = 0;
-    std::optional<steady_clock::time_point> m_touchDue;
+    std::optional<steady_clock::time_point> m_touchDue, m_fingerDue;
+    steady_clock::time_point m_touchedAt;
 };
 
 /// Serves one computer after the other; prints the port, which the system chooses for port 0.
@@ -200,17 +235,20 @@ int main(int argc, char** argv)
         const std::string name = argv[i];
         const int value = std::atoi(argv[i + 1]);
         isListening = isListening || name == "--listen";
-        int* target = name == "--listen"        ? &options.port
-                      : name == "--delay"       ? &options.delayMs
-                      : name == "--touch-after" ? &options.touchAfterMs
-                      : name == "--crash-at"    ? &options.crashAt
-                                                : nullptr;
+        int* target = name == "--listen"         ? &options.port
+                      : name == "--delay"        ? &options.delayMs
+                      : name == "--touch-after"  ? &options.touchAfterMs
+                      : name == "--finger-every" ? &options.fingerEveryMs
+                      : name == "--crash-at"     ? &options.crashAt
+                                                 : nullptr;
         isUnderstood = target != nullptr;
         if (target != nullptr) *target = value;
     }
     if (!isUnderstood) {
-        std::fputs("usage: vis2hap-reference-display DIR [--listen PORT] [--delay MS] [--touch-after MS] [--crash-at N]\n",
-                   stderr);
+        std::fputs(
+            "usage: vis2hap-reference-display DIR [--listen PORT] [--delay MS] [--touch-after MS] [--finger-every MS] "
+            "[--crash-at N]\n",
+            stderr);
         return 2;
     }
     options.folder = argv[1];

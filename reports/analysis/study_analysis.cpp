@@ -109,6 +109,7 @@ StudyAnalysis analyse(StudyData data, const AnalysisOptions& options)
     for (const QuestionAnalysis& question : analysis.questions)
         if (const auto found = falseClaimsOf(data, cells, question, options.resimulated)) analysis.falseClaims.push_back(*found);
     analysis.speed = firstSpeedOf(analysis, data);
+    if (!data.touches.empty()) analysis.touch = touchByCondition(data);
     analysis.order = orderEffectsOf(analysis, data, cells);
     analysis.flags = qualityFlags(data, cells);
     analysis.screening = screenParticipants(data, cells, analysis.flags);

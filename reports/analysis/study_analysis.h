@@ -16,6 +16,7 @@
 #include "reports/analysis/screening.h"
 #include "reports/analysis/speed_analysis.h"
 #include "reports/analysis/worded_analysis.h"
+#include "reports/cells/touch_by_condition.h"
 #include "reports/data/study_data.h"
 #include "stats/tests/speed_accuracy.h"
 
@@ -43,6 +44,7 @@ struct StudyAnalysis {
     Depth depth = Depth::Whole;
     std::vector<QuestionAnalysis> questions;  ///< in the order of the study
     std::vector<ConditionSpeed> speed;        ///< by condition, of the first choice question
+    std::vector<ConditionTouch> touch;        ///< by condition; empty without samples of the finger
     OrderEffects order;
     std::vector<QualityFlag> flags;
     Screening screening;

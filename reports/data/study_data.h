@@ -79,6 +79,24 @@ struct QuestionInfo {
     protocols::AnswerKind kind;
 };
 
+/// What a display measured of the finger in one presentation. A value is missing where it has no sensor, or saw too little.
+struct TouchedPresentation {
+    std::string participant;
+    std::string condition;
+    double contactSeconds = 0;
+    std::optional<double> speedMmPerS;  ///< length of the path through the time in contact
+    std::optional<double> forceN;       ///< mean over the time in contact
+};
+
+/// One run of the latency task: how long the operator takes from a signal to a key.
+struct OperatorTaps {
+    std::string operatorName;
+    std::string wallTime;
+    std::string signal;  ///< "tone" or "flash"
+    int taps = 0, misses = 0, anticipations = 0;
+    std::optional<double> medianMs, q1Ms, q3Ms;  ///< none without taps
+};
+
 struct StudyData {
     std::string name;
     std::string protocolSha256;
@@ -105,6 +123,8 @@ struct StudyData {
     std::vector<StudyResponse> catchResponses;  ///< to blank glass; only quality flags use them
     std::vector<std::string> withdrawn;         ///< participants who withdrew; their answers are not analysed
     std::string participantsSentence;           ///< who took part, by the facts they gave; empty: none were asked
+    std::vector<TouchedPresentation> touches;   ///< analysed presentations with samples of the finger
+    std::vector<OperatorTaps> operatorTaps;     ///< in the order of the log
     TimesTaken times = TimesTaken::AsRecorded;  ///< what `seconds` of the responses is
     std::size_t voided = 0;                     ///< presentations that are kept but not analysed
     std::size_t expectedResponses = 0;          ///< number in a complete study; 0: unknown

@@ -7,6 +7,7 @@
 #include "reports/json/json_fields.h"
 #include "reports/json/plan_comparison_json.h"
 #include "reports/json/signals_json.h"
+#include "reports/json/touch_json.h"
 
 namespace reports {
 namespace {
@@ -237,6 +238,8 @@ JsonParts resultsParts(const StudyAnalysis& analysis, const ReportOrigin& origin
     parts.push_back(JsonMember{"preregistration", [of] { return preregistrationJson(*of); }});
     parts.push_back(JsonMembers{[of] { return withoutFlaggedMember(*of); }});
     parts.push_back(JsonMember{"design", [of] { return designPart(*of); }});
+    parts.push_back(JsonMembers{[of] { return touchMember(*of); }});
+    parts.push_back(JsonMembers{[of] { return operatorLatencyMember(of->data); }});
     return parts;
 }
 

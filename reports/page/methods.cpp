@@ -5,6 +5,7 @@
 
 #include "protocols/files/markup_text.h"
 #include "protocols/files/number_text.h"
+#include "reports/cells/finger_motion.h"
 #include "reports/cells/response_time.h"
 #include "reports/text/number_text.h"
 #include "reports/text/plain_words.h"
@@ -185,6 +186,25 @@ std::string speedParagraph(const ChoiceQuestions& questions, TimesTaken times)
            "own times. Slow conditions may also be hard ones, so its trend is that at equal condition and fabric.";
 }
 
+std::string touchParagraph()
+{
+    return "<b>The finger on the display</b> was measured by the display. Contact lasts while samples are at most " +
+           fixed(longestGapSeconds, 1) +
+           " s apart and their force is above 0. The speed of a presentation is the length of its " +
+           "path through the time in contact. The path joins positions at least " + fixed(leastStepSeconds * 1000, 0) +
+           " ms apart, because the noise of a sensor lengthens a path of shorter steps. The force is the mean over the time in "
+           "contact. A presentation with less than " +
+           fixed(leastContactSeconds, 1) +
+           " s of contact has no speed and no force. The intervals are Student's t over the participants' means. They hold for "
+           "new participants and these fabrics.";
+}
+
+std::string latencyParagraph()
+{
+    return "<b>Latencies of the operators</b> come from a task in which the operator presses a key at a signal. They show how "
+           "late a time is that a key of the operator stamps. No time of this report was corrected by them.";
+}
+
 std::string orderParagraph()
 {
     return "<b>Order, learning and fatigue.</b> For each participant, least squares give the change of the answers over the "
@@ -237,6 +257,8 @@ std::vector<std::string> methodParagraphs(const StudyAnalysis& analysis)
     if (hasChoices || hasRatings) paragraphs.push_back(omnibusParagraph(hasChoices, hasRatings));
     if (hasChoices || hasRatings) paragraphs.push_back(measuredSizesParagraph());
     if (hasChoices) paragraphs.push_back(speedParagraph(choices, analysis.data.times));
+    if (!analysis.touch.empty()) paragraphs.push_back(touchParagraph());
+    if (!analysis.data.operatorTaps.empty()) paragraphs.push_back(latencyParagraph());
     if (!analysis.order.questions.empty()) paragraphs.push_back(orderParagraph());
     if (hasWords) paragraphs.push_back(wordsParagraph());
     paragraphs.push_back(participantsParagraph(analysis.data));

@@ -18,6 +18,7 @@
 #include "reports/tables/rating_tables.h"
 #include "reports/tables/signal_tables.h"
 #include "reports/tables/speed_tables.h"
+#include "reports/tables/touch_tables.h"
 #include "reports/tables/worded_tables.h"
 #include "reports/text/file_names.h"
 
@@ -44,6 +45,7 @@ constexpr TableFamily families[] = {together<overviewTables>,
                                     together<effectTables>,
                                     together<groupTables>,
                                     together<speedTables>,
+                                    together<touchTables>,
                                     together<signalTables>,
                                     together<planTables>,
                                     together<qualityTables>,

@@ -1,5 +1,5 @@
-// vis2hap export STUDY --out DIR [--format csv|json|script] [--with-log]: answers after the unblinding, before it progress and
-// aggregates. With --participant ID the data of one person, for this person.
+// vis2hap export STUDY --out DIR [--format csv|json|script] [--with-log] [--with-samples]: answers after the unblinding, before
+// it progress and aggregates. With --participant ID the data of one person, for this person.
 #include "study/commands/export_command.h"
 
 #include <CLI/CLI.hpp>
@@ -26,6 +26,7 @@
 #include "study/players/session_script.h"
 #include "study/records/blinded_report.h"
 #include "study/records/evidence/exported_log.h"
+#include "study/records/evidence/exported_samples.h"
 #include "study/records/evidence/participant_data.h"
 #include "study/records/stored_study.h"
 
@@ -203,19 +204,20 @@ void writeBlinded(const Export& job, const std::string& format, const std::optio
 
 struct ExportCall {
     std::string study, out, format = "csv", participant;
-    bool withLog = false;
+    bool withLog = false, withSamples = false;
     PassphraseOption passphrase;
 };
 
 int exportStudy(const ExportCall& call)
 {
-    const auto& [study, out, format, participant, withLog, passphrase] = call;
+    const auto& [study, out, format, participant, withLog, withSamples, passphrase] = call;
     const auto store = records::openStudy(study);
-    writeExport(store, out, {format, withLog}, passphraseFrom(passphrase));
+    writeExport(store, out, {format, withLog, withSamples}, passphraseFrom(passphrase));
     std::printf("%s: %s as %s%s\n", out.c_str(), reports::counted(store.answers().size(), "answer").c_str(), format.c_str(),
                 store.unblinding() ? "" : ", blinded (no condition, no fabric)");
     std::printf("  log head %s\n", textOf(store.head()).c_str());
     if (withLog) std::printf("  log.csv holds the log; log.txt says how to compute its head\n");
+    if (withSamples) std::printf("  finger_samples.csv holds what the display measured of the fingers\n");
     recordAct(store, "export", out);
     return 0;
 }
@@ -257,6 +259,12 @@ void writeExport(const database::StudyStore& store, const fs::path& out, const E
     const auto protocol = records::protocolOf(facts);
     const bool blinded = !store.unblinding();
     const auto naming = blinded ? std::nullopt : records::namingOf(store, protocol, {});
+    if (form.withSamples && blinded)
+        throw protocols::badInput(
+            {"samples of the finger are exported after the unblinding only, because the speed and the force "
+             "of a presentation could give its condition away",
+             store.folder().folder.string(), "a study that is unblinded, or no --with-samples",
+             "export without --with-samples, or unblind the study first"});
     protocols::FolderDraft draft(out, protocols::Earlier::FilesJoined);
     const Export job{store, facts, protocol, naming ? &*naming : nullptr, draft.path()};
     if (format == "script")
@@ -267,6 +275,7 @@ void writeExport(const database::StudyStore& store, const fs::path& out, const E
         writeCsv(job);
     else
         writeJsonExport(job);
+    if (form.withSamples) write(job, "finger_samples.csv", records::fingerSamplesCsv(store, {}, naming));
     if (form.withLog) records::writeExportedLog(store, draft.path());
     draft.putInPlace();
 }
@@ -282,11 +291,15 @@ void addExport(CLI::App& app, Action& action)
                        ->capture_default_str();
     auto* withLog = command->add_flag("--with-log", call->withLog,
                                       "add the log (log.csv) and how to compute its head (log.txt); no content, no salts");
+    auto* withSamples =
+        command->add_flag("--with-samples", call->withSamples,
+                          "add what displays measured of the fingers (finger_samples.csv); unblinded studies only");
     command
         ->add_option("--participant", call->participant,
                      "write the data of this participant only, with a sheet for the person (your-data.html)")
         ->excludes(format)
-        ->excludes(withLog);
+        ->excludes(withLog)
+        ->excludes(withSamples);
     addPassphraseOption(*command, call->passphrase);
     command->callback([call, &action] {
         action.surroundings = Surroundings::Core;

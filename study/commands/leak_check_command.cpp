@@ -30,7 +30,7 @@ std::vector<leaks::Exporter> exportersOf(const database::StudyStore& store)
     std::vector<leaks::Exporter> exporters;
     for (const char* format : {"csv", "json", "script"})
         exporters.push_back({std::string("export --format ") + format, [&store, format, nobody](const auto& folder) {
-                                 writeExport(store, folder / "out", {format, false}, nobody);
+                                 writeExport(store, folder / "out", {format, false, false}, nobody);
                              }});
     exporters.push_back({"export --with-log", [&store](const auto& folder) { records::writeExportedLog(store, folder); }});
     exporters.push_back(

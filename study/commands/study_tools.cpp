@@ -78,7 +78,7 @@ app::ToolOutcome backup(const ToolCall& call)
 
 app::ToolOutcome exported(const ToolCall& call)
 {
-    writeExport(call.store, call.out, {"csv", false}, {});
+    writeExport(call.store, call.out, {"csv", false, false}, {});
     return recorded(call, "export",
                     call.store.unblinding() ? "Answers of the unblinded study.\n" : "Blinded: no condition, no fabric.\n");
 }

@@ -40,10 +40,15 @@ std::filesystem::path writeErasureCertificate(const database::StudyStore& store,
     text += line("Study", store.facts().name);
     text += line("Participant", protocols::printable(erasure.participant.value));
     text +=
-        line("Erased", erasure.answersToo ? "facts, debriefing, answers, notes, times and the salts of their entries in the log"
-                                          : "facts and debriefing");
+        line("Erased",
+             erasure.answersToo
+                 ? "facts, debriefing, answers, notes, times, samples of the finger, and the salts of their entries in the log"
+                 : "facts and debriefing");
     text += line("Rows removed", std::to_string(record.answers) + " answers, " + std::to_string(record.notes) + " notes, " +
-                                     std::to_string(record.facts) + " facts");
+                                     std::to_string(record.facts) + " facts" +
+                                     (record.fingerSamples > 0
+                                          ? ", " + std::to_string(record.fingerSamples) + " samples of the finger on the display"
+                                          : std::string()));
     text += line("Ordered by", protocols::printable(erasure.who));
     text += line("Reason", protocols::printable(erasure.why));
     text += line("Time", record.wallTime);

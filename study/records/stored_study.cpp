@@ -6,8 +6,11 @@
 #include <set>
 #include <tuple>
 
+#include "database/evidence/finger_records.h"
+#include "database/evidence/operator_latency.h"
 #include "protocols/condition.h"
 #include "protocols/protocol_json.h"
+#include "reports/cells/finger_motion.h"
 #include "reports/json/signals_json.h"
 #include "reports/text/plain_words.h"
 #include "study/records/participants_sentence.h"
@@ -114,6 +117,28 @@ void readAnswers(const std::vector<database::CurrentAnswer>& answers, const prot
     data.voided = voided.size();
 }
 
+/// The samples of each analysed presentation, as speed and force.
+void readTouches(const database::StudyStore& store, const Naming& naming, reports::StudyData& data)
+{
+    const std::set<std::string> analysed(data.participants.begin(), data.participants.end());
+    eachFingerRecord(store, {}, [&](const database::FingerRecord& record) {
+        const auto named = naming.entries.find({record.participant, record.trial});
+        const bool counts = !record.voided && analysed.contains(record.participant.value) && named != naming.entries.end() &&
+                            named->second.condition != protocols::catchTrialId().value;
+        if (!counts) return;
+        const reports::FingerMotion motion = reports::motionOf(record.samples);
+        data.touches.push_back(
+            {record.participant.value, named->second.condition, motion.contactSeconds, motion.speedMmPerS, motion.forceN});
+    });
+}
+
+void readOperatorTaps(const database::StudyStore& store, reports::StudyData& data)
+{
+    for (const auto& run : operatorLatenciesOf(store))
+        data.operatorTaps.push_back({run.operatorName, run.wallTime, run.signal, run.taps, run.misses, run.anticipations,
+                                     run.medianMs, run.q1Ms, run.q3Ms});
+}
+
 /// Everything but the answers and their names.
 reports::StudyData describedStudy(const database::StudyStore& store, const database::StudyFacts& facts,
                                   const protocols::Protocol& protocol)
@@ -203,6 +228,8 @@ std::optional<reports::StudyData> studyData(const database::StudyStore& store, c
     if (!data.blinded) data.signals = reports::signalsFromJson(facts.signalsJson);
     for (const auto& fabric : facts.fabrics) data.fabrics.push_back(fabric.value);
     readAnswers(answers, protocol, *naming, data);
+    readTouches(store, *naming, data);
+    readOperatorTaps(store, data);
     return data;
 }
 

@@ -204,9 +204,18 @@ void Driver::commit(const EventBody& body, std::int64_t atNs, SessionStep step)
     StudyStore::Append entry;
     entry.event = {0, m_participant, step.next.sitting, kindOf(body), payloadJson(body, m_operatedBy), atNs, m_clock.wallTime()};
     addWhatItStores(entry, m_plan, m_state, step.next, body);
+    if (std::holds_alternative<Answered>(body)) entry.finger = m_finger.unstored(entry.answers.front().trial);
     entry.storedAtNs = m_clock.monotonicNs();
     m_store.append(entry);
     m_state = std::move(step.next);
+    if (entry.finger) m_finger.markStored();
+    if (!std::holds_alternative<Presenting>(m_state.stage)) m_finger.restart();
+}
+
+void Driver::addFinger(const rendering::FingerReport& report)
+{
+    if (m_state.paused || !std::holds_alternative<Presenting>(m_state.stage)) return;
+    m_finger.add({m_clock.monotonicNs() - report.ago.count(), report.xMm, report.yMm, report.forceN});
 }
 
 /// Performs effects of events that are on the disk. If the display fails, the session is paused, so that the presentation begins

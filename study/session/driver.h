@@ -11,6 +11,7 @@
 #include "rendering/display/display.h"
 #include "rendering/display/stimulus_bank.h"
 #include "study/session/clock.h"
+#include "study/session/finger_recording.h"
 #include "study/session/operated_by.h"
 #include "study/session/session.h"
 #include "study/session/view.h"
@@ -37,6 +38,10 @@ public:
     /// the display or the disk fails. After a fault of the display the session is paused, and no answer is lost.
     std::optional<Refusal> send(const EventBody& event);
 
+    /// Takes what the display measured of the finger. The samples are stored with the next answer to the presentation; those of a
+    /// presentation that is paused or voided before its answer are not stored. Never throws.
+    void addFinger(const rendering::FingerReport& report);
+
     const State& state() const { return m_state; }
     const Plan& plan() const { return m_plan; }
     View view() const;
@@ -57,6 +62,7 @@ private:
     OperatedBy m_operatedBy;
     Plan m_plan;
     State m_state;
+    FingerRecording m_finger;
 };
 
 }  // namespace study::session

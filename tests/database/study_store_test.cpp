@@ -9,6 +9,9 @@
 #include <QtTest>
 #include <fstream>
 
+#include "database/disk/finger_text.h"
+#include "database/evidence/finger_records.h"
+#include "database/evidence/operator_latency.h"
 #include "protocols/files/errors.h"
 #include "tests/support/error_text.h"
 #include "tests/support/played_session.h"
@@ -108,6 +111,9 @@ private Q_SLOTS:
         QTest::newRow("a development version's") << "study"
                                                  << "ALTER TABLE responses RENAME COLUMN answer_begun_at TO another"
                                                  << "development version";
+        QTest::newRow("a later development version's") << "study"
+                                                       << "DROP TABLE finger_samples"
+                                                       << "development version";
     }
 
     void whatIsNoStudyIsRefused()
@@ -272,6 +278,128 @@ private Q_SLOTS:
             QFile stored(QString::fromStdString((folder.folder / file).string()));
             if (stored.open(QIODevice::ReadOnly)) QVERIFY2(!stored.readAll().contains("unmistakably"), file);
         }
+    }
+
+    void samplesOfTheFingerReadBackAsTheyWere()
+    {
+        const std::vector<protocols::FingerSample> samples{{7 * oneSecondNs, 31.25, 20.0, 0.412},
+                                                           {7 * oneSecondNs + 5000000, 31.5, {}, -0.003},
+                                                           {7 * oneSecondNs + 12300000, {}, 19.99, {}},
+                                                           {9 * oneSecondNs, -4.0, 0.0, 0.0}};
+        QCOMPARE(fingerTextOf(samples), std::string("0,3125,2000,412;50,25,,-415;73,,-1,;19877,-3550,-1999,3"));
+        QCOMPARE(fingerSamplesFrom(fingerTextOf(samples), 7 * oneSecondNs), std::optional(samples));
+        QCOMPARE(fingerSamplesFrom("", 5), std::optional(std::vector<protocols::FingerSample>()));
+        for (const char* damaged : {"0", "0,1,2", ",1,2,3", "0,1,2,3;", "0,1,2,3;x,1,2,3", "0,1,2,3 5,1,2,3", "-5,1,2,3",
+                                    "0,99999999999999999999,2,3", "0,1,2,3,4", "0,1099511627776,,;1,1099511627776,,"})
+            QVERIFY2(!fingerSamplesFrom(damaged, 0), damaged);
+
+        const StudyFolder folder = newStudy();
+        StudyStore store(folder, Access::Write);
+        store.enrol(s01, ParticipantKind::Scripted);
+        StudyStore::Append first = answerOf(store, "Q2", 54), second = answerOf(store, "Q3", 40);
+        first.finger = {first.answers[0].trial, {samples[0], samples[1]}, 3};
+        second.finger = {first.answers[0].trial, {samples[2], samples[3]}, 1};
+        store.append(first);
+        store.append(second);
+        std::vector<FingerRecord> records;
+        eachFingerRecord(store, {}, [&](const FingerRecord& record) { records.push_back(record); });
+        QCOMPARE(records.size(), 1u);
+        QCOMPARE(records[0].samples, samples);
+        QCOMPARE(records[0].leftOut, 4);
+        QVERIFY(!records[0].voided && records[0].attempt == 1);
+        QCOMPARE(fingerSampleCount(store, s01), 4);
+        QCOMPARE(fingerSampleCount(store, protocols::ParticipantId("S02")), 0);
+        QVERIFY(store.faults().empty());
+        QVERIFY(RawSqlite(folder.database()).run("UPDATE finger_samples SET count = 1").find("append-only") != std::string::npos);
+    }
+
+    void alteredSamplesOfTheFingerAreFound_data()
+    {
+        QTest::addColumn<QString>("sql");
+        QTest::newRow("a sample") << "UPDATE finger_samples SET samples = '0,1,2,3'";
+        QTest::newRow("their time") << "UPDATE finger_samples SET began_at = began_at + 1";
+        QTest::newRow("their number") << "UPDATE finger_samples SET left_out = 7";
+        QTest::newRow("another trial") << "UPDATE finger_samples SET trial = trial + 1";
+        QTest::newRow("taken out") << "DELETE FROM finger_samples";
+        QTest::newRow("put in")
+            << "INSERT INTO finger_samples SELECT 77, 1, participant, trial, attempt, began_at, count, left_out, "
+               "samples FROM finger_samples";
+    }
+    void alteredSamplesOfTheFingerAreFound()
+    {
+        QFETCH(QString, sql);
+        const StudyFolder folder = newStudy();
+        {
+            StudyStore store(folder, Access::Write);
+            store.enrol(s01, ParticipantKind::Scripted);
+            StudyStore::Append entry = answerOf(store, "Q2", 54);
+            entry.finger = {entry.answers[0].trial, {{7 * oneSecondNs, 1.0, 2.0, 0.5}}, 0};
+            store.append(entry);
+        }
+        RawSqlite raw(folder.database());
+        const auto triggers = raw.rows("SELECT sql FROM sqlite_master WHERE type = 'trigger'");
+        raw.dropTriggers();
+        QCOMPARE(raw.run("PRAGMA foreign_keys = 0; " + sql.toStdString()), std::string());
+        for (const auto& trigger : triggers) raw.run(trigger);
+        const auto faults = StudyStore(folder, Access::Read).faults();
+        QVERIFY(!faults.empty());
+        QVERIFY2(QString::fromStdString(faults[0]).contains("were altered"), faults[0].c_str());
+    }
+
+    void erasingAnswersRemovesTheSamplesOfTheFinger()
+    {
+        const StudyFolder folder = newStudy();
+        StudyStore store(folder, Access::Write);
+        store.enrol(s01, ParticipantKind::Scripted);
+        StudyStore::Append entry = answerOf(store, "Q1", std::nullopt);
+        entry.finger = {entry.answers[0].trial, {}, 0};
+        for (int i = 0; i < 3000; ++i)  // more than a page of the file
+            entry.finger->samples.push_back({(7000 + 5LL * i) * 1000000, 31.41592 * (i % 7), 27.18281 + i, 0.57721 * (i % 3)});
+        const std::string text = fingerTextOf(entry.finger->samples);
+        store.append(entry);
+        const ErasureRecord record = store.erase({s01, true, "Ada", "asked for it", {}});
+        QCOMPARE(record.fingerSamples, 3000);
+        QVERIFY(record.found.empty());
+        QCOMPARE(fingerSampleCount(store, s01), 0);
+        QVERIFY(store.faults().empty());
+        for (const char* file : {"study.db", "study.db-wal"}) {
+            QFile stored(QString::fromStdString((folder.folder / file).string()));
+            if (!stored.open(QIODevice::ReadOnly)) continue;
+            const QByteArray bytes = stored.readAll();
+            for (const std::size_t from : {std::size_t(0), std::size_t(6000), text.size() - 200})
+                QVERIFY2(!bytes.contains(QByteArray::fromStdString(text.substr(from, 100))), file);
+        }
+    }
+
+    void aCopyWithSamplesIsFoundByTheSearch()
+    {
+        const StudyFolder folder = newStudy();
+        StudyStore store(folder, Access::Write);
+        store.enrol(s01, ParticipantKind::Scripted);
+        StudyStore::Append entry = answerOf(store, "Q1", std::nullopt);
+        entry.finger = {entry.answers[0].trial, {{7 * oneSecondNs, 31.41592, 27.18281, 0.57721}}, 0};
+        store.append(entry);
+        std::ofstream(folder.folder / "forgotten.txt") << "copied: " << fingerTextOf(entry.finger->samples);
+        QCOMPARE(store.erase({s01, true, "Ada", "asked for it", {}}).found, std::vector<std::string>{"forgotten.txt"});
+    }
+
+    void latenciesOfOperatorsAreEntriesOfTheLog()
+    {
+        const StudyFolder folder = newStudy();
+        StudyStore store(folder, Access::Write);
+        const OperatorLatency run{"Ada", "tone", 120, 38, 1, 2, 215.5, 190.0, 250.25, {}, 0};
+        recordOperatorLatency(store, run);
+        recordOperatorLatency(store, {"Bob", "flash", 120, 0, 40, 0, {}, {}, {}, {}, 0});
+        const auto runs = operatorLatenciesOf(store);
+        QCOMPARE(runs.size(), 2u);
+        OperatorLatency expected = run;
+        expected.wallTime = runs[0].wallTime;
+        expected.entry = runs[0].entry;
+        QVERIFY(runs[0] == expected);
+        QVERIFY(!runs[0].wallTime.empty() && runs[1].entry == runs[0].entry + 1);
+        QVERIFY(!runs[1].medianMs && runs[1].misses == 40);
+        QVERIFY(errorOf([&] { recordOperatorLatency(store, {}); }).contains("needs the operator's name"));
+        QVERIFY(store.faults().empty());
     }
 
     void erasingAnswersEmptiesTheEntriesAndKeepsTheChain()

@@ -214,7 +214,8 @@ std::vector<Reader> textReaders()
         {"render", {smallRender}, [](const std::string& bytes) { rendering::joined(smallRender, bytes, "render.json"); }},
         {"driver",
          {R"({"type":"hello","id":1,"schema":"vis2hap.display/1","name":"x","width":1280,"height":800,"touches":true})",
-          R"({"type":"shown","id":2,"t_device":1.5})", R"({"type":"failed","id":3,"why":"x"})"},
+          R"({"type":"shown","id":2,"t_device":1.5})", R"({"type":"failed","id":3,"why":"x"})",
+          R"({"type":"finger","id":2,"at_s":1.5,"x_mm":31.2,"y_mm":20.05,"force_n":0.42})"},
          [](const std::string& bytes) { rendering::driverMessageFrom(bytes); }},
         {"true-map", {tests::support::trueMapBytes(heights())}, [](const std::string& bytes) {
              use(rendering::trueMapFrom(bytes, "a.tmd").heightMm);

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "protocols/files/errors.h"
+#include "reports/cells/finger_motion.h"
 #include "reports/json/results_json.h"
 #include "reports/json/signals_json.h"
 #include "reports/json/statistics_json.h"
@@ -82,14 +83,77 @@ private Q_SLOTS:
         QCOMPARE(none["why"]["questions"], "nobody is flagged");
     }
 
+    void speedAndForceStandByCondition()
+    {
+        StudyData data = builders::study(3, 2, {"v_grey", "h&f", "f"},
+                                         {[](int, int f, int) { return f == 0; }, [](int p, int f, int, int) { return p + f; }});
+        QVERIFY(resultsOf(data)["touch"].is_null());
+        QVERIFY(resultsOf(data)["operator_latency"].is_null());
+        const auto touch = [&](const char* who, double speed, std::optional<double> force) {
+            data.touches.push_back({who, "v_grey", 2.0, speed, force});
+        };
+        touch("P01", 40, 0.4);
+        touch("P01", 44, {});
+        touch("P02", 61, 0.6);
+        touch("P03", 80, {});
+        data.touches.push_back({"P01", "h&f", 3.0, 50, {}});
+        data.operatorTaps = {{"Ada", "2026-11-23T08:00:00Z", "tone", 38, 1, 2, 215.5, 190.0, 250.25},
+                             {"Bob", "2026-11-23T09:00:00Z", "flash", 0, 40, 0, {}, {}, {}}};
+        const Json results = resultsOf(data);
+        QCOMPARE(unexplained(results, "results"), QString());
+        const Json speed = results["touch"]["conditions"]["v_grey"]["speed_mm_per_s"];
+        // R: median(c(40,44,61,80)); t.test(c(42,61,80))
+        QCOMPARE(speed["presentations"], 4);
+        QCOMPARE(speed["participants"], 3);
+        QCOMPARE(speed["median"], 52.5);
+        QCOMPARE(speed["mean"], 61.0);
+        QVERIFY(std::abs(speed["ci95"][0].get<double>() - 13.80138348) < 1e-6);
+        QVERIFY(std::abs(speed["ci95"][1].get<double>() - 108.19861652) < 1e-6);
+        QCOMPARE(results["touch"]["conditions"]["v_grey"]["force_n"]["participants"], 2);
+        QVERIFY(results["touch"]["conditions"]["h&f"]["force_n"]["mean"].is_null());
+        QVERIFY(results["touch"]["conditions"]["h&f"]["speed_mm_per_s"]["ci95"].is_null());  // one participant
+        QVERIFY(results["touch"]["conditions"]["f"]["contact_seconds"]["median"].is_null());
+        QCOMPARE(results["operator_latency"][0]["median_ms"], 215.5);
+        QVERIFY(results["operator_latency"][1]["median_ms"].is_null());
+    }
+
+    void theMotionOfAFingerIsThatOfItsContacts()
+    {
+        using protocols::FingerSample;
+        std::vector<FingerSample> samples;
+        const auto at = [](double seconds) { return static_cast<std::int64_t>(std::llround(seconds * 1e9)); };
+        for (int i = 0; i <= 100; ++i) samples.push_back({at(0.005 * i), 80 * 0.005 * i, 20.0, 0.5});  // 0.5 s at 80 mm/s
+        const reports::FingerMotion straight = reports::motionOf(samples);
+        QVERIFY(std::abs(*straight.speedMmPerS - 80) < 1e-9 && std::abs(*straight.forceN - 0.5) < 1e-12);
+        QVERIFY(std::abs(straight.contactSeconds - 0.5) < 1e-9);
+
+        auto lifted = samples;  // the finger leaves for 2 s and comes down elsewhere: no path between
+        for (int i = 0; i <= 100; ++i) lifted.push_back({at(2.5 + 0.005 * i), 200.0, 20.0, 1.5});
+        const reports::FingerMotion both = reports::motionOf(lifted);
+        QVERIFY(std::abs(*both.speedMmPerS - 40) < 1e-9 && std::abs(*both.forceN - 1) < 1e-12);
+
+        auto hovering = samples;
+        for (int i = 40; i <= 60; ++i) hovering[static_cast<std::size_t>(i)].forceN = -0.01;
+        QVERIFY(std::abs(reports::motionOf(hovering).contactSeconds - 0.39) < 1e-9);
+
+        auto noisy = samples;  // 0.1 mm of noise: steps of 5 ms would give a fifth more
+        for (std::size_t i = 0; i < noisy.size(); ++i) *noisy[i].yMm += i % 2 == 0 ? 0.1 : -0.1;
+        QVERIFY(std::abs(*reports::motionOf(noisy).speedMmPerS - 80) < 1);
+
+        QVERIFY(!reports::motionOf(std::span(samples).first(20)).speedMmPerS);  // 0.1 s
+        QVERIFY(!reports::motionOf({}).forceN);
+        for (FingerSample& sample : samples) sample.xMm.reset();
+        QVERIFY(!reports::motionOf(samples).speedMmPerS && reports::motionOf(samples).forceN);
+    }
+
     void keysStandInTheDocumentedOrder()
     {
         StudyData data = builders::paperSized();
         data.planned = {{"h_g&f_g", "h&f"}};
         const Json results = resultsOf(data);
-        QCOMPARE(keysOf(results),
-                 (Keys{"schema", "study", "conditions", "questions", "comparisons", "equivalence", "omnibus", "above_chance",
-                       "claims", "speed_accuracy", "signals", "quality", "preregistration", "without_flagged", "design", "why"}));
+        QCOMPARE(keysOf(results), (Keys{"schema", "study", "conditions", "questions", "comparisons", "equivalence", "omnibus",
+                                        "above_chance", "claims", "speed_accuracy", "signals", "quality", "preregistration",
+                                        "without_flagged", "design", "touch", "operator_latency", "why"}));
         QCOMPARE(results["schema"], "vis2hap.results/2");
         QCOMPARE(keysOf(results["study"]), (Keys{"name", "protocol_sha256", "participants", "fabrics", "blinded", "simulated"}));
         QCOMPARE(results["conditions"].get<Keys>(), nineConditions);

@@ -124,7 +124,8 @@ private Q_SLOTS:
         QCOMPARE(comparison.additions,
                  (QStringList{"results.schema", "results.study", "results.conditions", "results.omnibus", "results.above_chance",
                               "results.claims", "results.signals", "results.quality", "results.preregistration",
-                              "results.without_flagged", "results.design", "results.why"}));
+                              "results.without_flagged", "results.design", "results.touch", "results.operator_latency",
+                              "results.why"}));
         QCOMPARE(comparison.numbers, 216);
     }
 

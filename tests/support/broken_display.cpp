@@ -83,6 +83,16 @@ void show(const Json& request)
     if (is("late first reply") && images == 1) return reply("shown", 0);
     showing = request["id"];
     reply("shown", showing);
+    if (is("fingers of nonsense")) {
+        for (const char* values : {R"("x_mm":1e999)", R"("x_mm":NaN)", R"("x_mm":"12")", R"("x_mm":1e300,"y_mm":2)",
+                                   R"("force_n":-1e9)", R"("y_mm":[1])", R"("force_n":true)"})
+            writeLine(R"({"type":"finger","id":)" + showing.dump() + "," + values + "}");
+        reply("finger", 999999, {{"x_mm", 1}});
+        reply("finger", showing, {{"x_mm", 7.5}});
+    }
+    for (int sample = 0; is("floods of fingers") && sample < 200000; ++sample)
+        std::cout << R"({"type":"finger","id":)" << showing << R"(,"at_s":)" << sample * 1e-5 << R"(,"x_mm":1,"y_mm":2})"
+                  << "\n";
     if (is("touched elsewhere")) reply("touched", 999999);
     if (is("dies after an image")) {
         ::usleep(20000);

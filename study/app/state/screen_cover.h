@@ -31,6 +31,7 @@ public:
     {
         m_wrapped->onReleased(std::move(released));
     }
+    void onFinger(std::function<void(const rendering::FingerReport&)> finger) override { m_wrapped->onFinger(std::move(finger)); }
     int descriptorToWatch() const override { return m_wrapped->descriptorToWatch(); }
     void processMessages() override { m_wrapped->processMessages(); }
 

@@ -56,6 +56,7 @@ SessionController::SessionController(database::StudyStore& store, const protocol
 {
     m_display->onTouched([this](const rendering::Touch& touch) { displayTouched(touch); });
     m_display->onReleased([this](const rendering::Touch& release) { displayReleased(release); });
+    m_display->onFinger([this](const rendering::FingerReport& report) { m_driver.addFinger(report); });
     watchDisplay();
 }
 

@@ -7,6 +7,7 @@
 #include "database/disk/payload_fields.h"
 #include "database/evidence/acts.h"
 #include "database/evidence/clear_log.h"
+#include "database/evidence/finger_records.h"
 #include "database/keys.h"
 #include "database/stored_texts.h"
 #include "protocols/files/csv_table.h"
@@ -14,6 +15,7 @@
 #include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
+#include "study/records/evidence/exported_samples.h"
 #include "study/records/evidence/participant_page.h"
 #include "study/records/stored_study.h"
 
@@ -272,6 +274,7 @@ ordered_json participantData(const database::StudyStore& store, const protocols:
             {"facts", factRows(person)},
             {"sittings", sittingRows(person)},
             {"answers", answerRows(person)},
+            {"finger_samples", fingerSampleCount(store, participant)},
             {"notes", noteRows(person)},
             {"events", eventRows(person)},
             {"copies", copyRows(person)},
@@ -286,6 +289,9 @@ void writeParticipantData(const database::StudyStore& store, const ordered_json&
     write("your-data.html", participantPage(data));
     write("your-data.json", data.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n");
     write("your-answers.csv", answersCsv(data));
+    if (!data["blinded"].get<bool>() && data["finger_samples"].get<std::int64_t>() > 0)
+        write("your-finger-samples.csv",
+              fingerSamplesCsv(store, protocols::ParticipantId(data["participant"].get<std::string>()), std::nullopt));
     for (const auto& act : data["erasures"]) {
         const std::string name = "erasure-" + std::to_string(act["entry"].get<std::int64_t>()) + ".txt";
         if (const auto text = protocols::readIfPossible(store.folder().folder / "erasures" / name)) write(name, *text);

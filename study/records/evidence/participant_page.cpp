@@ -157,6 +157,19 @@ std::string answerSection(const ordered_json& data)
             page::table(head, rows));
 }
 
+std::string fingerSection(const ordered_json& data)
+{
+    const auto count = data["finger_samples"].get<std::int64_t>();
+    if (count == 0) return "";
+    const std::string what = "The screen measured where your finger was, or how strongly it pressed: " + std::to_string(count) +
+                             (count == 1 ? " measurement is" : " measurements are") + " stored. ";
+    return page::section("Your finger on the screen",
+                         page::sentence(what + (data["blinded"].get<bool>()
+                                                    ? "You get them with a new sheet after the study, because they could show "
+                                                      "what the screen presented."
+                                                    : "They are in your-finger-samples.csv.")));
+}
+
 std::string noteSection(const ordered_json& data)
 {
     std::vector<std::vector<std::string>> rows;
@@ -194,8 +207,8 @@ std::string copySection(const ordered_json& data)
 std::string participantPage(const ordered_json& data)
 {
     const std::string body = introduction(data) + erasureSection(data) + consentSection(data) + factSection(data) +
-                             sittingSection(data) + answerSection(data) + noteSection(data) + eventSection(data) +
-                             copySection(data) +
+                             sittingSection(data) + answerSection(data) + fingerSection(data) + noteSection(data) +
+                             eventSection(data) + copySection(data) +
                              page::section("Files", page::sentence("your-data.json holds everything in this sheet and the times "
                                                                    "of each step. your-answers.csv holds the answers as a "
                                                                    "table. This sheet was made on " +

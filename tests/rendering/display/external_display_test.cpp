@@ -136,6 +136,63 @@ private Q_SLOTS:
         }
     }
 
+    void samplesOfTheFingerAreReportedWhileAnImageIsShown()
+    {
+        ExternalDisplay display(reference("--touch-after 20 --finger-every 5"));
+        std::vector<FingerReport> samples;
+        display.onFinger([&](const FingerReport& sample) { samples.push_back(sample); });
+        display.show(grey);
+        attendFor(display, 300ms);
+        QVERIFY2(samples.size() > 20 && samples.size() < 70, qPrintable(QString::number(samples.size())));
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            QVERIFY(samples[i].yMm == 20.0 && samples[i].forceN == 0.5);
+            QVERIFY(*samples[i].xMm >= 20 && *samples[i].xMm <= 60);
+        }
+        const std::size_t before = samples.size();
+        std::this_thread::sleep_for(200ms);  // The window is busy; the samples keep their own times.
+        attendFor(display, 1ms);
+        QVERIFY2(samples.size() > before && samples[before].ago > 100ms, qPrintable(QString::number(samples.size())));
+        display.clear();
+        const std::size_t atEnd = samples.size();
+        attendFor(display, 60ms);
+        QCOMPARE(samples.size(), atEnd);
+    }
+
+    void nonsenseOfTheFingerIsIgnored()
+    {
+        ExternalDisplay display(broken("fingers of nonsense"), impatient);
+        std::vector<FingerReport> samples;
+        display.onFinger([&](const FingerReport& sample) { samples.push_back(sample); });
+        display.show(grey);
+        attendFor(display, 50ms);
+        QCOMPARE(samples.size(), std::size_t(1));
+        QCOMPARE(*samples[0].xMm, 7.5);
+        QVERIFY(!samples[0].yMm && !samples[0].forceN);
+    }
+
+    /// A window that attends to the display is never held up, however much comes.
+    void aFloodOfTheFingerHoldsNobodyUp()
+    {
+        ExternalDisplay display(broken("floods of fingers"));
+        int samples = 0;
+        display.onFinger([&](const FingerReport&) { ++samples; });
+        QElapsedTimer timer;
+        timer.start();
+        display.show(grey);
+        QVERIFY(timer.elapsed() < 1900);
+        qint64 longest = 0;
+        QElapsedTimer whole;
+        whole.start();
+        while (samples < 100000 && whole.elapsed() < 20000) {
+            timer.restart();
+            display.processMessages();
+            longest = std::max(longest, timer.elapsed());
+        }
+        qInfo("%d samples in %lld ms; the longest turn took %lld ms", samples, whole.elapsed(), longest);
+        QVERIFY2(samples >= 100000 && longest < 500, qPrintable(QString("%1 samples, %2 ms").arg(samples).arg(longest)));
+        display.clear();
+    }
+
     void driverThatDiesIsStartedAgain()
     {
         ExternalDisplay display(reference("--crash-at 2"));

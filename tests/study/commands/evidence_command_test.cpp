@@ -283,6 +283,64 @@ private Q_SLOTS:
         QVERIFY(bytesOf(at("factless/your-data.html")).contains("Facts about you and your comments"));
     }
 
+    /// The finger of P1 in every presentation that is answered.
+    void samplesOfTheFingerLeaveTheStudyOnlyUnblinded()
+    {
+        const QString study = at(QString("study%1").arg(++m_studies));
+        tests::support::buildStudy(study.toStdString(), {.protocol = askingProtocol});
+        {
+            OpenSession session({study.toStdString()}, "P1", database::ParticipantKind::Human);
+            do {
+                for (int sample = 0; sample < 60; ++sample) {
+                    session.clock.advanceSeconds(0.01);
+                    session.driver->addFinger({{}, 31.4159 + 0.7 * sample, 20.5, 0.4321});
+                }
+            } while (session.step());
+        }
+        const QString needle = "3142,2050,432";  // of the stored text
+        tests::support::RawSqlite raw(study.toStdString() + "/study.db");
+        QVERIFY(QString::fromStdString(raw.rows("SELECT samples FROM finger_samples LIMIT 1").front()).contains(needle));
+        const auto run = runProgram({"export", study, "--out", at("too-early"), "--with-samples"});
+        QCOMPARE(run.exitCode, 2);
+        QVERIFY2(run.err.contains("after the unblinding only"), qPrintable(run.err));
+        QVERIFY(!QFile::exists(at("too-early")));
+        mustRun({"export", study, "--participant", "P1", "--out", at("own-blind")});
+        const json blind = jsonOf(at("own-blind/your-data.json"));
+        QVERIFY(blind["finger_samples"].get<int>() > 500);
+        QVERIFY(!QFile::exists(at("own-blind/your-finger-samples.csv")));
+        QVERIFY(bytesOf(at("own-blind/your-data.html")).contains("You get them with a new sheet after the study"));
+        for (const char* format : {"csv", "json", "script"})
+            mustRun({"export", study, "--out", at(QString("blind-%1").arg(format)), "--format", format, "--with-log"});
+        mustRun({"report", study, "--out", at("blind-report")});
+        // The key of this study lies open, so the blinded report has aggregates, under labels only.
+        const json blindTouch = jsonOf(at("blind-report/results.json"))["touch"]["conditions"];
+        QCOMPARE(blindTouch.size(), std::size_t(2));
+        QVERIFY(blindTouch.contains("K1") && blindTouch.contains("K2"));
+
+        mustRun({"unblind", study, "--who", "M", "--why", "done"});
+        mustRun({"export", study, "--out", at("samples"), "--with-samples"});
+        const auto table = tableOf(at("samples/finger_samples.csv"));
+        QCOMPARE(static_cast<int>(table.rows.size()), blind["finger_samples"].get<int>());
+        QCOMPARE(cell(table, 0, "x_mm"), "31.42");
+        QCOMPARE(cell(table, 0, "force_n"), "0.432");
+        QVERIFY(!cell(table, 0, "condition").isEmpty() && !cell(table, 0, "fabric").isEmpty());
+        mustRun({"export", study, "--participant", "P1", "--out", at("own")});
+        QCOMPARE(tableOf(at("own/your-finger-samples.csv")).rows.size(), table.rows.size());
+        mustRun({"report", study, "--out", at("report"), "--quick"});
+        const json touch = jsonOf(at("report/results.json"))["touch"];
+        QVERIFY(touch["presentations"].get<int>() > 10);
+        for (const auto& [condition, part] : touch["conditions"].items()) {
+            QVERIFY2(std::abs(part["speed_mm_per_s"]["mean"].get<double>() - 70) < 0.5, condition.c_str());  // 0.7 mm in 10 ms
+            QVERIFY(std::abs(part["force_n"]["mean"].get<double>() - 0.432) < 1e-9);
+        }
+        QVERIFY(bytesOf(at("report/tables/touch.csv")).startsWith("condition,measure,presentations"));
+        QVERIFY(bytesOf(at("report/index.html")).contains("The finger on the display"));
+        mustRun({"erase", study, "--participant", "P1", "--who", "Ada", "--why", "on request", "--answers"});
+        const QStringList certificates = QDir(study + "/erasures").entryList({"erasure-*.txt"});
+        QVERIFY(bytesOf(study + "/erasures/" + certificates.front()).contains(" samples of the finger on the display"));
+        QCOMPARE(runProgram({"verify", study}).exitCode, 0);
+    }
+
     void onlyKnownPeopleHaveData()
     {
         const auto run = runProgram({"export", playedStudy(), "--participant", "P9", "--out", at("nobody")});

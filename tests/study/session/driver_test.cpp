@@ -2,11 +2,13 @@
 #include <QTemporaryDir>
 #include <QtTest>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <set>
 
 #include "database/evidence/clear_log.h"
+#include "database/evidence/finger_records.h"
 #include "protocols/files/errors.h"
 #include "tests/support/played_session.h"
 #include "tests/support/raw_sqlite.h"
@@ -405,6 +407,64 @@ private Q_SLOTS:
             QCOMPARE(fault.exitCode(), protocols::ExitCode::WorkFailed);
             QVERIFY2(QString(fault.what()).contains("is inconsistent"), fault.what());
         }
+    }
+
+    void theFingerIsStoredWithTheNextAnswer()
+    {
+        OpenSession session(newStudy(), "S01");
+        const auto move = [&](double seconds, double xMm) {
+            session.clock.advanceSeconds(seconds);
+            session.driver->addFinger({std::chrono::milliseconds(2), xMm, 20.0, 0.5});
+        };
+        const auto recordsNow = [&] {
+            std::vector<database::FingerRecord> records;
+            database::eachFingerRecord(session.store, {}, [&](const auto& record) { records.push_back(record); });
+            return records;
+        };
+        session.stepUntil("PlacingTray");
+        move(0.1, 1);  // nothing is felt yet
+        session.stepUntil("Presenting");
+        move(0.1, 2);
+        move(0.002, 3);  // closer than 5 ms
+        move(0.006, 4);
+        session.driver->addFinger({{}, std::nan(""), INFINITY, std::nullopt});  // empty
+        session.step();
+        const auto first = recordsNow();
+        QCOMPARE(first.size(), 1u);
+        QCOMPARE(first[0].samples.size(), 2u);
+        QCOMPARE(first[0].leftOut, 2);
+        QCOMPARE(*first[0].samples[1].xMm, 4.0);
+        QCOMPARE(first[0].samples[1].atNs - first[0].samples[0].atNs, 8000000);
+        QVERIFY(first[0].samples[0].atNs > session.store.answers().front().record.readyAtNs);
+
+        session.stepUntil("Presenting");
+        move(0.1, 5);
+        session.send(Paused{});  // the presentation begins again, and nothing of it was answered
+        move(0.1, 6);
+        session.send(Resumed{});
+        session.stepUntil("Presenting");
+        session.step();
+        QCOMPARE(recordsNow().size(), 1u);
+        session.playToEnd();
+        QCOMPARE(recordsNow().size(), 1u);
+        QVERIFY(session.store.faults().empty());
+    }
+
+    void aFloodOfTheFingerIsBounded()
+    {
+        FingerRecording recording;
+        for (std::int64_t ms = 0; ms < 300000; ++ms) recording.add({ms * 1000000, 1.0, {}, {}});
+        recording.add({0, 1.0, {}, {}});  // a clock that goes back
+        const auto stretch = recording.unstored({1});
+        QCOMPARE(stretch->samples.size(), std::size_t(FingerRecording::mostSamples));
+        QCOMPARE(stretch->leftOut, 300001 - FingerRecording::mostSamples);
+        QCOMPARE(stretch->samples.back().atNs, (FingerRecording::mostSamples - 1) * FingerRecording::leastGapNs);
+        recording.markStored();
+        recording.add({400000000000, 1.0, {}, {}});
+        QVERIFY(!recording.unstored({1}));  // the bound holds for the whole presentation
+        recording.restart();
+        recording.add({1, 1.0, {}, {}});
+        QVERIFY(recording.unstored({1}));
     }
 
     /// An event of a log without operator reads back like one that names it.

@@ -1,0 +1,69 @@
+#include "database/evidence/finger_records.h"
+
+#include "database/disk/finger_text.h"
+#include "database/sqlite_connection.h"
+#include "protocols/files/errors.h"
+
+namespace database {
+
+namespace {
+
+bool isSamePresentation(const FingerRecord& a, const FingerRecord& b)
+{
+    return a.participant == b.participant && a.trial == b.trial && a.attempt == b.attempt;
+}
+
+/// Adds the row to the record. A clock that went back between two rows must not make the samples go back.
+void addRow(FingerRecord& record, const QSqlQuery& row, const StudyStore& store)
+{
+    const auto samples = fingerSamplesFrom(fromQt(row.value(6)), row.value(4).toLongLong());
+    if (!samples)
+        throw protocols::workFailed({"stored samples of the finger cannot be read",
+                                     store.folder().database().string() + ", table finger_samples, row " + fromQt(row.value(7)),
+                                     "numbers in the form that this program writes", "run vis2hap verify on the study"});
+    record.leftOut += row.value(5).toInt();
+    for (const protocols::FingerSample& sample : *samples)
+        if (record.samples.empty() || sample.atNs > record.samples.back().atNs) record.samples.push_back(sample);
+}
+
+}  // namespace
+
+void eachFingerRecord(const StudyStore& store, const protocols::ParticipantId& participant,
+                      const std::function<void(const FingerRecord&)>& take)
+{
+    const SqliteConnection sqlite(store.folder().database(), SqliteConnection::Mode::Read);
+    const ReadSnapshot snapshot(sqlite);
+    QSqlQuery row = sqlite.run(
+        QStringLiteral(
+            "SELECT participant, trial, attempt, EXISTS (SELECT 1 FROM voids v WHERE v.participant = f.participant AND "
+            "v.trial = f.trial AND v.attempt = f.attempt), began_at, left_out, samples, id FROM finger_samples f "
+            "WHERE participant = ? OR ? = '' ORDER BY participant, trial, attempt, id"),
+        {toQt(participant.value), toQt(participant.value)});
+    std::optional<FingerRecord> current;
+    while (row.next()) {
+        FingerRecord next{protocols::ParticipantId(fromQt(row.value(0))),
+                          {row.value(1).toInt()},
+                          row.value(2).toInt(),
+                          row.value(3).toInt() != 0,
+                          {},
+                          0};
+        if (current && !isSamePresentation(*current, next)) {
+            take(*current);
+            current.reset();
+        }
+        if (!current) current = std::move(next);
+        addRow(*current, row, store);
+    }
+    if (current) take(*current);
+}
+
+std::int64_t fingerSampleCount(const StudyStore& store, const protocols::ParticipantId& participant)
+{
+    const SqliteConnection sqlite(store.folder().database(), SqliteConnection::Mode::Read);
+    return sqlite
+        .value(QStringLiteral("SELECT TOTAL(count) FROM finger_samples WHERE participant = ? OR ? = ''"),
+               {toQt(participant.value), toQt(participant.value)})
+        .toLongLong();
+}
+
+}  // namespace database

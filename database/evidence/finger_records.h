@@ -1,0 +1,30 @@
+// What displays measured of the fingers, presentation by presentation.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "database/study_store.h"
+
+namespace database {
+
+/// All samples of one presentation.
+struct FingerRecord {
+    protocols::ParticipantId participant;
+    protocols::TrialNumber trial;
+    int attempt = 1;  ///< number of this presentation of the trial, from 1
+    bool voided = false;
+    std::vector<protocols::FingerSample> samples;  ///< in the order of time
+    int leftOut = 0;                               ///< samples that were too many or too close to each other
+};
+
+/// Calls `take` with each presentation that has samples, by participant, trial and attempt. `participant`: only theirs; empty:
+/// everybody's. Throws workFailed where stored samples cannot be read.
+void eachFingerRecord(const StudyStore& store, const protocols::ParticipantId& participant,
+                      const std::function<void(const FingerRecord&)>& take);
+
+/// Stored samples of everybody, without reading them.
+std::int64_t fingerSampleCount(const StudyStore& store, const protocols::ParticipantId& participant);
+
+}  // namespace database

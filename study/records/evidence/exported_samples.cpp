@@ -1,0 +1,40 @@
+#include "study/records/evidence/exported_samples.h"
+
+#include "database/evidence/finger_records.h"
+#include "protocols/files/csv_table.h"
+#include "protocols/files/number_text.h"
+
+namespace study::records {
+
+namespace {
+
+std::string cellOfValue(const std::optional<double>& value) { return value ? protocols::shortest(*value) : std::string(); }
+
+}  // namespace
+
+std::string fingerSamplesCsv(const database::StudyStore& store, const protocols::ParticipantId& participant,
+                             const std::optional<Naming>& naming)
+{
+    std::vector<std::string> head{"participant", "trial", "attempt", "voided", "at_ns", "x_mm", "y_mm", "force_n"};
+    if (naming) head.insert(head.end(), {"fabric", "condition"});
+    std::string text = protocols::csvRow(head);
+    eachFingerRecord(store, participant, [&](const database::FingerRecord& record) {
+        std::vector<std::string> names;
+        if (naming) {
+            const auto named = naming->entries.find({record.participant, record.trial});
+            const Naming::Entry entry = named == naming->entries.end() ? Naming::Entry{} : named->second;
+            names = {entry.fabric.value, entry.condition};
+        }
+        for (const protocols::FingerSample& sample : record.samples) {
+            std::vector<std::string> cells{record.participant.value,       std::to_string(record.trial.value),
+                                           std::to_string(record.attempt), record.voided ? "1" : "0",
+                                           std::to_string(sample.atNs),    cellOfValue(sample.xMm),
+                                           cellOfValue(sample.yMm),        cellOfValue(sample.forceN)};
+            cells.insert(cells.end(), names.begin(), names.end());
+            text += protocols::csvRow(cells);
+        }
+    });
+    return text;
+}
+
+}  // namespace study::records

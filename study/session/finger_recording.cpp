@@ -1,0 +1,40 @@
+#include "study/session/finger_recording.h"
+
+#include <cmath>
+#include <limits>
+
+namespace study::session {
+
+void FingerRecording::restart() { *this = FingerRecording(); }
+
+void FingerRecording::add(const protocols::FingerSample& sample)
+{
+    protocols::FingerSample finite = sample;
+    bool isEmpty = true;
+    for (std::optional<double>* value : {&finite.xMm, &finite.yMm, &finite.forceN}) {
+        if (*value && !std::isfinite(**value)) value->reset();
+        isEmpty = isEmpty && !*value;
+    }
+    const bool isTooClose = m_lastNs && finite.atNs < *m_lastNs + leastGapNs;
+    if (isEmpty || isTooClose || m_kept >= mostSamples) {
+        if (m_leftOut < std::numeric_limits<int>::max()) ++m_leftOut;
+        return;
+    }
+    m_lastNs = finite.atNs;
+    ++m_kept;
+    m_samples.push_back(finite);
+}
+
+std::optional<database::StudyStore::FingerStretch> FingerRecording::unstored(protocols::TrialNumber trial) const
+{
+    if (m_samples.empty()) return std::nullopt;
+    return database::StudyStore::FingerStretch{trial, m_samples, m_leftOut};
+}
+
+void FingerRecording::markStored()
+{
+    m_samples.clear();
+    m_leftOut = 0;
+}
+
+}  // namespace study::session

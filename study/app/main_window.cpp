@@ -13,6 +13,8 @@
 #include "study/app/pages/new_study_page.h"
 #include "study/app/pages/session_page.h"
 #include "study/app/pages/setup/display_page.h"
+#include "study/app/pages/setup/keys_page.h"
+#include "study/app/pages/setup/latency_page.h"
 #include "study/app/pages/stage_page.h"
 #include "study/app/pages/start_page.h"
 #include "study/app/pages/study_page.h"
@@ -46,17 +48,19 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
       m_newStudyPage(new NewStudyPage(options.makeStudy, this)),
       m_dataPage(new DataPage(options.lookAtData, this)),
       m_displayPage(new DisplayPage(options, this)),
+      m_keysPage(new KeysPage(options.settings, this)),
       m_studyPage(new StudyPage(this)),
       m_toolsPage(new ToolsPage(options.useTool, this)),
       m_sessionPage(new SessionPage(this))
 {
     setObjectName("mainWindow");
     if (!m_options.clock) m_options.clock = std::make_shared<session::SystemClock>();
+    m_latencyPage = new LatencyPage(m_options.clock, this);
     m_pages->setObjectName("pages");
     for (QWidget* page :
          {static_cast<QWidget*>(m_startPage), static_cast<QWidget*>(m_newStudyPage), static_cast<QWidget*>(m_dataPage),
-          static_cast<QWidget*>(m_displayPage), static_cast<QWidget*>(m_studyPage), static_cast<QWidget*>(m_toolsPage),
-          static_cast<QWidget*>(m_sessionPage)})
+          static_cast<QWidget*>(m_displayPage), static_cast<QWidget*>(m_keysPage), static_cast<QWidget*>(m_latencyPage),
+          static_cast<QWidget*>(m_studyPage), static_cast<QWidget*>(m_toolsPage), static_cast<QWidget*>(m_sessionPage)})
         m_pages->addWidget(page);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -69,6 +73,7 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
         useDisplay(remembered);
     connectPages();
     connectDisplayPage();
+    connectKeysPages();
     m_studyPage->offerTools(static_cast<bool>(options.useTool));
     connectTools();
     connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q), this), &QShortcut::activated, this, [this] { close(); });
@@ -148,6 +153,33 @@ void MainWindow::showDisplay(const QString& why)
     m_displayPage->present(m_options.display, why);
     m_pages->setCurrentWidget(m_displayPage);
     m_displayPage->focusFirst();
+}
+
+void MainWindow::connectKeysPages()
+{
+    connect(m_startPage, &StartPage::keysRequested, this, &MainWindow::showKeys);
+    connect(m_studyPage, &StudyPage::keysRequested, this, &MainWindow::showKeys);
+    connect(m_keysPage, &KeysPage::backRequested, this, &MainWindow::leaveDisplay);
+    connect(m_latencyPage, &LatencyPage::backRequested, this, &MainWindow::showKeys);
+    connect(m_keysPage, &KeysPage::latencyTaskRequested, this, [this] {
+        m_latencyPage->present(QString::fromStdString(m_options.operatedBy.operatorName));
+        m_pages->setCurrentWidget(m_latencyPage);
+        m_latencyPage->focusFirst();
+    });
+    connect(m_latencyPage, &LatencyPage::measured, this, [this](const database::OperatorLatency& run) {
+        showingFaults(*m_latencyPage, [&] {
+            m_study->storeLatency(run);
+            m_latencyPage->showStored(run);
+        });
+    });
+}
+
+void MainWindow::showKeys()
+{
+    m_keysPage->present();
+    m_keysPage->offerLatencyTask(m_study != nullptr);
+    m_pages->setCurrentWidget(m_keysPage);
+    m_keysPage->focusFirst();
 }
 
 void MainWindow::leaveDisplay()
@@ -242,6 +274,7 @@ void MainWindow::begin(const protocols::ParticipantId& participant, std::unique_
     m_leavingWasRefused = false;
     connectSession();
     SessionFacts facts = m_session->facts();
+    facts.keys = m_keysPage->keys();
     facts.mmPerPixel = rememberedScale(m_options.settings.get(), m_options.display);
     m_sessionPage->begin(facts);
     m_pages->setCurrentWidget(m_sessionPage);

@@ -1,5 +1,5 @@
-// The main window: a stack of seven pages (start, new study, data set, display, study, tools, session), the open study and
-// session, and the appearance. It decides nothing about a session; it connects the pages to the controller.
+// The main window: a stack of pages (start, new study, data set, display, keys, latency, study, tools, session), the open study
+// and session, and the appearance. It decides nothing about a session; it connects the pages to the controller.
 #pragma once
 
 #include <QWidget>
@@ -16,6 +16,8 @@ namespace study::app {
 
 class DataPage;
 class DisplayPage;
+class KeysPage;
+class LatencyPage;
 class MonitorWindow;
 class NewStudyPage;
 class SessionPage;
@@ -56,6 +58,8 @@ private:
     void begin(const protocols::ParticipantId& participant, std::unique_ptr<rendering::HapticDisplay> display);
     void useDisplay(const std::string& specification);
     void showDisplay(const QString& why = {});
+    void showKeys();
+    void connectKeysPages();
     void leaveDisplay();
     void showStart();
     void showStudy();
@@ -80,6 +84,8 @@ private:
     NewStudyPage* m_newStudyPage;
     DataPage* m_dataPage;
     DisplayPage* m_displayPage;
+    KeysPage* m_keysPage;
+    LatencyPage* m_latencyPage;
     StudyPage* m_studyPage;
     ToolsPage* m_toolsPage;
     SessionPage* m_sessionPage;

@@ -85,6 +85,8 @@ bool CorrectionPanel::pressKey(int key)
     return FormPanel::pressKey(key);
 }
 
+void CorrectionPanel::discardEntry() { showAnswer(m_which); }
+
 QWidget& CorrectionPanel::firstFocus() { return m_entry->firstFocus(); }
 
 }  // namespace study::app

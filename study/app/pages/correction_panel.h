@@ -23,6 +23,7 @@ public:
 
     bool pressKey(int key) override;
     QWidget& firstFocus() override;
+    void discardEntry() override;
 
 protected:
     bool isReady() override;

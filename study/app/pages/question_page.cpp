@@ -48,6 +48,7 @@ QuestionPage::QuestionPage(QWidget* parent)
 void QuestionPage::begin(const SessionFacts& facts)
 {
     m_wantsSecondEntry = facts.secondEntry;
+    m_keys = facts.keys;
     m_shown.reset();
     showText(*m_stroke, strokeText(facts));
     m_touch->begin(facts);
@@ -74,7 +75,7 @@ void QuestionPage::present(const session::View& view)
     m_firstEntry.reset();
     m_entries = 0;
     m_spoken->setEnabled(true);
-    setButtonText(*m_spoken, tr("The answer begins (F9)"));
+    setButtonText(*m_spoken, m_keys.withKeys(tr("The answer begins"), KeyAct::AnswerBegins));
     m_entry->ask(formOf(view));
 }
 
@@ -96,7 +97,8 @@ void QuestionPage::markEntry()
 void QuestionPage::showReadBack()
 {
     const bool isFirstOfTwo = m_wantsSecondEntry && !m_firstEntry;
-    setButtonText(*m_store, isFirstOfTwo ? tr("Go to the second entry (Enter)") : tr("Store the answer (Enter)"));
+    setButtonText(*m_store,
+                  m_keys.withKeys(isFirstOfTwo ? tr("Go to the second entry") : tr("Store the answer"), KeyAct::Confirm));
     const ReadBack readBack = m_entry->readBack();
     QStringList sentences{readBack.text};
     if (m_firstEntry) sentences.prepend(tr("Second entry."));
@@ -156,6 +158,12 @@ bool QuestionPage::pressKey(int key)
     if (key != Qt::Key_T) return false;
     Q_EMIT eventRequested(session::Touched{});
     return true;
+}
+
+void QuestionPage::discardEntry()
+{
+    m_entry->ask(AnswerForm(m_entry->form()));
+    firstFocus().setFocus();
 }
 
 QWidget& QuestionPage::firstFocus() { return m_entry->firstFocus(); }

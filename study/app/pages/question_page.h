@@ -26,6 +26,7 @@ public:
     bool isForWriting() const override;
     bool pressKey(int key) override;
     QWidget& firstFocus() override;
+    void discardEntry() override;
 
 private:
     bool isSameQuestion(const session::View& view) const;
@@ -44,6 +45,7 @@ private:
     QLabel* m_next;
     QLabel* m_stroke;
 
+    KeyBindings m_keys;
     bool m_wantsSecondEntry = false;
     std::optional<session::GivenAnswer> m_firstEntry;
     int m_entries = 0;  ///< of this answer, where it is entered twice

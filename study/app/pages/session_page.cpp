@@ -1,6 +1,8 @@
 #include "study/app/pages/session_page.h"
 
+#include <QApplication>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QShortcut>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -47,6 +49,7 @@ SessionPage::SessionPage(QWidget* parent)
     connect(&m_stages->guide(), &GuidePage::preparationDeclined, this, &SessionPage::goOnUnprepared);
     connectPanels();
     bindKeysWhileWriting();
+    qApp->installEventFilter(this);
 }
 
 void SessionPage::connectPanels()
@@ -97,6 +100,7 @@ void SessionPage::begin(const SessionFacts& facts)
     m_isPreparationDeclined = false;
     m_message->clearMessage();
     m_header->begin(facts);
+    m_footer->setKeys(facts.keys);
     m_stages->begin(facts);
 }
 
@@ -197,8 +201,13 @@ void SessionPage::showMessage(const QString& text, Tone tone)
     }
 }
 
-bool SessionPage::pressKey(int key)
+bool SessionPage::pressKey(int pressed)
 {
+    const int key = m_facts.keys.meantBy(pressed);
+    if (key != pressed) {  // a pedal confirms what the page asks, whatever button has the focus
+        if (!pageInFront().pressKey(key)) m_footer->pressKey(key);
+        return true;
+    }
     if (isEnter(key) && pressFocusedButton()) return true;
     return pageInFront().pressKey(key) || m_footer->pressKey(key) || m_stages->scrollBy(key);
 }
@@ -219,6 +228,36 @@ void SessionPage::keyPressEvent(QKeyEvent* event)
     // A key held down must not run through several presentations.
     const bool isTaken = isPlain && (event->isAutoRepeat() || pressKey(event->key()));
     if (!isTaken) QWidget::keyPressEvent(event);
+}
+
+bool SessionPage::eventFilter(QObject* watched, QEvent* event)
+{
+    // A key that a control refuses goes on to its parents, so only the first receiver counts.
+    const bool isFirst = event->type() == QEvent::KeyPress && watched == window()->focusWidget() && isVisible() &&
+                         (watched == this || isAncestorOf(qobject_cast<QWidget*>(watched)));
+    return (isFirst && takesKeyFirst(static_cast<const QKeyEvent&>(*event))) || QWidget::eventFilter(watched, event);
+}
+
+bool SessionPage::takesKeyFirst(const QKeyEvent& event)
+{
+    if (isScannedByMistake(event)) {
+        pageInFront().discardEntry();
+        showMessage(tr("A scanner typed this, so nothing was stored. Enter the answer by hand."), Tone::Hint);
+        return true;
+    }
+    const bool isPlain = (event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == 0;
+    if (!isPlain || !m_facts.keys.isExtraKey(event.key())) return false;
+    if (!event.isAutoRepeat()) pressKey(event.key());
+    return true;
+}
+
+/// Only a text field outside questions and panels is there to be scanned into.
+bool SessionPage::isScannedByMistake(const QKeyEvent& event)
+{
+    const bool isCharacter = !event.text().isEmpty() && event.text().front().isPrint();
+    if (!m_scanner.endsWith(event.key(), isCharacter, event.timestamp())) return false;
+    const bool isAsked = std::holds_alternative<Presenting>(m_view.state.stage) && !m_view.state.paused;
+    return m_panel || isAsked || !qobject_cast<QLineEdit*>(window()->focusWidget());
 }
 
 }  // namespace study::app

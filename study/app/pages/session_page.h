@@ -5,6 +5,7 @@
 #include <QWidget>
 
 #include "study/app/state/answer_mark.h"
+#include "study/app/state/scanner_entry.h"
 #include "study/app/state/session_controller.h"
 
 namespace study::app {
@@ -48,8 +49,13 @@ Q_SIGNALS:
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
+    /// Sees each key before the control with the focus: extra keys act in text fields, too, and what a scanner types stores
+    /// nothing.
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    bool takesKeyFirst(const QKeyEvent& event);
+    bool isScannedByMistake(const QKeyEvent& event);
     void connectPanels();
     void bindKeysWhileWriting();
     StagePage& pageOf(const session::View& view) const;
@@ -65,6 +71,7 @@ private:
     SessionFacts m_facts;
     session::View m_view;
     bool m_isPreparationDeclined = false;
+    ScannerEntry m_scanner;
     StagePage* m_panel = nullptr;  ///< open panel; null if none
 
     SessionHeader* m_header;

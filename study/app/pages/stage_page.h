@@ -23,6 +23,8 @@ public:
     virtual bool isForWriting() const { return false; }
     /// Handles a key without modifiers that no control used; returns whether it had an effect.
     virtual bool pressKey(int key) = 0;
+    /// Empties an entry that a barcode scanner typed, where it could be taken for an answer.
+    virtual void discardEntry() {}
     /// The control that has the focus at first.
     virtual QWidget& firstFocus() = 0;
 

@@ -23,6 +23,7 @@ StartPage::StartPage(QWidget* parent)
       m_new(button("newStudyButton", tr("Create a new study…"), this)),
       m_data(button("lookAtDataButton", tr("Look at a data set…"), this)),
       m_display(button("displayButton", tr("Display…"), this)),
+      m_keys(button("keysButton", tr("Keys and pedals…"), this)),
       m_message(new MessageBar("startMessage", this))
 {
     setObjectName("startPage");
@@ -58,7 +59,7 @@ StartPage::StartPage(QWidget* parent)
     column->addWidget(caption);
     column->addLayout(folderRow);
     column->addSpacing(10);
-    column->addLayout(actionsRow({m_open, m_new, m_data, m_display}));
+    column->addLayout(actionsRow({m_open, m_new, m_data, m_display, m_keys}));
     column->addSpacing(6);
     column->addWidget(m_message);
     column->addStretch(2);
@@ -76,6 +77,7 @@ StartPage::StartPage(QWidget* parent)
     connect(m_new, &QPushButton::clicked, this, &StartPage::newStudyRequested);
     connect(m_data, &QPushButton::clicked, this, &StartPage::dataRequested);
     connect(m_display, &QPushButton::clicked, this, &StartPage::displayRequested);
+    connect(m_keys, &QPushButton::clicked, this, &StartPage::keysRequested);
 }
 
 void StartPage::present(const QStringList& recentFolders, bool canMakeStudies, bool canLookAtData)

@@ -28,6 +28,7 @@ Q_SIGNALS:
     void newStudyRequested();
     void dataRequested();
     void displayRequested();
+    void keysRequested();
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -44,6 +45,7 @@ private:
     QPushButton* m_new;
     QPushButton* m_data;
     QPushButton* m_display;
+    QPushButton* m_keys;
     MessageBar* m_message;
 };
 

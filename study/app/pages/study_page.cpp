@@ -40,6 +40,7 @@ StudyPage::StudyPage(QWidget* parent)
       m_participant(field("participantField", tr("Code of the next participant"), this)),
       m_enrol(mainButton("enrolButton", tr("Enrol and begin (Enter)"), this)),
       m_display(button("displayButton", tr("Display…"), this)),
+      m_keys(button("studyKeysButton", tr("Keys…"), this)),
       m_close(plainButton("closeStudyButton", tr("Close the study (Esc)"), this)),
       m_tools(plainButton("toolsButton", tr("Tools… (F2)"), this)),
       m_message(new MessageBar("studyMessage", this))
@@ -77,6 +78,7 @@ StudyPage::StudyPage(QWidget* parent)
     column->addWidget(m_message);
     auto* bottom = new QHBoxLayout;
     bottom->addWidget(m_display);
+    bottom->addWidget(m_keys);
     bottom->addWidget(m_close);
     bottom->addWidget(m_tools);
     bottom->addWidget(appearanceHint(page), 1);
@@ -89,10 +91,12 @@ StudyPage::StudyPage(QWidget* parent)
     setTabOrder(m_going, m_resume);
     setTabOrder(m_resume, m_places);
     setTabOrder(m_places, m_display);
-    setTabOrder(m_display, m_close);
+    setTabOrder(m_display, m_keys);
+    setTabOrder(m_keys, m_close);
     setTabOrder(m_close, m_tools);
 
     connect(m_display, &QPushButton::clicked, this, &StudyPage::displayRequested);
+    connect(m_keys, &QPushButton::clicked, this, &StudyPage::keysRequested);
     connect(m_enrol, &QPushButton::clicked, this, &StudyPage::enrol);
     connect(m_resume, &QPushButton::clicked, this, &StudyPage::resumeChosen);
     connect(m_participant, &QLineEdit::textChanged, this, [this] { m_isAskedAgain = false; });

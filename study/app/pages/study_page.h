@@ -34,6 +34,7 @@ Q_SIGNALS:
     void sessionRequested(const QString& participant);
     void closeRequested();
     void displayRequested();
+    void keysRequested();
     void toolsRequested();
 
 protected:
@@ -67,6 +68,7 @@ private:
     QLineEdit* m_participant;
     QPushButton* m_enrol;
     QPushButton* m_display;
+    QPushButton* m_keys;
     QPushButton* m_close;
     QPushButton* m_tools;
     MessageBar* m_message;

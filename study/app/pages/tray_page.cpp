@@ -48,6 +48,7 @@ void TrayPage::begin(const SessionFacts& facts)
 {
     m_placed.clear();
     m_confirmsPieces = facts.confirmPieces;
+    setButtonText(*m_ready, facts.keys.withKeys(tr("The tray is ready"), KeyAct::Confirm));
     m_piece->setVisible(m_confirmsPieces);
     m_wanted.clear();
     m_shownFor.reset();

@@ -41,7 +41,8 @@ TouchButton::TouchButton(QWidget* parent)
 QString TouchButton::textFor(const session::View& view) const
 {
     const auto& presenting = std::get<session::Presenting>(view.state.stage);
-    const QString key = std::holds_alternative<WordsForm>(formOf(view)) ? tr("Alt T") : tr("T");
+    const QString usual = std::holds_alternative<WordsForm>(formOf(view)) ? tr("Alt T") : tr("T");
+    const QString key = m_extraKey ? tr("%1 or %2").arg(usual, nameOfKey(*m_extraKey)) : usual;
     if (!presenting.touchedAtNs)
         return m_displayReports ? tr("The display reports the first touch (or press %1)").arg(key)
                                 : tr("Stamp the first touch (%1)").arg(key);

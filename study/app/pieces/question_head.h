@@ -29,7 +29,11 @@ class TouchButton : public QWidget {
 public:
     explicit TouchButton(QWidget* parent);
 
-    void begin(const SessionFacts& facts) { m_displayReports = facts.displayReportsTouches; }
+    void begin(const SessionFacts& facts)
+    {
+        m_displayReports = facts.displayReportsTouches;
+        m_extraKey = facts.keys.extraKey(KeyAct::Touch);
+    }
     void present(const session::View& view);
 
 Q_SIGNALS:
@@ -39,6 +43,7 @@ private:
     QString textFor(const session::View& view) const;
 
     bool m_displayReports = false;
+    std::optional<int> m_extraKey;
     QPushButton* m_button;
 };
 

@@ -22,13 +22,13 @@ QString inShort(const std::string& answer)
 SessionFooter::SessionFooter(QWidget* parent)
     : QFrame(parent),
       m_lastAnswer(label("lastAnswer", Type::Plain, this, Weight::Bold)),
-      m_correct(add("correctButton", tr("Correct"), Qt::Key_L, QStringLiteral("L"))),
-      m_note(add("noteButton", tr("Note"), Qt::Key_N, QStringLiteral("N"))),
-      m_flag(add("flagButton", tr("Flag"), Qt::Key_F, QStringLiteral("F"))),
-      m_void(add("voidButton", tr("Void"), Qt::Key_V, QStringLiteral("V"))),
-      m_pause(add("pauseButton", tr("Pause"), Qt::Key_Escape, QStringLiteral("Esc"))),
-      m_leave(add("leaveButton", tr("Stop for now"), Qt::Key_Q, QStringLiteral("Q"))),
-      m_withdraw(add("withdrawButton", tr("Withdrawal"), Qt::Key_W, QStringLiteral("W")))
+      m_correct(add("correctButton", tr("Correct"), KeyAct::Correct, Qt::Key_L, QStringLiteral("L"))),
+      m_note(add("noteButton", tr("Note"), KeyAct::Note, Qt::Key_N, QStringLiteral("N"))),
+      m_flag(add("flagButton", tr("Flag"), KeyAct::Flag, Qt::Key_F, QStringLiteral("F"))),
+      m_void(add("voidButton", tr("Void"), KeyAct::Void, Qt::Key_V, QStringLiteral("V"))),
+      m_pause(add("pauseButton", tr("Pause"), KeyAct::Pause, Qt::Key_Escape, QStringLiteral("Esc"))),
+      m_leave(add("leaveButton", tr("Stop for now"), KeyAct::Stop, Qt::Key_Q, QStringLiteral("Q"))),
+      m_withdraw(add("withdrawButton", tr("Withdrawal"), KeyAct::Withdraw, Qt::Key_W, QStringLiteral("W")))
 {
     setObjectName("sessionFooter");
     setRole(*this, "bar");
@@ -49,9 +49,9 @@ SessionFooter::SessionFooter(QWidget* parent)
     connect(m_leave, &QPushButton::clicked, this, &SessionFooter::leaveRequested);
 }
 
-QPushButton* SessionFooter::add(const char* objectName, const QString& text, int key, const QString& keyName)
+QPushButton* SessionFooter::add(const char* objectName, const QString& text, KeyAct act, int key, const QString& keyName)
 {
-    m_keys.push_back({key, keyName, plainButton(objectName, tr("%1 (%2)").arg(text, keyName), this), text});
+    m_keys.push_back({act, key, keyName, plainButton(objectName, tr("%1 (%2)").arg(text, keyName), this), text});
     return m_keys.back().button;
 }
 
@@ -59,9 +59,22 @@ void SessionFooter::setWriting(bool isWriting)
 {
     if (m_isWriting == isWriting) return;
     m_isWriting = isWriting;
-    for (const Key& one : m_keys)
-        setButtonText(*one.button, isWriting && one.key != Qt::Key_Escape ? tr("%1 (Alt %2)").arg(one.text, one.name)
-                                                                          : tr("%1 (%2)").arg(one.text, one.name));
+    showKeys();
+}
+
+void SessionFooter::setKeys(const KeyBindings& keys)
+{
+    m_bindings = keys;
+    showKeys();
+}
+
+void SessionFooter::showKeys()
+{
+    for (const Key& one : m_keys) {
+        QString keys = m_isWriting && one.key != Qt::Key_Escape ? tr("Alt %1").arg(one.name) : one.name;
+        if (const auto extra = m_bindings.extraKey(one.act)) keys = tr("%1 or %2").arg(keys, nameOfKey(*extra));
+        setButtonText(*one.button, tr("%1 (%2)").arg(one.text, keys));
+    }
 }
 
 void SessionFooter::present(const session::View& view, bool canCorrect)

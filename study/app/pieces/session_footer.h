@@ -16,6 +16,8 @@ class SessionFooter : public QFrame {
 public:
     explicit SessionFooter(QWidget* parent);
 
+    /// The buttons show these keys.
+    void setKeys(const KeyBindings& keys);
     /// `canCorrect`: at least one answer can be corrected.
     void present(const session::View& view, bool canCorrect);
     bool canCorrect() const { return m_canCorrect; }
@@ -38,15 +40,18 @@ Q_SIGNALS:
 
 private:
     struct Key {
+        KeyAct act;
         int key = 0;
         QString name;  ///< "L"
         QPushButton* button = nullptr;
         QString text;  ///< text of the button without the key
     };
-    QPushButton* add(const char* objectName, const QString& text, int key, const QString& keyName);
+    QPushButton* add(const char* objectName, const QString& text, KeyAct act, int key, const QString& keyName);
+    void showKeys();
     void enable();
 
     std::vector<Key> m_keys;
+    KeyBindings m_bindings;
     QLabel* m_lastAnswer;
     QPushButton* m_correct;
     QPushButton* m_note;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "database/evidence/operator_latency.h"
 #include "database/study_store.h"
 #include "protocols/protocol.h"
 #include "rendering/display/stimulus_bank.h"
@@ -46,6 +47,8 @@ public:
     const protocols::Protocol& protocol() const { return m_protocol; }
     QString name() const;
     StudyOverview overview() const;
+    /// Adds a run of the latency task to the log. Throws the errors of database::recordOperatorLatency.
+    void storeLatency(const database::OperatorLatency& run) const { recordOperatorLatency(m_store, run); }
     /// Message if protocol.json was changed, so that no session can run, with the next step; otherwise empty.
     QString protocolFault() const;
 

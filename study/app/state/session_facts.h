@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "protocols/protocol.h"
+#include "study/app/state/key_bindings.h"
 
 namespace study::app {
 
@@ -22,6 +23,7 @@ struct SessionFacts {
     bool confirmPieces = false;                   ///< every piece on the tray is confirmed by its code
     bool displayReportsTouches = false;
     QString displayName;                    ///< empty: the session runs without a display
+    KeyBindings keys = {};                  ///< extra keys of the operator's acts
     std::optional<double> mmPerPixel = {};  ///< scale of the display, mm per pixel, if the operator measured it
 };
 

@@ -257,6 +257,14 @@ void AppLooksTest::visitAround(OpenWindow& open, const Look& look)
     open.gui().pressKey(Qt::Key_Return);
     QTest::qWait(1);
     look(open.window(), "study");
+    open.gui().click("studyKeysButton");
+    open.gui().click("assignKeyButton");
+    look(open.window(), "keys");
+    open.gui().pressKey(Qt::Key_Escape);
+    open.gui().click("latencyTaskButton");
+    look(open.window(), "latency");
+    open.gui().pressKey(Qt::Key_Escape);
+    open.gui().pressKey(Qt::Key_Escape);
     open.gui().pressKey(Qt::Key_Escape);
     look(open.window(), "start");
     open.widget<QLineEdit>("studyFolderField").setText(filePath("nothing-here"));

@@ -55,7 +55,7 @@ void KeysPage::build()
     setType(*m_acts, Type::Body);
     m_acts->setRootIsDecorated(false);
     m_acts->setAllColumnsShowFocus(true);
-    m_acts->setHeaderLabels({tr("Act"), tr("Key"), tr("Other key or pedal")});
+    m_acts->setHeaderLabels({tr("Act"), tr("Key"), tr("Other key")});
     m_acts->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_acts->header()->setStretchLastSection(true);
     m_acts->header()->setFocusPolicy(Qt::NoFocus);

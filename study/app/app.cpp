@@ -17,6 +17,7 @@ std::shared_ptr<QSettings> userSettings()
 int runApp(const AppOptions& options)
 {
     MainWindow window(options);
+    window.setWindowState(Qt::WindowMaximized);  // content grows with the window, for eyes that are one or two metres away
     window.show();
     if (options.study) {
         try {

@@ -42,7 +42,7 @@ void showingFaults(Page& page, Work work)
 MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
     : QWidget(parent),
       m_options(options),
-      m_appearanceKeys(new AppearanceKeys(options.settings, *this)),
+      m_appearanceKeys(new AppearanceKeys(options.settings, *this, AppearanceKeys::Growth::WithWindow)),
       m_pages(new QStackedWidget(this)),
       m_startPage(new StartPage(this)),
       m_newStudyPage(new NewStudyPage(options.makeStudy, this)),
@@ -65,7 +65,10 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_pages);
-    resize(QSize(1100, 750).boundedTo(screen()->availableSize()));
+    const QSize frame(16, 40);  // the borders and the title that the desktop adds
+    const QRect room = screen()->availableGeometry();
+    resize(QSize(1100, 750).boundedTo(room.size() - frame));
+    move(room.topLeft() + QPoint((room.width() - width()) / 2, (room.height() - height()) / 2));
     m_rehearses = options.isDisplayGiven;
     const std::string remembered = rememberedDisplay(options.settings.get());
     const bool isAllowed = options.allowsPlainImages || !leavesPlainImages(remembered);

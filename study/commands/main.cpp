@@ -44,18 +44,37 @@ void printFaultsOnly(QtMsgType type, const QMessageLogContext&, const QString& t
     if (type == QtCriticalMsg || type == QtFatalMsg) std::fprintf(stderr, "vis2hap: %s\n", qPrintable(text));
 }
 
+protocols::Error screenFault(const std::string& where)
+{
+    return protocols::environmentFault({"the window needs a screen", where,
+                                        "DISPLAY or WAYLAND_DISPLAY to name a desktop that runs",
+                                        "start the program from a desktop (Wayland alone needs Debian's package qt6-wayland), or "
+                                        "use `vis2hap replay` and `vis2hap report`"});
+}
+
+/// Ends the program with the exit code of a missing screen where Qt would abort. Qt's warnings before that are left out.
+void endWithoutScreen(QtMsgType type, const QMessageLogContext&, const QString&)
+{
+    if (type != QtFatalMsg) return;
+    std::string where;
+    for (const char* name : {"QT_QPA_PLATFORM", "WAYLAND_DISPLAY", "DISPLAY"})
+        if (const char* value = std::getenv(name)) where += (where.empty() ? "" : ", ") + (name + ("=" + std::string(value)));
+    const protocols::Error fault = screenFault(where);
+    std::fprintf(stderr, "vis2hap: %s\n", fault.what());
+    std::_Exit(static_cast<int>(fault.exitCode()));
+}
+
 std::unique_ptr<QCoreApplication> surroundingsFor(Surroundings kind, int& argc, char** argv)
 {
     if (kind == Surroundings::None) return nullptr;
     if (kind == Surroundings::Core) return std::make_unique<QCoreApplication>(argc, argv);
-    if (kind == Surroundings::Window && !screenIsThere())
-        throw protocols::environmentFault({"the window needs a screen", "", "DISPLAY or WAYLAND_DISPLAY to be set",
-                                           "start the program from a desktop, or use `vis2hap replay` and `vis2hap report`"});
-    if (!screenIsThere()) {
-        qputenv("QT_QPA_PLATFORM", "offscreen");
-        qInstallMessageHandler(printFaultsOnly);
-    }
-    return std::make_unique<QApplication>(argc, argv);
+    if (kind == Surroundings::Window && !screenIsThere()) throw screenFault("");
+    const bool isSeen = screenIsThere();
+    if (!isSeen) qputenv("QT_QPA_PLATFORM", "offscreen");
+    qInstallMessageHandler(endWithoutScreen);
+    auto application = std::make_unique<QApplication>(argc, argv);
+    qInstallMessageHandler(isSeen ? nullptr : printFaultsOnly);
+    return application;
 }
 
 /// Qt's event loop and tar end without a message of ours below this number of open files.

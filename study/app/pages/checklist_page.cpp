@@ -28,6 +28,7 @@ ChecklistPage::ChecklistPage(QWidget* parent)
     column->setSpacing(14);
     column->addWidget(head);
     column->addLayout(m_rows);
+    column->addLayout(m_messagePlace);
     column->addWidget(m_patternsCaption);
     column->addWidget(m_patterns);
     column->addWidget(m_readings);
@@ -69,6 +70,7 @@ QWidget* ChecklistPage::rowFor(const QString& line)
     for (QWidget* part : {static_cast<QWidget*>(box), static_cast<QWidget*>(text)}) part->installEventFilter(this);
     // Moves the focus to the next open line, so that pressing Space repeatedly ticks the whole list.
     connect(box, &QCheckBox::toggled, this, [this] { firstFocus().setFocus(); });
+    connect(box, &QCheckBox::toggled, this, &StagePage::mended);
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(8);

@@ -18,6 +18,7 @@ CorrectionPanel::CorrectionPanel(QWidget* parent)
     addRow(tr("Question"), questions);
     addRow(tr("Stored answer"), m_old);
     addRow(tr("New answer"), m_entry);
+    connect(m_entry, &AnswerEntry::changed, this, &StagePage::mended);
 }
 
 void CorrectionPanel::ask(const std::vector<Correctable>& answers)

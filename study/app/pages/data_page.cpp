@@ -73,6 +73,7 @@ DataPage::DataPage(const LookAtData& look, QWidget* parent)
 {
     setObjectName("dataPage");
     build();
+    connect(m_folderField, &QLineEdit::textChanged, m_message, &MessageBar::clearMessage);
     connect(m_open, &QPushButton::clicked, this, [this] { open(m_folderField->text()); });
     connect(m_browse, &QPushButton::clicked, this, &DataPage::browse);
     connect(m_back, &QPushButton::clicked, this, &DataPage::backRequested);
@@ -137,8 +138,8 @@ void DataPage::build()
     column->addWidget(title);
     column->addWidget(lead);
     column->addLayout(folderRow);
-    column->addLayout(actionsRow({m_open, m_back}));
     column->addWidget(m_message);
+    column->addLayout(actionsRow({m_open, m_back}));
     column->addWidget(m_about);
     column->addWidget(m_checked);
     column->addWidget(m_faults);

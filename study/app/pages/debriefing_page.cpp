@@ -26,6 +26,7 @@ DebriefingPage::DebriefingPage(QWidget* parent)
     for (QWidget* part : {static_cast<QWidget*>(head), static_cast<QWidget*>(steps), static_cast<QWidget*>(m_notes),
                           static_cast<QWidget*>(rights)})
         column->addWidget(part);
+    column->addLayout(m_messagePlace);
     column->addSpacing(6);
     column->addWidget(action, 0, Qt::AlignLeft);
     column->addStretch(1);

@@ -22,6 +22,7 @@ FactsPage::FactsPage(QWidget* parent)
     column->addWidget(head);
     column->addWidget(rights);
     column->addWidget(m_form);
+    column->addLayout(m_messagePlace);
     column->addSpacing(6);
     column->addWidget(m_action, 0, Qt::AlignLeft);
     column->addStretch(1);

@@ -26,6 +26,7 @@ FamiliarisationPage::FamiliarisationPage(QWidget* parent)
     column->addWidget(m_steps);
     column->addWidget(m_fabricsRow);
     column->addWidget(m_shown);
+    column->addLayout(m_messagePlace);
     column->addSpacing(6);
     column->addWidget(m_action, 0, Qt::AlignLeft);
     column->addStretch(1);

@@ -38,6 +38,7 @@ FormPanel::FormPanel(QWidget* parent)
     m_form->setColumnStretch(1, 1);
     m_form->addWidget(m_caption, rowOfReason, 0, Qt::AlignTop);
     m_form->addWidget(m_reason, rowOfReason, 1);
+    m_form->addLayout(m_messagePlace, rowOfReason + 1, 1);
     auto* column = new QVBoxLayout(this);
     column->setSpacing(18);
     column->addWidget(m_head);
@@ -45,6 +46,10 @@ FormPanel::FormPanel(QWidget* parent)
     column->addLayout(actionsRow({m_action, m_back}));
     column->addStretch(1);
     connect(m_action, &QPushButton::clicked, this, &FormPanel::confirm);
+    connect(m_reason, &QLineEdit::textEdited, this, [this] {
+        m_isAskedAgain = false;  // its question is no longer visible
+        Q_EMIT mended();
+    });
     connect(m_back, &QPushButton::clicked, this, &FormPanel::closeRequested);
 }
 

@@ -14,15 +14,16 @@ GuidePage::GuidePage(QWidget* parent)
       m_tick(new QTimer(this)),
       m_clock(label("breakClock", Type::Title, this, Weight::Bold)),
       m_head(new PageHead(this)),
-      m_steps(new StepList(this)),
+      m_steps(new StepList(this, Type::Words)),
       m_action(mainButton("confirmButton", tr("Continue (Enter)"), this)),
       m_second(button("secondButton", tr("Skip the preparation (G)"), this))
 {
     auto* column = new QVBoxLayout(this);
-    column->setSpacing(14);
+    column->setSpacing(22);
     column->addWidget(m_head);
     column->addWidget(m_clock);
     column->addWidget(m_steps);
+    column->addLayout(m_messagePlace);
     column->addSpacing(6);
     column->addLayout(actionsRow({m_action, m_second}));
     column->addStretch(1);

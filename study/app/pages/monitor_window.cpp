@@ -85,7 +85,9 @@ MonitorWindow::MonitorWindow(const std::filesystem::path& study, const AppOption
     for (QWidget* part : {static_cast<QWidget*>(m_title), static_cast<QWidget*>(m_summary), static_cast<QWidget*>(m_message)})
         column->addWidget(part);
     column->addWidget(m_rows, 1);
-    for (QWidget* part : {m_flagsCaption, m_flags, hint, appearanceHint(page)}) column->addWidget(part);
+    for (QWidget* part : {static_cast<QWidget*>(m_flagsCaption), static_cast<QWidget*>(m_flags), static_cast<QWidget*>(hint),
+                          appearanceHint(page)})
+        column->addWidget(part);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolling("monitorArea", page, this));

@@ -59,7 +59,7 @@ NewStudyPage::NewStudyPage(MakeStudy make, QWidget* parent)
     m_bar->setRange(0, progressSteps);
     m_bar->setTextVisible(false);
 
-    auto* form = new QGridLayout;
+    auto* form = m_form = new QGridLayout;
     form->setHorizontalSpacing(16);
     form->setVerticalSpacing(12);
     form->setColumnStretch(1, 1);
@@ -98,6 +98,9 @@ NewStudyPage::NewStudyPage(MakeStudy make, QWidget* parent)
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolling("newStudyArea", page, this));
+    for (QWidget* input : m_inputs)
+        if (auto* line = qobject_cast<QLineEdit*>(input))
+            connect(line, &QLineEdit::textChanged, m_message, &MessageBar::clearMessage);
     connect(m_makeButton, &QPushButton::clicked, this, &NewStudyPage::make);
     connect(m_back, &QPushButton::clicked, this, &NewStudyPage::goBack);
     enable();
@@ -129,9 +132,17 @@ void NewStudyPage::addRow(QGridLayout& form, const QString& caption, QWidget* co
     auto* text = quietLabel("formCaption", this);
     text->setText(caption);
     text->setWordWrap(false);
-    const int row = form.rowCount();
+    const int row = form.rowCount() + 1;  // the row between two rows is for the message about the upper one
     form.addWidget(text, row, 0);
     form.addWidget(control, row, 1);
+}
+
+void NewStudyPage::placeMessage(QLineEdit* line)
+{
+    int row = 0, column = 0, rows = 0, columns = 0;
+    const bool isInRow = m_form->indexOf(line) < 0;
+    m_form->getItemPosition(m_form->indexOf(isInRow ? line->parentWidget() : line), &row, &column, &rows, &columns);
+    m_form->addWidget(m_message, row + 1, column);
 }
 
 void NewStudyPage::browseFor(QLineEdit& target, Browse browse)
@@ -149,6 +160,7 @@ std::optional<NewStudyRequest> NewStudyPage::request()
 {
     const auto refuse = [this](QLineEdit* line, const QString& text) {
         line->setFocus();
+        placeMessage(line);
         m_message->showHint(text);
         return std::nullopt;
     };
@@ -192,6 +204,7 @@ void NewStudyPage::make()
         m_making.get(), &StudyMaking::failed, this,
         [this](const QString& why) {
             end();
+            m_message->standBelow(*m_bar);
             m_message->showFault(why);
         },
         Qt::QueuedConnection);

@@ -39,6 +39,8 @@ private:
     enum class Browse { Folder, NewFolder, File };
     QLineEdit* addPath(QGridLayout& form, const char* objectName, const QString& caption, const QString& hint, Browse browse);
     void addRow(QGridLayout& form, const QString& caption, QWidget* control);
+    /// Puts the message below the row of this line.
+    void placeMessage(QLineEdit* line);
     void browseFor(QLineEdit& target, Browse browse);
     std::optional<NewStudyRequest> request();
     void make();
@@ -48,6 +50,7 @@ private:
 
     MakeStudy m_make;
     std::unique_ptr<StudyMaking> m_making;
+    QGridLayout* m_form;
     QLineEdit* m_study;
     QLineEdit* m_dataset;
     QLineEdit* m_protocol;

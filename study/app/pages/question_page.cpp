@@ -28,6 +28,7 @@ QuestionPage::QuestionPage(QWidget* parent)
     column->setSpacing(12);
     column->addWidget(m_head);
     column->addWidget(m_entry);
+    column->addLayout(m_messagePlace);
     column->addWidget(m_readBack);
     column->addLayout(actionsRow({m_store, m_touch, m_spoken}));
     column->addSpacing(6);
@@ -36,6 +37,7 @@ QuestionPage::QuestionPage(QWidget* parent)
     column->addStretch(1);
     connect(m_entry, &AnswerEntry::changed, this, &QuestionPage::showReadBack);
     connect(m_entry, &AnswerEntry::changed, this, &QuestionPage::markEntry);
+    connect(m_entry, &AnswerEntry::changed, this, &StagePage::mended);
     setRole(*m_spoken, "stamp");
     connect(m_spoken, &QPushButton::clicked, this, &QuestionPage::markSpoken);
     connect(m_store, &QPushButton::clicked, this, &QuestionPage::store);
@@ -159,6 +161,8 @@ bool QuestionPage::pressKey(int key)
     Q_EMIT eventRequested(session::Touched{});
     return true;
 }
+
+QWidget* QuestionPage::lastOfAnswer() { return m_store; }
 
 void QuestionPage::discardEntry()
 {

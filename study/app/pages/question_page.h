@@ -26,6 +26,7 @@ public:
     bool isForWriting() const override;
     bool pressKey(int key) override;
     QWidget& firstFocus() override;
+    QWidget* lastOfAnswer() override;
     void discardEntry() override;
 
 private:

@@ -13,6 +13,7 @@ ReasonPanel::ReasonPanel(QWidget* parent)
 {
     setType(*m_code, Type::Lead);
     setReasonAfter(*m_code);
+    connect(m_code, &QLineEdit::textEdited, this, &StagePage::mended);
     askForCode(false);
 }
 

@@ -39,9 +39,11 @@ ScaleTrainingPage::ScaleTrainingPage(QWidget* parent)
     column->addWidget(m_line);
     column->addWidget(m_anchors);
     column->addWidget(m_placeRow);
+    column->addLayout(m_messagePlace);
     column->addWidget(m_deviation);
     column->addLayout(actionsRow({m_action, m_done}));
     column->addStretch(1);
+    connect(m_spoken, &QLineEdit::textChanged, this, &StagePage::mended);
     connect(m_action, &QPushButton::clicked, this, &ScaleTrainingPage::confirm);
     connect(m_done, &QPushButton::clicked, this, [this] { Q_EMIT eventRequested(session::ScaleTrainingDone{}); });
 }

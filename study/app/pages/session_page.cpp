@@ -30,20 +30,17 @@ SessionPage::SessionPage(QWidget* parent)
 {
     setObjectName("sessionPage");
     setFocusPolicy(Qt::ClickFocus);
-    auto* messageRow = new QVBoxLayout;
-    messageRow->setContentsMargins(28, 0, 28, 10);
-    messageRow->addWidget(m_message);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(m_header);
     column->addWidget(m_stages, 1);
-    column->addLayout(messageRow);
     column->addWidget(m_footer);
     connect(m_stages, &StageStack::eventRequested, this, &SessionPage::eventRequested);
     connect(m_stages, &StageStack::answerMarked, this, &SessionPage::answerMarked);
     connect(m_stages, &StageStack::patternRequested, this, &SessionPage::patternRequested);
     connect(m_stages, &StageStack::hinted, this, [this](const QString& text) { showMessage(text, Tone::Hint); });
+    connect(m_stages, &StageStack::mended, this, &SessionPage::clearMendedMessage);
     connect(m_stages, &StageStack::panelCloseRequested, this, &SessionPage::closePanel);
     connect(&m_stages->guide(), &GuidePage::leaveRequested, this, &SessionPage::leaveRequested);
     connect(&m_stages->guide(), &GuidePage::preparationDeclined, this, &SessionPage::goOnUnprepared);
@@ -143,6 +140,7 @@ StagePage& SessionPage::pageInFront() const { return m_panel ? *m_panel : pageOf
 
 void SessionPage::bringForward(StagePage& page)
 {
+    page.take(*m_message);
     m_stages->bringForward(page);
     m_footer->setWriting(!m_panel && page.isForWriting());
 }
@@ -185,8 +183,14 @@ void SessionPage::showPattern(const std::optional<TestPattern>& pattern)
     m_header->present(m_view);
 }
 
+void SessionPage::clearMendedMessage()
+{
+    if (m_isMendable) m_message->clearMessage();
+}
+
 void SessionPage::showMessage(const QString& text, Tone tone)
 {
+    m_isMendable = tone == Tone::Hint || tone == Tone::Refusal;
     switch (tone) {
         case Tone::Done:
             m_message->showDone(text);
@@ -199,6 +203,7 @@ void SessionPage::showMessage(const QString& text, Tone tone)
             m_message->showFault(text);
             break;
     }
+    m_stages->showMessage(*m_message);
 }
 
 bool SessionPage::pressKey(int pressed)

@@ -64,6 +64,7 @@ private:
     void openPanel(StagePage& panel);
     void closePanel();
     void goOnUnprepared();
+    void clearMendedMessage();
     /// Code of the presentation that a void or flag applies to; empty: the presentation before the current tray.
     QString codeMeant() const;
     bool pressFocusedButton() const;
@@ -71,6 +72,7 @@ private:
     SessionFacts m_facts;
     session::View m_view;
     bool m_isPreparationDeclined = false;
+    bool m_isMendable = false;  ///< the message is about an entry, so it goes with the next change of that entry
     ScannerEntry m_scanner;
     StagePage* m_panel = nullptr;  ///< open panel; null if none
 

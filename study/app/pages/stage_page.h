@@ -1,6 +1,7 @@
 // Common interface of the pages of a running session: they receive a view, show it and request events.
 #pragma once
 
+#include <QVBoxLayout>
 #include <QWidget>
 
 #include "study/app/state/answer_mark.h"
@@ -15,6 +16,12 @@ class StagePage : public QWidget {
 public:
     using QWidget::QWidget;
 
+    /// Takes the message of the session into the page, beside the control that messages are about.
+    void take(QWidget& message) const
+    {
+        if (m_messagePlace->indexOf(&message) < 0) m_messagePlace->addWidget(&message);
+    }
+
     /// Resets the page for a session that starts or continues.
     virtual void begin(const SessionFacts&) {}
     /// Shows `view`, whose stage must belong to this page.
@@ -27,14 +34,22 @@ public:
     virtual void discardEntry() {}
     /// The control that has the focus at first.
     virtual QWidget& firstFocus() = 0;
+    /// The control below the answer, which must be in view together with it; null on pages that are read from their top.
+    virtual QWidget* lastOfAnswer() { return nullptr; }
 
 Q_SIGNALS:
     void eventRequested(const study::session::EventBody& event);
     void answerMarked(study::app::AnswerMark mark);
     /// A hint for the operator that does not come from the engine; empty clears the last hint.
     void hinted(const QString& text);
+    /// The operator changed the entry that the last hint was about.
+    void mended();
     /// The operator switches a test pattern of the display on, or off (none).
     void patternRequested(const std::optional<rendering::TestPattern>& pattern);
+
+protected:
+    /// Every page puts this empty layout beside the controls that its messages are about.
+    QVBoxLayout* m_messagePlace = new QVBoxLayout;
 };
 
 inline bool isEnter(int key) { return key == Qt::Key_Return || key == Qt::Key_Enter; }

@@ -39,13 +39,16 @@ struct StageStack::PageOfStage {
 
 namespace {
 
-/// Keeps the text field that has the focus visible at every text size.
-void scrollToTextEntry(QScrollArea& area)
+/// Keeps the answer, and the text field that has the focus, in view at every text size.
+void scrollToEntry(QScrollArea& area, StagePage& page)
 {
     constexpr int marginPx = 28;
     QWidget* focus = QApplication::focusWidget();
-    if (focus && focus->testAttribute(Qt::WA_InputMethodEnabled) && area.isAncestorOf(focus))
-        area.ensureWidgetVisible(focus, 0, marginPx);
+    if (!focus || !area.isAncestorOf(focus)) return;
+    if (page.lastOfAnswer()) area.verticalScrollBar()->setValue(0);
+    if (QWidget* last = page.lastOfAnswer()) area.ensureWidgetVisible(last, 0, 4);
+    if (page.lastOfAnswer() || focus->testAttribute(Qt::WA_InputMethodEnabled))
+        area.ensureWidgetVisible(focus, 0, page.lastOfAnswer() ? 4 : marginPx);
 }
 
 }  // namespace
@@ -78,8 +81,9 @@ Page* StageStack::add(const char* areaName)
     connect(page, &StagePage::eventRequested, this, &StageStack::eventRequested);
     connect(page, &StagePage::answerMarked, this, &StageStack::answerMarked);
     connect(page, &StagePage::hinted, this, &StageStack::hinted);
+    connect(page, &StagePage::mended, this, &StageStack::mended);
     connect(page, &StagePage::patternRequested, this, &StageStack::patternRequested);
-    connect(area->verticalScrollBar(), &QScrollBar::rangeChanged, area, [area] { scrollToTextEntry(*area); });
+    connect(area->verticalScrollBar(), &QScrollBar::rangeChanged, area, [area, page] { scrollToEntry(*area, *page); });
     return page;
 }
 
@@ -97,7 +101,20 @@ void StageStack::bringForward(StagePage& page)
     setCurrentWidget(&area);
     page.firstFocus().setFocus();
     area.verticalScrollBar()->setValue(0);
-    scrollToTextEntry(area);
+    scrollToEntry(area, page);
+}
+
+void StageStack::showMessage(QWidget& message)
+{
+    // Queued, because the page gets its new height first. The entry comes last: it is more important than the message.
+    QMetaObject::invokeMethod(
+        &message,
+        [this, &message] {
+            auto& area = *static_cast<QScrollArea*>(currentWidget());
+            if (message.isVisible() && area.isAncestorOf(&message)) area.ensureWidgetVisible(&message, 0, 8);
+            scrollToEntry(area, *m_pages[static_cast<std::size_t>(currentIndex())]);
+        },
+        Qt::QueuedConnection);
 }
 
 bool StageStack::scrollBy(int key)

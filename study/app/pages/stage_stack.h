@@ -30,6 +30,8 @@ public:
     StagePage& pageOf(const session::Stage& stage) const;
     /// Shows the page from its top and focuses its first control. Scrolls to that control if it is a text field.
     void bringForward(StagePage& page);
+    /// Scrolls to the message of the page in front, and then to the text field that has the focus.
+    void showMessage(QWidget& message);
     /// Scrolls on Page Up and Page Down; returns false for other keys.
     bool scrollBy(int key);
 
@@ -38,6 +40,7 @@ Q_SIGNALS:
     void eventRequested(const study::session::EventBody& event);
     void answerMarked(study::app::AnswerMark mark);
     void hinted(const QString& text);
+    void mended();
     void panelCloseRequested();
 
 private:

@@ -58,16 +58,16 @@ StartPage::StartPage(QWidget* parent)
     column->addSpacing(8);
     column->addWidget(caption);
     column->addLayout(folderRow);
+    column->addWidget(m_message);
     column->addSpacing(10);
     column->addLayout(actionsRow({m_open, m_new, m_data, m_display, m_keys}));
-    column->addSpacing(6);
-    column->addWidget(m_message);
     column->addStretch(2);
     column->addWidget(appearanceHint(page));
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolling("startArea", page, this));
 
+    connect(m_folder, &QLineEdit::textChanged, m_message, &MessageBar::clearMessage);
     connect(m_open, &QPushButton::clicked, this, [this] { open(m_folder->text()); });
     connect(m_recent, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) { open(item->text()); });
     connect(m_recent, &QListWidget::currentTextChanged, this, [this](const QString& folder) {

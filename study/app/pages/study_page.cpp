@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "study/app/pages/stage_page.h"
+#include "study/app/pieces/flow_layout.h"
 #include "study/app/pieces/pieces.h"
 
 namespace study::app {
@@ -73,16 +74,11 @@ StudyPage::StudyPage(QWidget* parent)
     column->addWidget(m_title);
     column->addWidget(m_folder);
     column->addWidget(m_summary);
+    column->addWidget(m_message);
     column->addSpacing(10);
     column->addLayout(m_middle, 1);
-    column->addWidget(m_message);
-    auto* bottom = new QHBoxLayout;
-    bottom->addWidget(m_display);
-    bottom->addWidget(m_keys);
-    bottom->addWidget(m_close);
-    bottom->addWidget(m_tools);
-    bottom->addWidget(appearanceHint(page), 1);
-    column->addLayout(bottom);
+    column->addLayout(actionsRow({m_display, m_keys, m_tools, m_close}));
+    column->addWidget(appearanceHint(page));
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolling("studyArea", page, this));
@@ -100,6 +96,8 @@ StudyPage::StudyPage(QWidget* parent)
     connect(m_enrol, &QPushButton::clicked, this, &StudyPage::enrol);
     connect(m_resume, &QPushButton::clicked, this, &StudyPage::resumeChosen);
     connect(m_participant, &QLineEdit::textChanged, this, [this] { m_isAskedAgain = false; });
+    for (const QLineEdit* line : {m_participant, m_going})
+        connect(line, &QLineEdit::textChanged, m_message, &MessageBar::clearMessage);
     connect(m_places, &QTreeWidget::itemActivated, this, &StudyPage::resumeChosen);
     connect(m_places, &QTreeWidget::currentItemChanged, this, &StudyPage::showChosen);
     connect(m_close, &QPushButton::clicked, this, &StudyPage::closeRequested);
@@ -168,6 +166,7 @@ void StudyPage::present(const StudyOverview& overview, database::ParticipantKind
     m_overview = overview;
     m_kind = kind;
     m_message->clearMessage();
+    m_message->standBelow(*m_summary);
     m_isAskedAgain = false;
     m_going->clear();
     m_title->setText(overview.name);
@@ -244,6 +243,7 @@ const StudyOverview::ParticipantPlace* StudyPage::chosenPlace() const
 
 void StudyPage::showChosen()
 {
+    m_message->clearMessage();
     const auto* place = chosenPlace();
     const bool isResumable = place && canResume(*place);
     m_resume->setEnabled(isResumable);
@@ -257,6 +257,7 @@ void StudyPage::resumeChosen()
     const auto* place = chosenPlace();
     const QString typed = m_going->text().trimmed();
     m_message->clearMessage();
+    m_message->standBelow(*m_going);
     if (!place || !canResume(*place))
         m_message->showHint(tr("Choose a participant whose session has started but is not finished."));
     else if (typed != place->participant) {
@@ -275,6 +276,7 @@ void StudyPage::enrol()
     const bool isTaken = std::any_of(m_overview.places.begin(), m_overview.places.end(),
                                      [&](const auto& place) { return place.participant == participant; });
     m_message->clearMessage();
+    m_message->standBelow(*m_participant);
     if (!isParticipantName(participant))
         m_message->showHint(
             tr("This code cannot be used. Type at most 24 letters and digits, such as %1.").arg(m_overview.nextParticipant));

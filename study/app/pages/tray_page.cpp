@@ -32,15 +32,16 @@ TrayPage::TrayPage(QWidget* parent)
     column->setSpacing(6);
     column->addWidget(m_task);
     column->addSpacing(10);
-    column->addLayout(m_grid);
+    column->addLayout(m_grid, 1);
     column->addSpacing(10);
     column->addWidget(m_piece);
+    column->addLayout(m_messagePlace);
     column->addWidget(m_ready, 0, Qt::AlignLeft);
     column->addSpacing(10);
     column->addWidget(m_stroke);
     column->addWidget(m_code);
-    column->addStretch(1);
     m_piece->setMaximumWidth(420);
+    connect(m_piece, &QLineEdit::textEdited, this, &StagePage::mended);
     connect(m_ready, &QPushButton::clicked, this, &TrayPage::confirm);
 }
 

@@ -1,5 +1,5 @@
 // Appearance of the program for this user. It is stored between runs and changed by keys in every window: Ctrl +, Ctrl −,
-// Ctrl 0, and Ctrl D for a dark room.
+// Ctrl 0, and Ctrl D for the next theme. Text also grows with the main window.
 #pragma once
 
 #include <QObject>
@@ -13,13 +13,23 @@ namespace study::app {
 class AppearanceKeys : public QObject {
     Q_OBJECT
 public:
+    enum class Growth { WithWindow, None };
     /// Applies the stored appearance and handles the keys in `window`, which owns this object. `settings` may be null.
-    AppearanceKeys(std::shared_ptr<QSettings> settings, QWidget& window);
+    AppearanceKeys(std::shared_ptr<QSettings> settings, QWidget& window, Growth growth = Growth::None);
 
     void set(const Appearance& appearance);
+    void enlarge() { set(larger(m_appearance)); }
+    void reduce() { set(smaller(m_appearance)); }
+    void changeTheme() { set({nextTheme(m_appearance.theme), m_appearance.textPercent}); }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void grow();
+
     std::shared_ptr<QSettings> m_settings;
+    QWidget& m_window;
     QFont m_base;
     Appearance m_appearance;
 };

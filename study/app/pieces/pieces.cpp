@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "study/app/pieces/appearance_keys.h"
 #include "study/app/pieces/flow_layout.h"
 
 namespace study::app {
@@ -20,7 +21,67 @@ void setStyledProperty(QWidget& widget, const char* property, const char* value)
     if (!widget.testAttribute(Qt::WA_WState_Polished)) return;
     widget.style()->unpolish(&widget);
     widget.style()->polish(&widget);
+    // A frame computes its padding on this event only.
+    QEvent change(QEvent::StyleChange);
+    QApplication::sendEvent(&widget, &change);
+    widget.updateGeometry();
 }
+
+enum class Search { Missing, Found, Done };
+
+/// Inserts `added` into the innermost column of the layout that holds the control, below it.
+Search insertBelow(QLayout& layout, const QWidget& control, QWidget& added)
+{
+    for (int place = 0; place < layout.count(); ++place) {
+        QLayoutItem& item = *layout.itemAt(place);
+        Search search = item.widget() == &control ? Search::Found : Search::Missing;
+        if (item.layout()) search = insertBelow(*item.layout(), control, added);
+        if (search == Search::Missing) continue;
+        auto* column = qobject_cast<QVBoxLayout*>(&layout);
+        if (search == Search::Done || !column) return search;
+        column->insertWidget(place + 1, &added);
+        return Search::Done;
+    }
+    return Search::Missing;
+}
+
+constexpr int marginPx = 28;
+
+/// Limits the width of a page for easy reading, in proportion to its text, and keeps the focus in view when the page grows.
+class PageWidth : public QObject {
+public:
+    PageWidth(QScrollArea& area, QWidget& page) : QObject(&area), m_area(area), m_page(page)
+    {
+        area.installEventFilter(this);
+        page.installEventFilter(this);
+        limit();
+    }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override
+    {
+        if (event->type() == QEvent::Resize && watched == &m_area) limit();
+        if (event->type() == QEvent::Resize)
+            QMetaObject::invokeMethod(
+                this, [this] { showFocus(); }, Qt::QueuedConnection);
+        return QObject::eventFilter(watched, event);
+    }
+
+private:
+    void limit()
+    {
+        constexpr int widestPx = 1250;
+        m_page.setMaximumWidth(static_cast<int>(widestPx * scaleOf(m_area.window()->size())));
+    }
+    void showFocus()
+    {
+        QWidget* focus = m_area.window()->focusWidget();
+        if (focus && m_area.isVisible() && m_area.isAncestorOf(focus)) m_area.ensureWidgetVisible(focus, 0, marginPx);
+    }
+
+    QScrollArea& m_area;
+    QWidget& m_page;
+};
 
 }  // namespace
 
@@ -96,18 +157,29 @@ QLineEdit* field(const char* objectName, const QString& accessibleName, QWidget*
     return made;
 }
 
-QLabel* appearanceHint(QWidget* parent)
+QWidget* appearanceHint(QWidget* parent)
 {
-    QLabel* made = quietLabel("appearanceHint", parent, Type::Small);
-    made->setText(
-        QCoreApplication::translate("study::app::appearanceHint", "Text size: Ctrl + and Ctrl −   ·   dark room: Ctrl D"));
+    auto* made = new QWidget(parent);
+    made->setObjectName("appearanceHint");
+    auto* row = new FlowLayout(10, 4, made);
+    const auto add = [&](const char* objectName, const char* text, void (AppearanceKeys::*work)()) {
+        auto* key = plainButton(objectName, QCoreApplication::translate("study::app::appearanceHint", text), made);
+        setType(*key, Type::Small);
+        key->setFocusPolicy(Qt::NoFocus);  // the keys work everywhere, so Tab need not come here
+        QObject::connect(key, &QPushButton::clicked, made, [made, work] {
+            if (auto* keys = made->window()->findChild<AppearanceKeys*>()) (keys->*work)();
+        });
+        row->addWidget(key);
+    };
+    add("smallerTextButton", QT_TRANSLATE_NOOP("study::app::appearanceHint", "Smaller text (Ctrl −)"), &AppearanceKeys::reduce);
+    add("largerTextButton", QT_TRANSLATE_NOOP("study::app::appearanceHint", "Larger text (Ctrl +)"), &AppearanceKeys::enlarge);
+    add("themeButton", QT_TRANSLATE_NOOP("study::app::appearanceHint", "Light, dark or high contrast (Ctrl D)"),
+        &AppearanceKeys::changeTheme);
     return made;
 }
 
 QScrollArea* scrolling(const char* objectName, QWidget* page, QWidget* parent)
 {
-    constexpr int widestPx = 1250;
-    constexpr int marginPx = 28;
     auto* area = new QScrollArea(parent);
     area->setObjectName(QString::fromLatin1(objectName));
     area->setWidgetResizable(true);
@@ -117,18 +189,35 @@ QScrollArea* scrolling(const char* objectName, QWidget* page, QWidget* parent)
     auto* row = new QHBoxLayout(whole);
     row->setContentsMargins(marginPx, 22, marginPx, 18);
     row->setSpacing(0);
-    page->setMaximumWidth(widestPx);
     if (page->layout()) page->layout()->setContentsMargins(0, 0, 0, 0);
     row->addWidget(page, 1);
     row->addStretch(0);
     area->setWidget(whole);
     area->viewport()->setAutoFillBackground(false);
     whole->setAutoFillBackground(false);
+    new PageWidth(*area, *page);
     // Scroll to a control that gets the focus outside the visible part.
     QObject::connect(qApp, &QApplication::focusChanged, area, [area](QWidget*, QWidget* now) {
         if (now && area->isVisible() && area->isAncestorOf(now)) area->ensureWidgetVisible(now, 0, marginPx);
     });
     return area;
+}
+
+bool isLowFor(const QWidget& bar)
+{
+    constexpr int fewestLines = 36;
+    return bar.window()->height() < fewestLines * QFontMetrics(QApplication::font()).height();
+}
+
+void showInOneRow(const QWidget& bar, const std::vector<std::pair<QWidget*, bool>>& isWanted, int gapPx)
+{
+    const bool isLow = isLowFor(bar);
+    int room = bar.contentsRect().width() - 2 * marginPx + gapPx;
+    for (const auto& [part, wanted] : isWanted) {
+        part->ensurePolished();
+        if (wanted) room -= part->sizeHint().width() + gapPx;
+        part->setVisible(wanted && (!isLow || room >= 0));
+    }
 }
 
 void clearLayout(QLayout& layout)
@@ -187,6 +276,11 @@ MessageBar::MessageBar(const char* objectName, QWidget* parent) : QLabel(parent)
     hide();
 }
 
+void MessageBar::standBelow(QWidget& control)
+{
+    if (QWidget* home = control.parentWidget(); home && home->layout()) insertBelow(*home->layout(), control, *this);
+}
+
 void MessageBar::clearMessage()
 {
     clear();
@@ -195,6 +289,7 @@ void MessageBar::clearMessage()
 
 void MessageBar::showAs(const char* role, const QString& text)
 {
+    ensurePolished();
     setRole(*this, role);
     setText(text);
     setAccessibleName(text);

@@ -8,6 +8,8 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <initializer_list>
+#include <utility>
+#include <vector>
 
 #include "study/app/state/appearance.h"
 
@@ -38,11 +40,16 @@ FlowLayout* actionsRow(std::initializer_list<QWidget*> actions);
 
 QLineEdit* field(const char* objectName, const QString& accessibleName, QWidget* parent);
 
-/// Line that names the keys for text size and theme; for pages where the operator has time to read it.
-QLabel* appearanceHint(QWidget* parent);
+/// Buttons for the text size and the theme, with their keys; for pages where the operator has time to read them.
+QWidget* appearanceHint(QWidget* parent);
 
 /// Puts the page into an area that scrolls if the text is too large for the window, and limits its width for easy reading.
 QScrollArea* scrolling(const char* objectName, QWidget* page, QWidget* parent);
+
+/// Whether the window has only few lines of this text size, so that bars must take no room from the answer.
+bool isLowFor(const QWidget& bar);
+/// Shows as many of these as one row of the bar holds, the most important first. All that are wanted if the window is not low.
+void showInOneRow(const QWidget& bar, const std::vector<std::pair<QWidget*, bool>>& isWanted, int gapPx);
 
 /// Deletes all widgets in the layout.
 void clearLayout(QLayout& layout);
@@ -78,6 +85,8 @@ public:
     void showHint(const QString& text) { showAs("hint", text); }
     void showFault(const QString& text) { showAs("fault", text); }
     void clearMessage();
+    /// Moves the bar below this control, or below the row of the control.
+    void standBelow(QWidget& control);
 
 private:
     void showAs(const char* role, const QString& text);

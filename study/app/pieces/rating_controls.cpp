@@ -1,9 +1,10 @@
 #include "study/app/pieces/rating_controls.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
+#include <algorithm>
 
-#include "study/app/pieces/flow_layout.h"
 #include "study/app/pieces/pieces.h"
 #include "study/app/pieces/rating_field.h"
 #include "study/app/pieces/scale_line.h"
@@ -19,7 +20,7 @@ RatingControls::RatingControls(QWidget* parent)
       m_rating(new RatingField("ratingField", tr("Rating that the participant says"), this)),
       m_range(quietLabel("ratingRange", this, Type::Lead)),
       m_line(new ScaleLine(ScaleLine::Use::Pick, this)),
-      m_labels(new FlowLayout(26, 4))
+      m_labels(new QBoxLayout(QBoxLayout::LeftToRight))
 {
     m_line->setObjectName("scaleLine");
     setType(*m_rating, Type::Title, Weight::Bold);
@@ -35,6 +36,7 @@ RatingControls::RatingControls(QWidget* parent)
     column->addLayout(number);
     column->addWidget(m_line);
     column->addLayout(m_labels);
+    m_labels->setSpacing(0);
     connect(m_rating, &QLineEdit::textChanged, this, &RatingControls::showTyped);
     connect(m_line, &ScaleLine::ratingPicked, this, [this](Tenths rating) { m_rating->setText(textOf(rating)); });
 }
@@ -61,11 +63,43 @@ void RatingControls::showLabels()
     for (std::size_t step = 0; step < m_scale->labels.size(); ++step) {
         const Tenths rating{m_scale->min.value + static_cast<int>(step) * m_scale->step.value};
         auto* made = label("scaleLabel", Type::Body, this);
-        made->setWordWrap(false);
+        made->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
         made->setText(wordedText(rating, *m_scale));
-        m_labels->addWidget(made);
+        m_labels->addWidget(made, 1);
         made->show();
     }
+    arrangeLabels();
+}
+
+void RatingControls::arrangeLabels()
+{
+    if (m_labels->isEmpty()) return;
+    int widestWord = 0;
+    for (int place = 0; place < m_labels->count(); ++place) {
+        const auto* word = qobject_cast<QLabel*>(m_labels->itemAt(place)->widget());
+        word->ensurePolished();
+        for (const QString& part : word->text().split(QLatin1Char(' ')))
+            widestWord = std::max(widestWord, word->fontMetrics().horizontalAdvance(part) + 8);
+    }
+    const bool fits = widestWord * m_labels->count() <= width();
+    m_labels->setDirection(fits ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    for (int place = 0; place < m_labels->count(); ++place)
+        qobject_cast<QLabel*>(m_labels->itemAt(place)->widget())
+            ->setAlignment(fits ? Qt::AlignHCenter | Qt::AlignTop : Qt::AlignLeft | Qt::AlignTop);
+}
+
+void RatingControls::resizeEvent(QResizeEvent* event)
+{
+    EntryControls::resizeEvent(event);
+    arrangeLabels();
+}
+
+void RatingControls::changeEvent(QEvent* event)
+{
+    EntryControls::changeEvent(event);
+    // Queued, because the words get their font after this widget.
+    if (event->type() == QEvent::StyleChange || event->type() == QEvent::FontChange)
+        QMetaObject::invokeMethod(this, &RatingControls::arrangeLabels, Qt::QueuedConnection);
 }
 
 void RatingControls::showTyped()

@@ -1,13 +1,14 @@
 // Controls for a rating: type the spoken number or click on the line. The words of a Likert scale are below the line.
 #pragma once
 
+#include <QBoxLayout>
+
 #include "study/app/pieces/entry_controls.h"
 
 class QLabel;
 
 namespace study::app {
 
-class FlowLayout;
 class RatingField;
 class ScaleLine;
 
@@ -23,7 +24,12 @@ public:
     bool pressKey(int) override { return false; }
     QWidget& firstFocus() override;
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
 private:
+    void arrangeLabels();
     void setScale(const protocols::RatingScale& scale);
     void showLabels();
     void showTyped();
@@ -32,7 +38,7 @@ private:
     RatingField* m_rating;
     QLabel* m_range;
     ScaleLine* m_line;
-    FlowLayout* m_labels;
+    QBoxLayout* m_labels;  ///< one word under each tick, or below one another where they are too wide
 };
 
 }  // namespace study::app

@@ -56,7 +56,10 @@ QRectF ScaleLine::line() const
 {
     const double margin = std::max(fontMetrics().horizontalAdvance(textOf(m_scale.max)), fontMetrics().height());
     const double top = fontMetrics().height() * 0.45;
-    return {margin, top, std::max(1.0, width() - 2 * margin), fontMetrics().height() * 1.0};
+    // The words below stand in equal columns, so the ticks stand in their middles.
+    const double column = m_scale.labels.empty() ? 0 : width() / 2.0 / static_cast<double>(m_scale.labels.size());
+    const double inset = std::max<double>(margin, column);
+    return {inset, top, std::max(1.0, width() - 2 * inset), fontMetrics().height() * 1.0};
 }
 
 QPoint ScaleLine::pointOf(Tenths rating) const

@@ -21,6 +21,7 @@ public:
     std::optional<protocols::Tenths> rating() const { return m_rating; }
     /// Point of a rating on the widget; for tests that click.
     QPoint pointOf(protocols::Tenths rating) const;
+    const protocols::RatingScale& scale() const { return m_scale; }
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;

@@ -1,5 +1,6 @@
 #include "study/app/pieces/session_footer.h"
 
+#include <QEvent>
 #include <QVBoxLayout>
 
 #include "study/app/pieces/flow_layout.h"
@@ -52,6 +53,7 @@ SessionFooter::SessionFooter(QWidget* parent)
 QPushButton* SessionFooter::add(const char* objectName, const QString& text, KeyAct act, int key, const QString& keyName)
 {
     m_keys.push_back({act, key, keyName, plainButton(objectName, tr("%1 (%2)").arg(text, keyName), this), text});
+    setType(*m_keys.back().button, Type::Small);
     return m_keys.back().button;
 }
 
@@ -75,6 +77,7 @@ void SessionFooter::showKeys()
         if (const auto extra = m_bindings.extraKey(one.act)) keys = tr("%1 or %2").arg(keys, nameOfKey(*extra));
         setButtonText(*one.button, tr("%1 (%2)").arg(one.text, keys));
     }
+    arrange();
 }
 
 void SessionFooter::present(const session::View& view, bool canCorrect)
@@ -107,6 +110,31 @@ void SessionFooter::enable()
     m_pause->setEnabled(isFree && !m_isPaused && !m_isOver);
     m_withdraw->setEnabled(isFree && !m_isOver);
     m_leave->setEnabled(isFree);
+    arrange();
+}
+
+void SessionFooter::arrange()
+{
+    // A key that can be used always has its button, for operators who use the mouse.
+    const bool isLow = isLowFor(*this);
+    for (const Key& one : m_keys) one.button->setVisible(!isLow || one.button->isEnabled());
+    m_lastAnswer->setVisible(!isLow);
+    layout()->invalidate();  // its height depends on the size of the text
+    updateGeometry();
+}
+
+void SessionFooter::resizeEvent(QResizeEvent* event)
+{
+    QFrame::resizeEvent(event);
+    arrange();
+}
+
+void SessionFooter::changeEvent(QEvent* event)
+{
+    QFrame::changeEvent(event);
+    // Queued, because the buttons get their font after this bar.
+    if (event->type() == QEvent::StyleChange || event->type() == QEvent::FontChange)
+        QMetaObject::invokeMethod(this, &SessionFooter::arrange, Qt::QueuedConnection);
 }
 
 bool SessionFooter::pressKey(int key)

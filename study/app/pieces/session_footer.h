@@ -38,6 +38,10 @@ Q_SIGNALS:
     void withdrawRequested();
     void leaveRequested();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
 private:
     struct Key {
         KeyAct act;
@@ -49,6 +53,8 @@ private:
     QPushButton* add(const char* objectName, const QString& text, KeyAct act, int key, const QString& keyName);
     void showKeys();
     void enable();
+    /// Leaves out the keys that are off, and the last answer, where the window is low.
+    void arrange();
 
     std::vector<Key> m_keys;
     KeyBindings m_bindings;

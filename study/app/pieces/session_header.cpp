@@ -1,5 +1,6 @@
 #include "study/app/pieces/session_header.h"
 
+#include <QEvent>
 #include <QProgressBar>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -12,9 +13,11 @@ namespace study::app {
 
 namespace {
 
+constexpr int gapPx = 26;
+
 QLabel* fact(const char* objectName, QWidget* parent, Weight weight = Weight::Normal)
 {
-    QLabel* made = label(objectName, Type::Plain, parent, weight);
+    QLabel* made = label(objectName, weight == Weight::Bold ? Type::Plain : Type::Small, parent, weight);
     made->setWordWrap(false);
     return made;
 }
@@ -37,7 +40,7 @@ SessionHeader::SessionHeader(QWidget* parent)
     setRole(*this, "bar");
     name(*m_bar, "progressBar", tr("Answers stored"));
     m_bar->setTextVisible(false);
-    auto* facts = new FlowLayout(26, 4);
+    auto* facts = new FlowLayout(gapPx, 4);
     for (QLabel* made : {m_display, m_participant, m_part, m_presentations, m_answers, m_timeLeft, m_nextBreak, m_sitting})
         facts->addWidget(made);
     auto* column = new QVBoxLayout(this);
@@ -79,20 +82,43 @@ void SessionHeader::present(const session::View& view)
                         std::holds_alternative<session::Withdrawn>(view.state.stage);
     const bool isBetween = isOver || view.presentation <= 0 || std::holds_alternative<session::Debriefing>(view.state.stage);
     m_participant->setText(tr("Participant %1").arg(QString::fromStdString(view.participant)));
-    showText(*m_part, isBetween || view.phaseName.empty() ? QString() : QString::fromStdString(view.phaseName));
-    showText(*m_presentations,
-             isBetween ? QString() : tr("Presentation %1 of %2").arg(view.presentation).arg(view.presentations));
+    m_part->setText(isBetween || view.phaseName.empty() ? QString() : QString::fromStdString(view.phaseName));
+    m_presentations->setText(isBetween ? QString() : tr("Presentation %1 of %2").arg(view.presentation).arg(view.presentations));
     m_answers->setText(tr("Answers %1 of %2").arg(view.answersStored).arg(view.answersInAll));
     const int minutes = std::max(1, static_cast<int>(std::lround(view.minutesLeft)));
-    showText(*m_timeLeft, isBetween ? QString() : tr("About %1 min left").arg(minutes));
-    showText(*m_sitting, isOver
+    m_timeLeft->setText(isBetween ? QString() : tr("About %1 min left").arg(minutes));
+    m_sitting->setText(
+        isOver ? QString() : tr("This sitting: %1 of %2 min").arg(static_cast<int>(view.sittingMinutes)).arg(m_sittingMinutes));
+    m_nextBreak->setText(isBetween || view.presentationsToBreak <= 0
                              ? QString()
-                             : tr("This sitting: %1 of %2 min").arg(static_cast<int>(view.sittingMinutes)).arg(m_sittingMinutes));
-    showText(*m_nextBreak, isBetween || view.presentationsToBreak <= 0
-                               ? QString()
-                               : tr("Presentations to next break: %1").arg(view.presentationsToBreak));
+                             : tr("Presentations to next break: %1").arg(view.presentationsToBreak));
     m_bar->setRange(0, std::max(1, view.answersInAll));
     m_bar->setValue(std::min(view.answersStored, view.answersInAll));
+    arrange();
+}
+
+void SessionHeader::arrange()
+{
+    std::vector<std::pair<QWidget*, bool>> facts;
+    for (QLabel* fact : {m_display, m_participant, m_presentations, m_answers, m_timeLeft, m_nextBreak, m_part, m_sitting})
+        facts.emplace_back(fact, !fact->text().isEmpty());
+    showInOneRow(*this, facts, gapPx);
+    layout()->invalidate();  // its height depends on the size of the text
+    updateGeometry();
+}
+
+void SessionHeader::resizeEvent(QResizeEvent* event)
+{
+    QFrame::resizeEvent(event);
+    arrange();
+}
+
+void SessionHeader::changeEvent(QEvent* event)
+{
+    QFrame::changeEvent(event);
+    // Queued, because the facts get their font after this bar.
+    if (event->type() == QEvent::StyleChange || event->type() == QEvent::FontChange)
+        QMetaObject::invokeMethod(this, &SessionHeader::arrange, Qt::QueuedConnection);
 }
 
 }  // namespace study::app

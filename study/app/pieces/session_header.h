@@ -18,10 +18,18 @@ public:
 
     void begin(const SessionFacts& facts);
     void present(const session::View& view);
+
     /// Name of the test pattern that can be felt; empty if none.
     void setPattern(const QString& pattern) { m_pattern = pattern; }
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
 private:
+    /// Leaves out the least important facts where the window is low.
+    void arrange();
+
     int m_sittingMinutes = 60;
     QString m_displayName, m_pattern;
     QLabel* m_display;

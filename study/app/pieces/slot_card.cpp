@@ -10,13 +10,14 @@ namespace study::app {
 SlotCard::SlotCard(const QString& letter, QWidget* parent)
     : QFrame(parent),
       m_letter(label("slotLetter", Type::Title, this, Weight::Bold)),
-      m_tag(label("slotTag", Type::Small, this)),
+      m_tag(label("slotTag", Type::Body, this)),
       m_piece(label("slotPiece", Type::Huge, this))
 {
     setObjectName(QStringLiteral("slotCard%1").arg(letter));
     m_letter->setText(letter);
     m_letter->setWordWrap(false);
     m_tag->setWordWrap(false);
+    m_piece->setWordWrap(false);
     auto* top = new QHBoxLayout;
     top->addWidget(m_letter);
     top->addWidget(m_tag, 0, Qt::AlignTop);
@@ -24,7 +25,8 @@ SlotCard::SlotCard(const QString& letter, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(20, 16, 20, 16);
     column->addLayout(top);
-    column->addWidget(m_piece);
+    column->addStretch(1);
+    column->addWidget(m_piece, 0, Qt::AlignHCenter);
     column->addStretch(1);
 }
 
@@ -32,7 +34,7 @@ void SlotCard::showPiece(const QString& piece, const QString& act, bool isNew, b
 {
     setRole(*this, isNew ? "card-new" : "card");
     setRole(*m_tag, isNew ? "tag-new" : "tag");
-    setType(*m_tag, Type::Small, isNew ? Weight::Bold : Weight::Normal);
+    setType(*m_tag, Type::Body, isNew ? Weight::Bold : Weight::Normal);
     setType(*m_piece, Type::Huge, isNew ? Weight::Bold : Weight::Normal);
     m_letter->setVisible(hasLetter);
     m_act = act;

@@ -6,7 +6,7 @@
 
 namespace study::app {
 
-StepList::StepList(QWidget* parent) : QWidget(parent)
+StepList::StepList(QWidget* parent, Type type) : QWidget(parent), m_type(type)
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -16,7 +16,7 @@ StepList::StepList(QWidget* parent) : QWidget(parent)
 void StepList::setSteps(const QStringList& steps)
 {
     while (static_cast<qsizetype>(m_steps.size()) < steps.size()) {
-        m_steps.push_back(label(qPrintable(QStringLiteral("step%1").arg(m_steps.size() + 1)), Type::Body, this));
+        m_steps.push_back(label(qPrintable(QStringLiteral("step%1").arg(m_steps.size() + 1)), m_type, this));
         layout()->addWidget(m_steps.back());
     }
     for (qsizetype i = 0; i < static_cast<qsizetype>(m_steps.size()); ++i) {

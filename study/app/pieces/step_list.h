@@ -5,6 +5,8 @@
 #include <QWidget>
 #include <vector>
 
+#include "study/app/state/appearance.h"
+
 class QLabel;
 
 namespace study::app {
@@ -12,11 +14,12 @@ namespace study::app {
 class StepList : public QWidget {
     Q_OBJECT
 public:
-    explicit StepList(QWidget* parent);
+    explicit StepList(QWidget* parent, Type type = Type::Body);
 
     void setSteps(const QStringList& steps);
 
 private:
+    Type m_type;
     std::vector<QLabel*> m_steps;  ///< unused labels are hidden
 };
 

@@ -24,7 +24,7 @@ QString WordsField::words() const
 QSize WordsField::sizeHint() const
 {
     ensurePolished();
-    return {fontMetrics().height() * 20, fontMetrics().height() * 4};
+    return {fontMetrics().height() * 20, fontMetrics().height() * 6};
 }
 
 QSize WordsField::minimumSizeHint() const

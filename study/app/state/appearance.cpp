@@ -1,6 +1,7 @@
 #include "study/app/state/appearance.h"
 
 #include <QApplication>
+#include <QRegularExpression>
 #include <QStyle>
 #include <QStyleFactory>
 #include <algorithm>
@@ -21,7 +22,7 @@ struct TypeRow {
 };
 constexpr TypeRow typeRows[] = {{Type::Small, "small", 1.0}, {Type::Plain, "plain", 1.15}, {Type::Body, "body", 1.35},
                                 {Type::Lead, "lead", 1.6},   {Type::Words, "words", 2.0},  {Type::Title, "title", 2.3},
-                                {Type::Huge, "huge", 4.2}};
+                                {Type::Huge, "huge", 5.2}};
 
 const TypeRow& rowOf(Type type)
 {
@@ -46,6 +47,19 @@ Appearance withPercent(Appearance appearance, int percent)
 
 Colours coloursOf(Theme theme)
 {
+    if (theme == Theme::HighContrast)
+        return {.background = QColor("#000000"),
+                .surface = QColor("#000000"),
+                .text = QColor("#ffffff"),
+                .quietText = QColor("#f0f0f0"),
+                .line = QColor("#545454"),
+                .offText = QColor("#b8b8b8"),
+                .accent = QColor("#ffe14d"),
+                .onAccent = QColor("#000000"),
+                .attention = QColor("#ffffff"),
+                .onAttention = QColor("#000000"),
+                .fault = QColor("#ffb3ab"),
+                .onFault = QColor("#000000")};
     if (theme == Theme::DarkRoom)
         return {.background = QColor("#15181d"),
                 .surface = QColor("#1f242c"),
@@ -99,7 +113,7 @@ const char* nameOf(Type type) { return rowOf(type).name; }
 
 double factorOf(Type type) { return rowOf(type).factor; }
 
-QString styleSheetOf(const Colours& c, double basePoints)
+QString styleSheetOf(const Colours& c, double basePoints, int pixels)
 {
     // The property "role" of a widget (pieces.h) selects its style. %1, %2, … are the colours in the order of `inOrder`.
     const QString sheet = QStringLiteral(R"(
@@ -149,6 +163,13 @@ QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
                               c.onAccent,   c.attention, c.onAttention, c.fault,     c.onFault, c.offText};
     for (int place = static_cast<int>(std::size(inOrder)); place >= 1; --place)
         filled.replace(QStringLiteral("%%1").arg(place), inOrder[place - 1].name());
+    static const QRegularExpression length(QStringLiteral("(\\d+)px"));
+    if (pixels > 1)
+        for (auto found = length.match(filled); found.hasMatch();) {
+            const QString grown = QStringLiteral("%1px").arg(found.captured(1).toInt() * pixels);
+            filled.replace(found.capturedStart(), found.capturedLength(), grown);
+            found = length.match(filled, found.capturedStart() + grown.size());
+        }
     for (const TypeRow& row : typeRows)
         filled += QStringLiteral("*[type=\"%1\"] { font-size: %2pt; }\n").arg(row.name).arg(basePoints * row.factor, 0, 'f', 2);
     return filled + QStringLiteral("*[weight=\"bold\"] { font-weight: bold; }\n");
@@ -158,12 +179,40 @@ Appearance larger(Appearance appearance) { return withPercent(appearance, appear
 
 Appearance smaller(Appearance appearance) { return withPercent(appearance, appearance.textPercent - percentStep); }
 
-void applyAppearance(const Appearance& appearance, const QFont& base)
+Theme nextTheme(Theme theme)
+{
+    switch (theme) {
+        case Theme::Light:
+            return Theme::DarkRoom;
+        case Theme::DarkRoom:
+            return Theme::HighContrast;
+        case Theme::HighContrast:
+            return Theme::Light;
+    }
+    return Theme::Light;
+}
+
+double scaleOf(const QSize& window)
+{
+    constexpr double usualWidth = 1000, usualHeight = 600, step = 0.05, largest = 4;
+    const double fits = std::min(window.width() / usualWidth, window.height() / usualHeight);
+    // Steps, because each new size restyles every widget.
+    return std::clamp(std::floor(fits / step + 1e-9) * step, 1.0, largest);
+}
+
+double textScaleOf(const QSize& window, int textPercent)
+{
+    constexpr double narrowest = 560, lowest = 390;
+    const double largest = std::min(window.width() / narrowest, window.height() / lowest);
+    return std::min(scaleOf(window) * textPercent / 100, std::max(1.0, largest));
+}
+
+void applyAppearance(const Appearance& appearance, const QFont& base, const QSize& window)
 {
     QFont font = base;
-    font.setPointSizeF(std::max(6.0, base.pointSizeF() * appearance.textPercent / 100.0));
+    font.setPointSizeF(std::max(6.0, base.pointSizeF() * textScaleOf(window, appearance.textPercent)));
     const Colours colours = coloursOf(appearance.theme);
-    const QString sheet = styleSheetOf(colours, font.pointSizeF());
+    const QString sheet = styleSheetOf(colours, font.pointSizeF(), static_cast<int>(std::lround(scaleOf(window))));
     if (qApp->styleSheet() == sheet && QApplication::font() == font) return;
     if (QApplication::style()->name().compare(QLatin1String("fusion"), Qt::CaseInsensitive) != 0)
         QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));

@@ -11,6 +11,7 @@ namespace {
 constexpr int mostRecent = 8;
 constexpr auto recentKey = "recentStudies";
 constexpr auto darkKey = "darkRoom";
+constexpr auto contrastKey = "highContrast";
 constexpr auto percentKey = "textPercent";
 
 bool systemIsDark() { return QApplication::palette().color(QPalette::Window).lightness() < 128; }
@@ -38,6 +39,8 @@ Appearance rememberedAppearance(const QSettings* settings)
     const Theme ofSystem = systemIsDark() ? Theme::DarkRoom : Theme::Light;
     if (!settings) return {ofSystem, 100};
     const bool isDark = settings->value(darkKey, ofSystem == Theme::DarkRoom).toBool();
+    if (settings->value(contrastKey, false).toBool())
+        return {Theme::HighContrast, std::clamp(settings->value(percentKey, 100).toInt(), 75, 250)};
     return {isDark ? Theme::DarkRoom : Theme::Light, std::clamp(settings->value(percentKey, 100).toInt(), 75, 250)};
 }
 
@@ -45,6 +48,7 @@ void rememberAppearance(QSettings* settings, const Appearance& appearance)
 {
     if (!settings) return;
     settings->setValue(darkKey, appearance.theme == Theme::DarkRoom);
+    settings->setValue(contrastKey, appearance.theme == Theme::HighContrast);
     settings->setValue(percentKey, appearance.textPercent);
 }
 

@@ -92,6 +92,8 @@ private Q_SLOTS:
     void displayPageShowsFaultsInPlainWords();
     void patternIsFeltOnlyWhileItsButtonIsDown();
     void patternOfTheChecklistEndsWithIt();
+    void aScreenThatCannotBeHadIsOneError_data();
+    void aScreenThatCannotBeHadIsOneError();
 };
 
 void AppDisplayTest::displayShowsImagesOnlyWhilePresenting()
@@ -388,6 +390,26 @@ void AppDisplayTest::plainImagesMustBeAllowed()
     QVERIFY2(refused.err.contains("--plain-images"), qPrintable(refused.err));
     const auto allowed = support::runProgram({"no such study", "--display", "folder:" + displayFolder(), "--plain-images"});
     QVERIFY2(!allowed.err.contains("plain"), qPrintable(allowed.err));
+}
+
+void AppDisplayTest::aScreenThatCannotBeHadIsOneError_data()
+{
+    QTest::addColumn<QStringList>("environment");
+    QTest::newRow("nothing named") << QStringList{};
+    QTest::newRow("a desktop that does not run") << QStringList{"DISPLAY=:987"};
+    QTest::newRow("Wayland alone, without a compositor") << QStringList{"WAYLAND_DISPLAY=wayland-987"};
+    QTest::newRow("Wayland asked for") << QStringList{"QT_QPA_PLATFORM=wayland"};
+    QTest::newRow("unknown platform") << QStringList{"QT_QPA_PLATFORM=nowhere"};
+}
+
+void AppDisplayTest::aScreenThatCannotBeHadIsOneError()
+{
+    QFETCH(QStringList, environment);
+    const auto ended = support::runProgram({}, environment);
+    QCOMPARE(ended.exitCode, 3);
+    const QStringList lines = ended.err.split('\n', Qt::SkipEmptyParts);
+    QVERIFY2(lines.size() == 1 && lines.front().startsWith("vis2hap: the window needs a screen"), qPrintable(ended.err));
+    for (const QString& named : environment) QVERIFY2(lines.front().contains(named), qPrintable(ended.err));
 }
 
 int main(int argc, char** argv)

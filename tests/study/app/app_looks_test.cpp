@@ -8,13 +8,19 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QScreen>
+#include <QScrollArea>
 #include <QScrollBar>
 #include <QTest>
 
 #include "study/app/pages/data_page.h"
 #include "study/app/pages/monitor_window.h"
+#include "study/app/pages/tools/tools_page.h"
+#include "study/app/pieces/answer_entry.h"
+#include "study/app/pieces/pieces.h"
 #include "study/app/pieces/scale_line.h"
 #include "study/app/state/appearance.h"
+#include "study/app/state/recent_studies.h"
 #include "tests/support/open_window.h"
 #include "tests/support/whole_protocol.h"
 
@@ -69,6 +75,8 @@ QStringList cutTextsIn(const QWidget& page)
     for (const QWidget* widget : page.findChildren<QWidget*>()) {
         if (!widget->isVisible()) continue;
         const auto* label = qobject_cast<const QLabel*>(widget);
+        const bool isBar = widget->property("role").toString() == QLatin1String("bar");
+        if (isBar && widget->height() < widget->heightForWidth(widget->width())) cut << widget->objectName();
         const bool isButton = qobject_cast<const QAbstractButton*>(widget);
         const bool isTooLow = label && label->wordWrap() && label->height() < label->heightForWidth(label->width());
         const bool isOneLine = isButton || (label && !label->wordWrap());
@@ -120,6 +128,12 @@ private Q_SLOTS:
     void noTextIsCut_data();
     void noTextIsCut();
     void keysChangeTheAppearance();
+    void contentFillsALargeScreen();
+    void answersAreInView_data();
+    void answersAreInView();
+    void windowStartsOnTheScreen();
+    void messagesStandBesideTheirFieldAndGo();
+    void wordsStandUnderTheirTicks();
     void pagesAreSavedAsPictures();
 };
 
@@ -128,6 +142,9 @@ void AppLooksTest::visitPages(const Look& look)
     AppOptions options;
     options.makeStudy = [](const NewStudyRequest&, const MakingProgress&) {};
     options.lookAtData = someData();
+    options.useTool = [](StudyTool, const std::filesystem::path&, const std::filesystem::path&, const ToolProgress&) {
+        return ToolOutcome{};
+    };
     options.settings = std::make_shared<QSettings>(filePath("pages.ini"), QSettings::IniFormat);
     OpenWindow open(newStudy(tests::support::wholeStudy()), options);
     open.window().startSession(protocols::ParticipantId("P01"));
@@ -265,6 +282,16 @@ void AppLooksTest::visitAround(OpenWindow& open, const Look& look)
     look(open.window(), "latency");
     open.gui().pressKey(Qt::Key_Escape);
     open.gui().pressKey(Qt::Key_Escape);
+    open.widget<QLineEdit>("participantField").setText("not allowed!");
+    open.gui().click("enrolButton");
+    look(open.window(), "study-hint");
+    open.gui().pressKey(Qt::Key_F2);
+    look(open.window(), "tools");
+    open.gui().pressKey(Qt::Key_S);
+    auto& tools = *qobject_cast<ToolsPage*>(open.window().currentPage());
+    QTRY_VERIFY(!tools.isBusy());
+    look(open.window(), "tools-status");
+    open.gui().pressKey(Qt::Key_Escape);
     open.gui().pressKey(Qt::Key_Escape);
     look(open.window(), "start");
     open.widget<QLineEdit>("studyFolderField").setText(filePath("nothing-here"));
@@ -309,18 +336,20 @@ void AppLooksTest::themesCanBeRead_data()
     QTest::addColumn<Theme>("theme");
     QTest::newRow("light") << Theme::Light;
     QTest::newRow("dark room") << Theme::DarkRoom;
+    QTest::newRow("high contrast") << Theme::HighContrast;
 }
 
 void AppLooksTest::themesCanBeRead()
 {
     QFETCH(Theme, theme);
+    const double atLeast = theme == Theme::HighContrast ? 7 : 4.5;
     const Colours c = coloursOf(theme);
     QVERIFY(contrastOf(Qt::black, Qt::white) > 20.9);
     for (const auto& [front, back] :
          {std::pair(c.text, c.background), std::pair(c.text, c.surface), std::pair(c.quietText, c.background),
           std::pair(c.quietText, c.surface), std::pair(c.onAccent, c.accent), std::pair(c.onAttention, c.attention),
           std::pair(c.onFault, c.fault), std::pair(c.text, c.line)})
-        QVERIFY2(contrastOf(front, back) >= 4.5, qPrintable(front.name() + " on " + back.name()));
+        QVERIFY2(contrastOf(front, back) >= atLeast, qPrintable(front.name() + " on " + back.name()));
 }
 
 void AppLooksTest::everyControlHasANameForScreenReaders()
@@ -345,7 +374,7 @@ void AppLooksTest::noTextIsCut()
 {
     QFETCH(int, percent);
     visitPages([&](QWidget& window, const char* page) {
-        applyAppearance({Theme::Light, percent}, m_font);
+        applyAppearance({Theme::Light, percent}, m_font, QSize(1100, 750));
         window.resize(1100, 750);
         const auto faults = [&] { return cutTextsIn(window) + wideAreasIn(window); };
         QTRY_VERIFY2_WITH_TIMEOUT(faults().isEmpty(), qPrintable(QString::fromLatin1(page) + ": " + faults().join(", ")), 500);
@@ -365,9 +394,205 @@ void AppLooksTest::keysChangeTheAppearance()
     QVERIFY(open.widget<QLabel>("studyTitle").font().pointSizeF() > before * 2.2);
     QTest::keyClick(&open.window(), Qt::Key_D, Qt::ControlModifier);
     QVERIFY(QApplication::palette().color(QPalette::Window).lightness() < 60);
+    QTest::keyClick(&open.window(), Qt::Key_D, Qt::ControlModifier);
+    QCOMPARE(QApplication::palette().color(QPalette::Window), QColor(Qt::black));
+    QCOMPARE(rememberedAppearance(options.settings.get()).theme, Theme::HighContrast);
+    for (int more = 0; more < 2; ++more) QTest::keyClick(&open.window(), Qt::Key_D, Qt::ControlModifier);
     QTest::keyClick(&open.window(), Qt::Key_0, Qt::ControlModifier);
     QCOMPARE(QApplication::font().pointSizeF(), before);
+    open.gui().click("largerTextButton");
+    QVERIFY(QApplication::font().pointSizeF() > before);
+    open.gui().click("smallerTextButton");
+    QCOMPARE(QApplication::font().pointSizeF(), before);
+    open.gui().click("themeButton");
+    QCOMPARE(rememberedAppearance(options.settings.get()).theme, Theme::HighContrast);
+    for (int more = 0; more < 2; ++more) open.gui().click("themeButton");
     QCOMPARE(options.settings->value("darkRoom").toBool(), true);
+}
+
+/// Smallest rectangle around the visible texts, fields, buttons, lists and pictures in `root`, in coordinates of the window.
+QRect contentOf(const QWidget& root)
+{
+    QRect content;
+    for (const QWidget* widget : root.findChildren<QWidget*>()) {
+        const auto* label = qobject_cast<const QLabel*>(widget);
+        const bool isShown = isControl(*widget) || (label && !(label->text().isEmpty() && label->pixmap().isNull()));
+        if (!widget->isVisible() || !isShown) continue;
+        // A label may be wider than its text.
+        const int textWidth = label ? label->fontMetrics().horizontalAdvance(label->text()) : widget->width();
+        const bool isText = label && !label->text().isEmpty();
+        const int width = isText ? std::min(label->width(), textWidth) : widget->width();
+        content |= QRect(widget->mapTo(root.window(), QPoint()), QSize(width, widget->height()));
+    }
+    return content & root.window()->rect();
+}
+
+/// Share of the window that content covers. Header, page and footer count one by one, so that the gaps between them do not.
+double shareOfContent(const QWidget& window)
+{
+    double covered = 0;
+    const auto add = [&](const QWidget& part) {
+        const QRect content = contentOf(part);
+        covered += 1.0 * content.width() * content.height();
+    };
+    for (const auto* area : window.findChildren<QScrollArea*>())
+        if (area->isVisible()) add(*area);
+    for (const char* bar : {"sessionHeader", "sessionFooter"})
+        if (const auto* found = window.findChild<QWidget*>(QLatin1String(bar)); found && found->isVisible()) add(*found);
+    return covered / (1.0 * window.width() * window.height());
+}
+
+/// Pages on which nearly all of a session is spent. The others are read once, and some have only two sentences.
+bool isOfPresentations(const QString& page)
+{
+    const char* const kinds[] = {"choice", "words", "rating", "likert", "continuous", "same-different", "tray"};
+    return std::any_of(std::begin(kinds), std::end(kinds),
+                       [&](const char* kind) { return page.startsWith(QLatin1String(kind)); });
+}
+
+void AppLooksTest::contentFillsALargeScreen()
+{
+    double sum = 0;
+    int pages = 0;
+    QStringList small;
+    visitPages([&](QWidget& window, const char* page) {
+        if (!qobject_cast<MainWindow*>(&window)) return;
+        window.resize(1920, 1080);
+        const auto faults = [&] { return cutTextsIn(window) + wideAreasIn(window); };
+        QTRY_VERIFY2_WITH_TIMEOUT(faults().isEmpty(), qPrintable(QString::fromLatin1(page) + ": " + faults().join(", ")), 500);
+        const double share = shareOfContent(window);
+        sum += share;
+        ++pages;
+        const double atLeast = isOfPresentations(QLatin1String(page)) ? 0.6 : 0.25;
+        if (share < atLeast) small << QStringLiteral("%1: %2").arg(page).arg(share);
+        if (qEnvironmentVariableIsSet("VIS2HAP_SHARES")) qInfo("%s %.2f", page, share);
+    });
+    QVERIFY2(small.isEmpty(), qPrintable(small.join(", ")));
+    QVERIFY2(sum / pages >= 0.6, qPrintable(QString::number(sum / pages)));
+}
+
+void AppLooksTest::answersAreInView_data()
+{
+    QTest::addColumn<QSize>("size");
+    QTest::addColumn<int>("percent");
+    for (const QSize size : {QSize(800, 480), QSize(1366, 768), QSize(1920, 1080), QSize(3840, 2160)})
+        for (const int percent : {100, 200})
+            QTest::addRow("%d x %d, %d %%", size.width(), size.height(), percent) << size << percent;
+}
+
+/// Whether the widget takes the answer, or stores it.
+bool isOfAnswer(const QWidget& widget)
+{
+    if (widget.objectName() == QLatin1String("storeButton")) return true;
+    const QWidget* parent = &widget;
+    while (parent && !qobject_cast<const AnswerEntry*>(parent)) parent = parent->parentWidget();
+    const auto* list = qobject_cast<const QAbstractItemView*>(&widget);
+    return parent && isControl(widget) && !list;
+}
+
+/// The controls of the answer and the button that stores it, without scrolling, on the page of every kind of question.
+void AppLooksTest::answersAreInView()
+{
+    QFETCH(QSize, size);
+    QFETCH(int, percent);
+    OpenWindow open(newStudy(tests::support::wholeStudy()));
+    open.window().setAppearance({Theme::Light, percent});
+    open.window().resize(size);
+    open.enrolAndBegin();
+    for (const char* question : {"Q1", "W1", "S1", "Q2", "L1", "C1"}) {
+        open.playTo("Presenting", question);
+        const auto hidden = [&] {
+            QStringList names;
+            for (const QWidget* widget : open.window().currentPage()->findChildren<QWidget*>())
+                if (widget->isVisible() && isOfAnswer(*widget) && widget->visibleRegion().boundingRect() != widget->rect())
+                    names << widget->objectName();
+            return names.join(QLatin1Char(' '));
+        };
+        QTRY_VERIFY2_WITH_TIMEOUT(hidden().isEmpty(), qPrintable(QLatin1String(question) + ": " + hidden()), 1000);
+    }
+    open.window().setAppearance({});
+}
+
+void AppLooksTest::windowStartsOnTheScreen()
+{
+    tests::support::ShownWindow shown;
+    shown.window.setAppearance({Theme::Light, 250});
+    QTest::qWait(50);
+    const QRect room = shown.window.screen()->availableGeometry();
+    const QRect frame = shown.window.frameGeometry();
+    QVERIFY2(room.contains(frame),
+             qPrintable(QStringLiteral("%1x%2+%3+%4").arg(frame.width()).arg(frame.height()).arg(frame.x()).arg(frame.y())));
+    shown.window.resize(800, 480);
+    QTest::qWait(50);
+    QCOMPARE(shown.window.size(), QSize(800, 480));
+    shown.window.setAppearance({});
+}
+
+/// Bars whose text touches their border. A bar has a padding of at least 8 px.
+QStringList tightBarsIn(const QWidget& window)
+{
+    QStringList tight;
+    for (const auto* bar : window.findChildren<MessageBar*>())
+        if (bar->isVisible() && !bar->rect().adjusted(8, 8, -8, -8).contains(bar->contentsRect())) tight << bar->objectName();
+    return tight;
+}
+
+void AppLooksTest::messagesStandBesideTheirFieldAndGo()
+{
+    OpenWindow open(newStudy(tests::support::wholeStudy()));
+    open.window().resize(1100, 750);
+    const auto distance = [&](const char* message, const QWidget& field) {
+        const auto* bar = open.window().currentPage()->findChild<MessageBar*>(QLatin1String(message));
+        return bar->mapTo(&open.window(), QPoint()).y() - field.mapTo(&open.window(), QPoint(0, field.height())).y();
+    };
+    const auto isBeside = [&](const char* message, const QWidget& field) {
+        return !open.message(message).isEmpty() && tightBarsIn(open.window()).isEmpty() && distance(message, field) >= 0 &&
+               distance(message, field) < 2 * field.height();
+    };
+    // the study page
+    auto& next = open.widget<QLineEdit>("participantField");
+    next.setText("not allowed!");
+    open.gui().click("enrolButton");
+    QTRY_VERIFY(isBeside("studyMessage", next));
+    next.setText("P01");
+    QVERIFY(open.message("studyMessage").isEmpty());
+    // a rating
+    open.enrolAndBegin();
+    open.playTo("Presenting", "Q2");
+    open.gui().type("99");
+    open.gui().pressKey(Qt::Key_Return);
+    auto& rating = open.widget<QLineEdit>("ratingField");
+    QTRY_VERIFY(!open.message().isEmpty() && tightBarsIn(open.window()).isEmpty());
+    QTRY_VERIFY(distance("sessionMessage", open.widget<ScaleLine>("scaleLine")) < 40);
+    rating.setText("9");
+    QVERIFY(open.message().isEmpty());
+    rating.clear();
+    // a reason
+    open.playTo("PlacingTray");
+    open.gui().pressKey(Qt::Key_V);
+    open.gui().pressKey(Qt::Key_Return);
+    QTRY_VERIFY(isBeside("sessionMessage", open.widget<QLineEdit>("reasonField")));
+    open.gui().type("m");
+    QVERIFY(open.message().isEmpty());
+}
+
+void AppLooksTest::wordsStandUnderTheirTicks()
+{
+    OpenWindow open(newStudy(tests::support::wholeStudy()));
+    open.window().resize(1366, 768);
+    open.enrolAndBegin();
+    open.playTo("Presenting", "L1");
+    const auto& line = open.widget<ScaleLine>("scaleLine");
+    const auto words = line.parentWidget()->findChildren<QLabel*>("scaleLabel");
+    QVERIFY(words.size() > 2);
+    const auto farthest = [&] {
+        int most = 0;
+        for (int step = 0; step < words.size(); ++step)
+            most = std::max(most, std::abs(words[step]->geometry().center().x() - line.x() -
+                                           line.pointOf(Tenths{line.scale().min.value + step * line.scale().step.value}).x()));
+        return most;
+    };
+    QTRY_VERIFY2(farthest() <= 3, qPrintable(QString::number(farthest())));
 }
 
 void AppLooksTest::pagesAreSavedAsPictures()
@@ -379,15 +604,25 @@ void AppLooksTest::pagesAreSavedAsPictures()
         const char* name;
         Appearance appearance;
     };
-    const Variant looks[] = {{"light", {Theme::Light, 100}}, {"dark", {Theme::DarkRoom, 100}}, {"large", {Theme::Light, 200}}};
+    const Variant looks[] = {{"light", {Theme::Light, 100}},
+                             {"dark", {Theme::DarkRoom, 100}},
+                             {"contrast", {Theme::HighContrast, 100}},
+                             {"large", {Theme::Light, 200}}};
+    const QSize only = QSize(qEnvironmentVariableIntValue("VIS2HAP_SCREENSHOT_WIDTH"), 0);
     visitPages([&](QWidget& window, const char* page) {
-        for (const Variant& look : looks) {
-            applyAppearance(look.appearance, m_font);
-            window.resize(1100, 750);
-            QTest::qWait(150);
-            const QString file = QStringLiteral("%1/%2-%3.png").arg(folder, QString::fromLatin1(page), look.name);
-            QVERIFY2(window.grab().save(file), qPrintable(file));
-        }
+        for (const QSize size : {QSize(800, 480), QSize(1366, 768), QSize(1920, 1080), QSize(3840, 2160)})
+            for (const Variant& look : looks) {
+                // The smallest window shows the limits, the larger ones show the themes.
+                const bool isWanted = size.width() == 1920 || look.appearance.theme == Theme::Light;
+                if (!isWanted || (only.width() > 0 && only.width() != size.width())) continue;
+                window.resize(size);
+                QTest::qWait(20);
+                applyAppearance(look.appearance, m_font, size);
+                QTest::qWait(100);
+                const QString file =
+                    QStringLiteral("%1/%2-%3-%4.png").arg(folder, QString::fromLatin1(page), look.name).arg(size.width());
+                QVERIFY2(window.grab().save(file), qPrintable(file));
+            }
     });
 }
 

@@ -61,6 +61,8 @@ DisplayPage::DisplayPage(const AppOptions& options, QWidget* parent)
             m_kind->addItem(kind.name, QString::fromLatin1(kind.prefix));
     build();
     connect(m_kind, &QComboBox::currentIndexChanged, this, &DisplayPage::chooseKind);
+    connect(m_kind, &QComboBox::currentIndexChanged, m_message, &MessageBar::clearMessage);
+    connect(m_argument, &QLineEdit::textChanged, m_message, &MessageBar::clearMessage);
     connect(m_connect, &QPushButton::clicked, this, &DisplayPage::connectDisplay);
     connect(m_rehearse, &QPushButton::clicked, this, &DisplayPage::rehearsalRequested);
     connect(m_back, &QPushButton::clicked, this, &DisplayPage::backRequested);
@@ -76,7 +78,7 @@ DisplayPage::DisplayPage(const AppOptions& options, QWidget* parent)
 void DisplayPage::build()
 {
     setType(*m_kind, Type::Body);
-    m_scale->setMaximumWidth(220);
+    m_scale->setMaximumWidth(520);
     m_scale->setPlaceholderText(tr("not measured"));
     auto* page = new QWidget(this);
     auto* head = new PageHead(page);

@@ -70,7 +70,8 @@ ToolsPage::ToolsPage(UseTool use, QWidget* parent)
     column->addLayout(folder);
     column->addLayout(write);
     column->addWidget(m_message);
-    column->addWidget(m_text, 1);
+    column->addWidget(m_text, 100);
+    column->addStretch(1);  // takes the room while there is no result
     column->addLayout(bottom);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);

@@ -408,7 +408,7 @@ void AppDisplayTest::aScreenThatCannotBeHadIsOneError()
     const auto ended = support::runProgram({}, environment);
     QCOMPARE(ended.exitCode, 3);
     const QStringList lines = ended.err.split('\n', Qt::SkipEmptyParts);
-    QVERIFY2(lines.size() == 1 && lines.front().startsWith("vis2hap: the window needs a screen"), qPrintable(ended.err));
+    QVERIFY2(lines.size() == 1 && lines.front().contains("the window needs a screen"), qPrintable(ended.err));
     for (const QString& named : environment) QVERIFY2(lines.front().contains(named), qPrintable(ended.err));
 }
 

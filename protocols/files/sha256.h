@@ -1,4 +1,4 @@
-// SHA-256 (FIPS 180-4) in lower-case hexadecimal, computed by libmd, which every Debian system has.
+// SHA-256 (FIPS 180-4) in lower-case hexadecimal, computed by libgcrypt, which uses the processor's instructions for it.
 #pragma once
 
 #include <filesystem>

@@ -25,15 +25,15 @@ double sdOfEffect(const stats::ChoiceModel& fitted, const std::string& effect)
 }
 
 template <class Model>
-stats::StudyNull nullOf(const StudyData& data, const AnswerCells& cells, const std::string& question, const Model& model,
-                        const QuestionClaims& claims)
+stats::StudyNull nullOf(const StudyData& data, const AnswerCells& cells, const std::string& question, stats::AnswerValues kind,
+                        const Model& model, const QuestionClaims& claims)
 {
     stats::StudyNull null;
     null.participantSd = sdOfEffect(model, "participant");
     null.fabricSd = sdOfEffect(model, "fabric");
     null.participantConditionSd = sdOfEffect(model, "participant:condition");
     null.fabricConditionSd = sdOfEffect(model, "fabric:condition");
-    null.asked = answerCube(data, cells, question);
+    null.asked = answerCube(data, cells, question, kind);
     std::vector<double> means;
     for (const std::string& condition : data.conditions)
         for (const AnswerCells::CellMean& cell : cells.cellMeans(question, condition)) means.push_back(cell.mean);
@@ -46,7 +46,8 @@ stats::StudyNull nullOf(const StudyData& data, const AnswerCells& cells, const s
 
 FalseClaimFinding findingFor(const std::string& question, const stats::StudyNull& null, double unit, std::size_t studies)
 {
-    const stats::ClaimNull kept{null.isChoice, null.participantConditionSd / unit, null.fabricConditionSd / unit, false};
+    const bool isChoice = null.asked.kind() == stats::AnswerValues::Choices;
+    const stats::ClaimNull kept{isChoice, null.participantConditionSd / unit, null.fabricConditionSd / unit, false};
     FalseClaimFinding finding{question,
                               kept.participantSd,
                               kept.fabricSd,
@@ -68,7 +69,7 @@ std::optional<FalseClaimFinding> falseClaimsOf(const StudyData& data, const Answ
                                                const RatingAnalysis& ratings, std::size_t studies)
 {
     if (!ratings.model.model.why.empty() || !(ratings.model.model.residualSd.orElse(0) > 0)) return std::nullopt;
-    stats::StudyNull null = nullOf(data, cells, question, ratings.model, ratings.claims);
+    stats::StudyNull null = nullOf(data, cells, question, stats::AnswerValues::Ratings, ratings.model, ratings.claims);
     null.lowest = ratings.scale.min;
     null.highest = ratings.scale.max;
     null.residualSd = *ratings.model.model.residualSd;
@@ -79,8 +80,7 @@ std::optional<FalseClaimFinding> falseClaimsOf(const StudyData& data, const Answ
                                                const ChoiceAnalysis& choices, std::size_t studies)
 {
     if (!choices.crossedModel.model.why.empty()) return std::nullopt;
-    stats::StudyNull null = nullOf(data, cells, question, choices.crossedModel, choices.claims);
-    null.isChoice = true;
+    stats::StudyNull null = nullOf(data, cells, question, stats::AnswerValues::Choices, choices.crossedModel, choices.claims);
     return findingFor(question, null, 1, studies);
 }
 

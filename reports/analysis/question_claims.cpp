@@ -111,11 +111,12 @@ stats::FTest testOf(const stats::RepeatedMeasuresAnova& anova)
 
 }  // namespace
 
-stats::AnswerCube answerCube(const StudyData& data, const AnswerCells& cells, const std::string& question)
+stats::AnswerCube answerCube(const StudyData& data, const AnswerCells& cells, const std::string& question,
+                             stats::AnswerValues kind)
 {
     std::map<std::string, std::size_t> fabrics;
     for (const std::string& fabric : data.fabrics) fabrics.emplace(fabric, fabrics.size());
-    AnswerCube cube(data.conditions.size(), cells.participants().size(), fabrics.size());
+    AnswerCube cube(kind, data.conditions.size(), cells.participants().size(), fabrics.size());
     for (std::size_t c = 0; c < data.conditions.size(); ++c)
         for (const AnswerCells::CellMean& cell : cells.cellMeans(question, data.conditions[c]))
             cube.at(c, cell.participant, fabrics.at(cell.first->fabric)) = cell.mean;
@@ -128,7 +129,8 @@ QuestionClaims claimsOf(const StudyData& data, const AnswerCells& cells, const s
 {
     QuestionClaims claims;
     if (!alternatives) claims.bounds = data.equivalenceBounds;
-    const AnswerCube cube = answerCube(data, cells, question);
+    const AnswerCube cube =
+        answerCube(data, cells, question, alternatives ? stats::AnswerValues::Choices : stats::AnswerValues::Ratings);
     const std::vector<ContrastPair> contrasts = familyOf(data);
     const Family family(data, cells, cube, contrasts, claims.bounds, depth);
     const std::vector<ContrastFinding> these = family.findings(Generalisation::TheseFabrics),

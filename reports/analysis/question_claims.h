@@ -66,7 +66,8 @@ QuestionClaims claimsOf(const StudyData& data, const AnswerCells& cells, const s
                         const stats::RatingModel& model, Depth depth);
 
 /// The means of the cells of a question, by condition, participant and fabric of the study.
-stats::AnswerCube answerCube(const StudyData& data, const AnswerCells& cells, const std::string& question);
+stats::AnswerCube answerCube(const StudyData& data, const AnswerCells& cells, const std::string& question,
+                             stats::AnswerValues kind);
 
 /// Whether the family is that of the planned contrasts. It is not where none is planned, or where the answers have no planned
 /// contrast's conditions.

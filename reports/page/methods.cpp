@@ -58,15 +58,19 @@ std::string claimsParagraph(const StudyAnalysis& analysis, bool hasChoices)
     std::string text =
         "<b>Two generalisations.</b> Each claim is made twice. &ldquo;For these fabrics&rdquo;: participants are a sample, the "
         "fabrics are all there are. The test is Student's t on the participants' means over fabrics. &ldquo;For fabrics like "
-        "these&rdquo;: participants and fabrics are samples. There is one difference of the two conditions for each participant "
-        "and fabric. A linear mixed model with crossed random intercepts of participant and fabric (REML) is fitted to them. The "
-        "t test has Satterthwaite's degrees of freedom. Where both variances are estimated as zero they are at most 1.6 / "
-        "(r<sub>p</sub><sup>6</sup> / (participants &minus; 1) + r<sub>f</sub><sup>6</sup> / (fabrics &minus; 1)). Here r is "
-        "the mean square of participants or fabrics over that of the residual. So each pair has variances of its own. The "
-        "verdict of the summary is the second.";
+        "these&rdquo;: participants and fabrics are samples. A linear mixed model (REML) is fitted to the ratings under the two "
+        "conditions alone. Its random intercepts are participant, fabric, participant &times; condition and fabric &times; "
+        "condition, so each pair has variances of its own. If ratings are missing, the model is fitted to the differences of the "
+        "two conditions, with crossed random intercepts of participant and fabric. The t test has Satterthwaite's degrees of "
+        "freedom. They have a limit where the differences vary neither with participants nor with fabrics by these estimates. It "
+        "applies if all conditions together show such an interaction (F tests, p &lt; .05), or if answers are missing. It is "
+        "1.2 / (r<sub>p</sub><sup>6</sup> / (participants &minus; 1) + r<sub>f</sub><sup>6</sup> / (fabrics &minus; 1)). "
+        "Here r is the mean square of the participants' or fabrics' differences over that of their residual. The verdict of the "
+        "summary is the second.";
     if (hasChoices)
         text +=
-            " Choices count as 0 and 1 in these tests. Odds and effects come from the logistic mixed models, whose tests reject "
+            " Choices count as 0 and 1 in these tests, and the model is always that of the differences. Odds and effects come "
+            "from the logistic mixed models, whose tests reject "
             "too often with few fabrics.";
     text += !anyPlanned(analysis) ? " No planned contrast applies to these answers: all pairs of a question are one family."
                                   : " The planned contrasts of a question are one family, in the order and with the sign of the "

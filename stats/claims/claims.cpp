@@ -6,31 +6,11 @@
 #include <limits>
 #include <string>
 
+#include "stats/claims/two_condition_model.h"
 #include "stats/tests/multiplicity.h"
 
 namespace stats {
 namespace {
-
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-
-std::vector<std::string> numbered(std::size_t count)
-{
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < count; ++i) names.push_back(std::to_string(i + 1));
-    return names;
-}
-
-/// One row for each participant x fabric.
-CrossedValues emptyTable(std::size_t participants, std::size_t fabrics)
-{
-    CrossedValues table{{"participant", numbered(participants), {}}, {"fabric", numbered(fabrics), {}}, {}};
-    for (std::size_t p = 0; p < participants; ++p)
-        for (std::size_t f = 0; f < fabrics; ++f) {
-            table.participant.of.push_back(p);
-            table.fabric.of.push_back(f);
-        }
-    return table;
-}
 
 bool rejects(const Value& p) { return p.exists() && *p < claimAlpha; }
 
@@ -56,63 +36,6 @@ MeanTest withoutBounds()
 
 }  // namespace
 
-AnswerCube::AnswerCube(std::size_t conditions, std::size_t participants, std::size_t fabrics)
-    : m_conditions(conditions),
-      m_participants(participants),
-      m_fabrics(fabrics),
-      m_values(conditions * participants * fabrics, missing)
-{
-}
-
-double& AnswerCube::at(std::size_t condition, std::size_t participant, std::size_t fabric)
-{
-    assert(condition < m_conditions && participant < m_participants && fabric < m_fabrics);
-    return m_values[(condition * m_participants + participant) * m_fabrics + fabric];
-}
-
-double AnswerCube::at(std::size_t condition, std::size_t participant, std::size_t fabric) const
-{
-    return m_values[(condition * m_participants + participant) * m_fabrics + fabric];
-}
-
-AnswerCube AnswerCube::withoutParticipant(std::size_t participant) const
-{
-    AnswerCube rest = *this;
-    for (std::size_t c = 0; c < m_conditions; ++c)
-        for (std::size_t f = 0; f < m_fabrics; ++f) rest.at(c, participant, f) = missing;
-    return rest;
-}
-
-AnswerCube AnswerCube::withoutFabric(std::size_t fabric) const
-{
-    AnswerCube rest = *this;
-    for (std::size_t c = 0; c < m_conditions; ++c)
-        for (std::size_t p = 0; p < m_participants; ++p) rest.at(c, p, fabric) = missing;
-    return rest;
-}
-
-CrossedValues AnswerCube::valuesUnder(std::size_t condition) const
-{
-    CrossedValues table = emptyTable(m_participants, m_fabrics);
-    for (std::size_t p = 0; p < m_participants; ++p)
-        for (std::size_t f = 0; f < m_fabrics; ++f) table.values.push_back(at(condition, p, f));
-    return table;
-}
-
-CrossedTable AnswerCube::tableUnder(std::size_t condition) const
-{
-    const auto first = m_values.begin() + static_cast<std::ptrdiff_t>(condition * m_participants * m_fabrics);
-    return {m_participants, m_fabrics, {first, first + static_cast<std::ptrdiff_t>(m_participants * m_fabrics)}};
-}
-
-CrossedTable AnswerCube::differences(std::size_t a, std::size_t b) const
-{
-    CrossedTable table = tableUnder(a);
-    const double* const other = m_values.data() + b * table.values.size();
-    for (std::size_t cell = 0; cell < table.values.size(); ++cell) table.values[cell] -= other[cell];
-    return table;
-}
-
 std::string_view nameOf(Verdict verdict)
 {
     switch (verdict) {
@@ -128,6 +51,15 @@ std::string_view nameOf(Verdict verdict)
     return "not_decided";
 }
 
+CrossedMean differenceOf(const AnswerCube& answers, const ContrastPair& contrast, Generalisation generalisation, Degrees degrees,
+                         StudentQuantiles& quantiles)
+{
+    const auto& [a, b] = contrast;
+    if (answers.kind() == AnswerValues::Choices)
+        return crossedMean(answers.differences(a, b), generalisation, quantiles, degrees);
+    return differenceOfRatings(answers.tableUnder(a), answers.tableUnder(b), generalisation, degrees, quantiles);
+}
+
 std::vector<ContrastClaim> contrastClaims(const AnswerCube& answers, std::span<const ContrastPair> contrasts,
                                           const std::optional<Bounds>& bounds, Generalisation generalisation)
 {
@@ -135,8 +67,10 @@ std::vector<ContrastClaim> contrastClaims(const AnswerCube& answers, std::span<c
     claims.reserve(contrasts.size());
     std::vector<Value> differences, equivalences;
     StudentQuantiles quantiles;
-    for (const auto& [a, b] : contrasts) {
-        ContrastClaim claim{a, b, crossedMean(answers.differences(a, b), generalisation, quantiles), {}, {}, {}, {}, {}};
+    const Degrees degrees = degreesOf(answers);
+    for (const ContrastPair& contrast : contrasts) {
+        const CrossedMean mean = differenceOf(answers, contrast, generalisation, degrees, quantiles);
+        ContrastClaim claim{contrast.first, contrast.second, mean, {}, {}, {}, {}, {}};
         claim.difference = testOfMean(claim.mean, 0, Tail::TwoSided);
         claim.equivalence = bounds ? equivalenceOfMean(claim.mean, bounds->first, bounds->second) : withoutBounds();
         differences.push_back(claim.difference.p);

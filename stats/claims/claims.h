@@ -9,37 +9,13 @@
 #include <utility>
 #include <vector>
 
+#include "stats/claims/answer_cube.h"
 #include "stats/claims/crossed_mean.h"
 
 namespace stats {
 
 /// The level of every claim, and the method of correction.
 inline constexpr double claimAlpha = 0.05;
-
-/// Answers of participants x fabrics under each condition; NaN is missing. A share of right choices is a mean of 1 and 0.
-class AnswerCube {
-public:
-    AnswerCube(std::size_t conditions, std::size_t participants, std::size_t fabrics);
-
-    double& at(std::size_t condition, std::size_t participant, std::size_t fabric);
-    double at(std::size_t condition, std::size_t participant, std::size_t fabric) const;
-    std::size_t conditions() const { return m_conditions; }
-    std::size_t participants() const { return m_participants; }
-    std::size_t fabrics() const { return m_fabrics; }
-
-    AnswerCube withoutParticipant(std::size_t participant) const;
-    AnswerCube withoutFabric(std::size_t fabric) const;
-
-    /// The answers under a condition.
-    CrossedTable tableUnder(std::size_t condition) const;
-    CrossedValues valuesUnder(std::size_t condition) const;
-    /// Differences a - b of the participant x fabric cells that have both.
-    CrossedTable differences(std::size_t a, std::size_t b) const;
-
-private:
-    std::size_t m_conditions, m_participants, m_fabrics;
-    std::vector<double> m_values;
-};
 
 enum class Verdict {
     Different,              ///< the corrected test of the difference rejects
@@ -64,6 +40,11 @@ struct ContrastClaim {
 
 using ContrastPair = std::pair<std::size_t, std::size_t>;
 using Bounds = std::pair<double, double>;  ///< low < high, unit of the answers
+
+/// Difference a - b. Ratings: differenceOfRatings(). Choices: crossedMean() of the differences; the variance of a choice follows
+/// its mean, so the sums say nothing about the residual of the differences. `degrees`: degreesOf() the answers.
+CrossedMean differenceOf(const AnswerCube& answers, const ContrastPair& contrast, Generalisation generalisation, Degrees degrees,
+                         StudentQuantiles& quantiles);
 
 /// One family of contrasts, in their order. Holm's correction is taken once for the differences, once for the equivalences.
 std::vector<ContrastClaim> contrastClaims(const AnswerCube& answers, std::span<const ContrastPair> contrasts,

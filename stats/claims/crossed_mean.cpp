@@ -246,7 +246,7 @@ CrossedFit fitComplete(const CrossedTable& table)
             varying.empty()};
 }
 
-void putCrossedTest(CrossedMean& mean, const Present& present, StudentQuantiles& quantiles)
+void putCrossedTest(CrossedMean& mean, const Present& present, StudentQuantiles& quantiles, Degrees degrees)
 {
     mean.estimate = meanOf(meansOfParticipants(present.table()));  // where the model gives none
     if (mean.fabrics < 2) return refuse(mean, "there is one fabric only: a result for fabrics like these needs at least 2");
@@ -254,7 +254,8 @@ void putCrossedTest(CrossedMean& mean, const Present& present, StudentQuantiles&
     if (!fit.why.empty()) return refuse(mean, fit.why);
     if (!fit.estimate.exists() || !fit.se.exists() || !fit.df.exists() || !(*fit.df > 0)) return refuse(mean, beyondRange);
     mean.singular = fit.singular;
-    const double df = fit.noneVaries ? std::min(*fit.df, mostDegrees(present.table())) : *fit.df;
+    const bool isLimited = fit.noneVaries && degrees == Degrees::Limited;
+    const double df = isLimited ? std::min(*fit.df, mostDegrees(present.table())) : *fit.df;
     put(mean, *fit.estimate, *fit.se, df, quantiles);
 }
 
@@ -299,7 +300,7 @@ double mostDegrees(const CrossedTable& whole)
     const double residual = residualSquares / std::max(1.0, count - participants - fabrics - 1);
     const double sixthOfParticipants = std::pow(participantSquares / (participants * residual), 6),
                  sixthOfFabrics = std::pow(fabricSquares / (fabrics * residual), 6);
-    return 1.6 / (sixthOfParticipants / participants + sixthOfFabrics / fabrics);
+    return 1.2 / (sixthOfParticipants / participants + sixthOfFabrics / fabrics);
 }
 
 CrossedMean crossedMean(const CrossedValues& values, Generalisation generalisation)
@@ -308,7 +309,7 @@ CrossedMean crossedMean(const CrossedValues& values, Generalisation generalisati
     return crossedMean(cellMeans(values), generalisation, quantiles);
 }
 
-CrossedMean crossedMean(const CrossedTable& table, Generalisation generalisation, StudentQuantiles& quantiles)
+CrossedMean crossedMean(const CrossedTable& table, Generalisation generalisation, StudentQuantiles& quantiles, Degrees degrees)
 {
     const Present present(table);
     CrossedMean mean;
@@ -327,7 +328,7 @@ CrossedMean crossedMean(const CrossedTable& table, Generalisation generalisation
     } else if (generalisation == Generalisation::TheseFabrics)
         putParticipantsTest(mean, present.table(), quantiles);
     else
-        putCrossedTest(mean, present, quantiles);
+        putCrossedTest(mean, present, quantiles, degrees);
     return mean;
 }
 

@@ -47,6 +47,12 @@ struct CrossedMean {
     bool singular = false;  ///< FabricsLikeThese: a variance was estimated as zero
 };
 
+/// Degrees of freedom of FabricsLikeThese where neither participants nor fabrics are estimated to vary.
+enum class Degrees {
+    Limited,        ///< Satterthwaite's, at most mostDegrees()
+    Satterthwaite,  ///< where the rest of the study shows that nothing varies, too
+};
+
 /// TheseFabrics: Student's t on the participants' means over fabrics. FabricsLikeThese: linear mixed model with an intercept
 /// and crossed random intercepts of participant and fabric, by REML. Its degrees of freedom are Satterthwaite's, at
 /// most mostDegrees() where both variances are estimated as zero. A group with a level for every value is left out, as it is the
@@ -56,17 +62,18 @@ CrossedMean crossedMean(const CrossedValues& values, Generalisation generalisati
 
 /// The same for one of many tables. Complete tables have a closed form: the restricted estimates of the variances are those of
 /// the analysis of variance, pooled where one would be negative (Thompson 1962, Ann. Math. Stat. 33(1), 273-289).
-CrossedMean crossedMean(const CrossedTable& table, Generalisation generalisation, StudentQuantiles& quantiles);
+CrossedMean crossedMean(const CrossedTable& table, Generalisation generalisation, StudentQuantiles& quantiles,
+                        Degrees degrees = Degrees::Limited);
 
 /// A contrast of a mixed model with its intervals.
 CrossedMean crossedMean(const ContrastTest& contrast);
 CrossedMean crossedMean(const ContrastTest& contrast, StudentQuantiles& quantiles);
 
 /// Upper limit of the degrees of freedom where neither participants nor fabrics are estimated to vary:
-/// 1.6 / (rp^6 / (participants - 1) + rf^6 / (fabrics - 1)). rp and rf are the mean squares of participants and of fabrics,
+/// 1.2 / (rp^6 / (participants - 1) + rf^6 / (fabrics - 1)). rp and rf are the mean squares of participants and of fabrics,
 /// divided by that of the residual. Satterthwaite's degrees then count the answers, although a mean square just below the
 /// residual's is poor evidence that nothing varies. Far in the tails, where corrected tests decide, such tests reject too often:
-/// with 7 fabrics of SD 0.5 and 10 participants 7.6 % of families of 36 contrasts, with this limit 6.1 %. Every participant and
+/// with 7 fabrics of SD 0.5 and 10 participants 7.8 % of families of 36 contrasts, with this limit 5.6 %. Every participant and
 /// fabric of the table has a value; mean squares of a table with gaps are approximate.
 double mostDegrees(const CrossedTable& table);
 

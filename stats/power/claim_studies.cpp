@@ -64,7 +64,8 @@ std::vector<ClaimNull> claimNulls()
 AnswerCube drawnStudy(const StudyDesign& design, const ClaimNull& null, Generalisation truth, Draws& draws,
                       const std::function<double(const DrawnCell&)>& answer)
 {
-    AnswerCube cube(design.conditions, design.participants, design.fabrics);
+    AnswerCube cube(null.isChoice ? AnswerValues::Choices : AnswerValues::Ratings, design.conditions, design.participants,
+                    design.fabrics);
     const auto people = deviationsOf(design.participants, null.isChoice ? choiceParticipantSd : ratingParticipantSd, draws),
                fabrics = deviationsOf(design.fabrics, null.isChoice ? choiceFabricSd : ratingFabricSd, draws);
     for (std::size_t c = 0; c < design.conditions; ++c) {

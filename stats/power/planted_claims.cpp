@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <optional>
 
+#include "stats/claims/two_condition_model.h"
 #include "stats/kernels/threads.h"
 #include "stats/power/logistic_share.h"
-#include "stats/power/two_condition_model.h"
 #include "stats/tests/multiplicity.h"
 
 namespace stats {
@@ -180,8 +180,9 @@ std::vector<std::array<double, 3>> plantedNumbers(const PlantedTruth& truth, con
         const std::size_t column = generalisation == Generalisation::TheseFabrics ? 0 : 1;
         const auto right = decidedByClaims(study.answers, decisions, families, generalisation);
         for (std::size_t i = 0; i < right.size(); ++i) numbers[i][column] = right[i];
+        const Degrees degrees = degreesOf(study.answers);
         numbers.back()[column] = coverageOf(study.means, [&](std::size_t a, std::size_t b) {
-            return crossedMean(study.answers.differences(a, b), generalisation, quantiles);
+            return differenceOf(study.answers, {a, b}, generalisation, degrees, quantiles);
         });
         if (column == 0) continue;
         const auto byReference = decidedByReference(study.answers, decisions, families);

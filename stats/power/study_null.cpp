@@ -22,12 +22,13 @@ FalseClaims simulateStudyNull(const StudyNull& null, const SimulationOptions& op
 {
     assert(!null.contrasts.empty() && "a family has a contrast");
     const AnswerCube& asked = null.asked;
+    const bool isChoice = asked.kind() == AnswerValues::Choices;
     const double spread =
         std::sqrt(null.participantSd * null.participantSd + null.fabricSd * null.fabricSd +
                   null.participantConditionSd * null.participantConditionSd + null.fabricConditionSd * null.fabricConditionSd);
     // A share of 0 or 1 has no log odds; half an answer more or less has.
     const double least = 0.5 / static_cast<double>(asked.conditions() * asked.participants() * asked.fabrics() + 1);
-    const double intercept = null.isChoice ? interceptFor(std::clamp(null.centre, least, 1 - least), spread) : 0;
+    const double intercept = isChoice ? interceptFor(std::clamp(null.centre, least, 1 - least), spread) : 0;
     const auto analysis = [&](Draws& draws, std::span<Value> p) {
         AnswerCube cube = asked;
         const auto people = effectsOf(asked.participants(), null.participantSd, draws),
@@ -39,9 +40,9 @@ FalseClaims simulateStudyNull(const StudyNull& null, const SimulationOptions& op
                 for (std::size_t f = 0; f < asked.fabrics(); ++f) {
                     if (std::isnan(asked.at(c, i, f))) continue;
                     const double effects = people[i] + fabrics[f] + ofPeople[i] + ofFabrics[f];
-                    cube.at(c, i, f) = null.isChoice ? (draws.happens(shareOfLogOdds(intercept + effects)) ? 1.0 : 0.0)
-                                                     : std::clamp(null.centre + effects + draws.normal(null.residualSd),
-                                                                  null.lowest, null.highest);
+                    cube.at(c, i, f) =
+                        isChoice ? (draws.happens(shareOfLogOdds(intercept + effects)) ? 1.0 : 0.0)
+                                 : std::clamp(null.centre + effects + draws.normal(null.residualSd), null.lowest, null.highest);
                 }
         }
         const auto claims = contrastClaims(cube, null.contrasts, {}, Generalisation::FabricsLikeThese);

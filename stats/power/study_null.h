@@ -13,7 +13,6 @@ namespace stats {
 /// SDs of the random effects: scale points (ratings) or log odds (choices). Fabrics and participants are drawn anew for each
 /// study.
 struct StudyNull {
-    bool isChoice = false;
     double centre = 5;  ///< mean rating, or share of right choices
     double lowest = 0;  ///< ends of the scale; ratings are limited to them
     double highest = 10;
@@ -21,8 +20,8 @@ struct StudyNull {
     double fabricSd = 0;
     double participantConditionSd = 0;
     double fabricConditionSd = 0;
-    double residualSd = 1;      ///< ratings only
-    AnswerCube asked{0, 0, 0};  ///< cells without a value stay missing
+    double residualSd = 1;                             ///< ratings only
+    AnswerCube asked{AnswerValues::Ratings, 0, 0, 0};  ///< cells without a value stay missing
     std::vector<ContrastPair> contrasts;
 };
 

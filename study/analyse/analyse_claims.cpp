@@ -71,10 +71,10 @@ ordered_json crossedMean(const AnalysisRequest& request)
 }
 
 /// The rows as one value for each cell; the repetitions of a cell are averaged.
-stats::AnswerCube cubeOf(const stats::CrossedStudy& rows)
+stats::AnswerCube cubeOf(const stats::CrossedStudy& rows, stats::AnswerValues kind)
 {
     const std::size_t participants = rows.participant.levels.size(), fabrics = rows.fabric.levels.size();
-    stats::AnswerCube cube(rows.condition.levels.size(), participants, fabrics);
+    stats::AnswerCube cube(kind, rows.condition.levels.size(), participants, fabrics);
     std::vector<double> sums(rows.condition.levels.size() * participants * fabrics);
     std::vector<std::size_t> counts(sums.size());
     for (std::size_t row = 0; row < rows.values.size(); ++row) {
@@ -85,6 +85,14 @@ stats::AnswerCube cubeOf(const stats::CrossedStudy& rows)
         cube.at(c, p, f) = sums[cell] / static_cast<double>(++counts[cell]);
     }
     return cube;
+}
+
+/// Choices are 1 and 0 alone.
+stats::AnswerValues kindOf(const std::vector<double>& values)
+{
+    const bool areChoices =
+        std::all_of(values.begin(), values.end(), [](double value) { return std::isnan(value) || value == 0 || value == 1; });
+    return areChoices ? stats::AnswerValues::Choices : stats::AnswerValues::Ratings;
 }
 
 /// The contrasts again without one participant or one fabric.
@@ -227,7 +235,7 @@ ordered_json claims(const AnalysisRequest& request)
     if (rows.condition.levels.size() < 2) return degenerate("there is one condition only: nothing to compare");
     const auto sizeOf = [](const stats::Factor& factor) { return static_cast<double>(factor.levels.size()); };
     checkCells(sizeOf(rows.participant), sizeOf(rows.fabric), sizeOf(rows.condition));
-    const stats::AnswerCube cube = cubeOf(rows);
+    const stats::AnswerCube cube = cubeOf(rows, kindOf(rows.values));
     const ClaimFamily family{cube, rows, contrastsOf(request.options, rows.condition.levels), boundsOf(request.options)};
     const bool leaveOneOut = truthOr(request.options, "leave_one_out", false);
     const double chance = numberOr(request.options, "chance", std::numeric_limits<double>::quiet_NaN());

@@ -182,10 +182,17 @@ std::string analyses(const StudyPlan& plan)
         "These fabrics: Student's t test on the participants' means over fabrics (of the difference of the two "
         "conditions, or of the shares under one condition).");
     text += item(
-        "Fabrics like these: linear mixed model of the differences of the two conditions, one for each participant and "
-        "fabric, with crossed random intercepts of participant and fabric (REML). The t test has Satterthwaite's degrees "
-        "of freedom. Where both variances are estimated as zero they are at most 1.6 / (rp^6 / (participants - 1) + rf^6 / "
-        "(fabrics - 1)). rp and rf are the mean squares of participants and fabrics over that of the residual.");
+        "Fabrics like these, ratings: linear mixed model of the ratings under the two conditions alone, with random intercepts "
+        "of participant, fabric, participant x condition and fabric x condition (REML). The t test has Satterthwaite's degrees "
+        "of freedom.");
+    text += item(
+        "Fabrics like these, choices, and ratings of which some are missing: linear mixed model of the differences of the two "
+        "conditions, one for each participant and fabric, with crossed random intercepts of participant and fabric (REML).");
+    text += item(
+        "The degrees of freedom have a limit where the differences vary neither with participants nor with fabrics by these "
+        "estimates. It applies if all conditions together show such an interaction (F tests, p < .05), or if answers are "
+        "missing. It is 1.2 / (rp^6 / (participants - 1) + rf^6 / (fabrics - 1)). rp and rf are the mean squares of the "
+        "participants' and fabrics' differences over that of their residual.");
     if (choices)
         text += item(
             "Choices enter these tests as 1 and 0. Above chance: the same tests of the share under one condition, "

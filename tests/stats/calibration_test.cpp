@@ -10,11 +10,11 @@
 #include <map>
 #include <string>
 
+#include "stats/claims/two_condition_model.h"
 #include "stats/power/claim_nulls.h"
 #include "stats/power/measured_claims.h"
 #include "stats/power/measured_size.h"
 #include "stats/power/planted_claims.h"
-#include "stats/power/two_condition_model.h"
 #include "tests/stats/exact_numbers.h"
 
 class CalibrationTest : public QObject {
@@ -121,13 +121,14 @@ private Q_SLOTS:
         options.simulation.studies = 200;
         const auto families = stats::claimFamilies(options);
         QCOMPARE(families.size(), std::size_t(20));
-        const std::vector<std::pair<std::size_t, std::vector<std::size_t>>> counts{{1, {7, 13, 5, 12, 4, 50}},
+        const std::vector<std::pair<std::size_t, std::vector<std::size_t>>> counts{{1, {7, 13, 8, 11, 3, 50}},
                                                                                    {14, {3, 7, 9, 5, 10, 50}}};
         for (const auto& [place, rejected] : counts) {
             const auto& family = families[place];
             const auto results = stats::simulateTests(family.tests.size(), family.analysis, options.simulation);
             QCOMPARE(results.size(), rejected.size());
             for (std::size_t t = 0; t < results.size(); ++t) {
+                qInfo("%s: %zu", family.tests[t].test.c_str(), results[t].rejected);
                 QVERIFY2(results[t].rejected == rejected[t], family.tests[t].test.c_str());
                 QCOMPARE(results[t].undefined, std::size_t(0));
             }
@@ -191,19 +192,19 @@ private Q_SLOTS:
         QCOMPARE(stats::plantedClaimStudies(options), std::size_t(50 * 200));
         const std::vector<std::pair<stats::PlantedTruth, std::vector<std::array<int, 3>>>> counts{
             {{{false, 0, 0, false}, 0.5},
-             {{167, 125, 128},
-              {75, 40, 47},
-              {34, 25, 33},
-              {182, 167, 168},
-              {154, 124, 128},
-              {141, 83, 90},
+             {{167, 128, 128},
+              {75, 47, 47},
+              {34, 33, 33},
+              {182, 168, 168},
+              {154, 128, 128},
+              {141, 90, 90},
               {200, 200, 200},
               {200, 200, 200},
               {200, 200, 200},
-              {9507, 9794, 9788}}},
+              {9507, 9790, 9788}}},
             {{{false, 0.5, 0.5, false}, 0},
-             {{187, 117, 122}, {117, 8, 9}, {39, 2, 2}, {199, 194, 194}, {198, 152, 164}, {196, 63, 79}, {9544, 9603, 9582}}},
-            {{{true, 0.5, 0.5, false}, 0}, {{9563, 9656, 9569}}}};
+             {{187, 122, 122}, {117, 9, 9}, {39, 2, 2}, {199, 194, 194}, {198, 164, 164}, {196, 79, 79}, {9544, 9585, 9582}}},
+            {{{true, 0.5, 0.5, false}, 0}, {{9563, 9658, 9568}}}};
         for (const auto& [truth, expected] : counts) {
             const stats::PlantedCell cell = stats::plantedCell(truth, options);
             QCOMPARE(cell.rows.size(), expected.size());

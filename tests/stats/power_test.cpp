@@ -46,9 +46,9 @@ stats::RatingTruth ratingsFor(stats::Generalisation generalisation)
     return generalisation == stats::Generalisation::TheseFabrics ? stats::ofTheseFabrics({}) : stats::RatingTruth{};
 }
 
-stats::AnswerCube cubeOf(const stats::CrossedStudy& study)
+stats::AnswerCube cubeOf(const stats::CrossedStudy& study, stats::AnswerValues kind)
 {
-    stats::AnswerCube cube(study.condition.levels.size(), study.participant.levels.size(), study.fabric.levels.size());
+    stats::AnswerCube cube(kind, study.condition.levels.size(), study.participant.levels.size(), study.fabric.levels.size());
     for (std::size_t row = 0; row < study.values.size(); ++row)
         cube.at(study.condition.of[row], study.participant.of[row], study.fabric.of[row]) = study.values[row];
     return cube;
@@ -287,8 +287,9 @@ private Q_SLOTS:
                     stats::drawChoices(study, {}, Numbers{logOddsOf(0.5 + effect / 2), logOddsOf(0.5 - effect / 2)}, draws);
                 else
                     stats::drawRatings(study, ratingsFor(generalisation), Numbers{effect, 0}, draws);
+                const auto kind = isChoice ? stats::AnswerValues::Choices : stats::AnswerValues::Ratings;
                 const auto claims =
-                    stats::contrastClaims(cubeOf(study), std::vector{stats::ContrastPair(0, 1)}, {}, generalisation);
+                    stats::contrastClaims(cubeOf(study, kind), std::vector{stats::ContrastPair(0, 1)}, {}, generalisation);
                 rejected += claims[0].difference.p.orElse(1) < 0.05 ? 1 : 0;
             }
             const auto variances = isChoice ? stats::ofDifference(stats::ChoiceTruth{}, 0.5 + effect / 2, 0.5 - effect / 2)

@@ -36,9 +36,9 @@ void addRows(protocols::CanonicalBytes& bytes, const SqliteConnection& connectio
 
 void insertResponse(const SqliteConnection& connection, std::int64_t event, const ResponseRow& row)
 {
-    connection.run(
-        QStringLiteral("INSERT INTO responses(event, %1) VALUES (?, %2)").arg(namesOf(ResponseColumns::OfTable), placeholders()),
-        QVariantList{qlonglong(event)} + valuesOf(row));
+    static const QString insertion =
+        QStringLiteral("INSERT INTO responses(event, %1) VALUES (?, %2)").arg(namesOf(ResponseColumns::OfTable), placeholders());
+    connection.runKept(insertion, QVariantList{qlonglong(event)} + valuesOf(row));
 }
 
 struct Links {
@@ -47,11 +47,12 @@ struct Links {
 
 void insertEvent(const SqliteConnection& connection, const EventRecord& event, const Links& links)
 {
-    connection.run(QStringLiteral("INSERT INTO events(sequence, participant, sitting, kind, places, payload, at_ns, wall_time, "
-                                  "salt, commitment, previous_hash, hash) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
-                   {qlonglong(event.sequence), toQt(event.participant.value), event.sitting, toQt(event.kind), toQt(links.places),
-                    toQt(event.payloadJson), qlonglong(event.atNs), toQt(event.wallTime), toQt(links.salt),
-                    toQt(links.commitment), toQt(links.previous), toQt(links.hash)});
+    connection.runKept(
+        QStringLiteral("INSERT INTO events(sequence, participant, sitting, kind, places, payload, at_ns, wall_time, "
+                       "salt, commitment, previous_hash, hash) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+        {qlonglong(event.sequence), toQt(event.participant.value), event.sitting, toQt(event.kind), toQt(links.places),
+         toQt(event.payloadJson), qlonglong(event.atNs), toQt(event.wallTime), toQt(links.salt), toQt(links.commitment),
+         toQt(links.previous), toQt(links.hash)});
 }
 
 void insertRows(const SqliteConnection& connection, const LogEntry& entry)
@@ -68,10 +69,11 @@ void insertRows(const SqliteConnection& connection, const LogEntry& entry)
             {event, toQt(row.participant), row.trial, row.attempt, row.question ? QVariant(toQt(*row.question)) : QVariant(),
              toQt(row.text), int(row.isFlag)});
     for (const FingerRow& row : entry.finger)
-        connection.run(QStringLiteral("INSERT INTO finger_samples(event, participant, trial, attempt, began_at, count, left_out, "
-                                      "samples) VALUES (?, ?, ?, ?, ?, ?, ?, ?)"),
-                       {event, toQt(row.participant), row.trial, row.attempt, qlonglong(row.beganAt), row.count, row.leftOut,
-                        toQt(row.samples)});
+        connection.runKept(
+            QStringLiteral("INSERT INTO finger_samples(event, participant, trial, attempt, began_at, count, left_out, "
+                           "samples) VALUES (?, ?, ?, ?, ?, ?, ?, ?)"),
+            {event, toQt(row.participant), row.trial, row.attempt, qlonglong(row.beganAt), row.count, row.leftOut,
+             toQt(row.samples)});
     if (entry.unblinding)
         connection.run(QStringLiteral("INSERT INTO unblindings(event, who, why, wall_time) VALUES (?, ?, ?, ?)"),
                        {event, toQt(entry.unblinding->who), toQt(entry.unblinding->why), toQt(entry.unblinding->wallTime)});
@@ -131,12 +133,11 @@ std::int64_t store(const SqliteConnection& connection, LogEntry entry)
 {
     std::string previous;
     entry.event.sequence = 1;
-    QSqlQuery last = connection.run(QStringLiteral("SELECT sequence, hash FROM events ORDER BY sequence DESC LIMIT 1"));
-    if (last.next()) {
+    if (auto last = connection.runKept(QStringLiteral("SELECT sequence, hash FROM events ORDER BY sequence DESC LIMIT 1"));
+        last.next()) {
         entry.event.sequence = last.value(0).toLongLong() + 1;
         previous = fromQt(last.value(1));
     }
-    last.finish();
     storeUnderItsNumber(connection, entry, previous, drawnSalt());
     insertRows(connection, entry);
     return entry.event.sequence;

@@ -96,6 +96,7 @@ SqliteConnection::SqliteConnection(std::filesystem::path file, Mode mode) : m_fi
 
 SqliteConnection::~SqliteConnection()
 {
+    m_kept.clear();  // before the close: a prepared statement would keep the file open
     m_connection.close();
     m_connection = QSqlDatabase();
     QSqlDatabase::removeDatabase(m_name);
@@ -145,14 +146,45 @@ std::string sqliteVersion()
     return fromQt(SqliteConnection(":memory:", SqliteConnection::Mode::Memory).value(QStringLiteral("SELECT sqlite_version()")));
 }
 
-QSqlQuery SqliteConnection::run(const QString& sql, const QVariantList& values) const
+QSqlQuery SqliteConnection::prepared(const QString& sql) const
 {
     QSqlQuery query(m_connection);
     query.setForwardOnly(true);
     if (!query.prepare(sql)) fail(query.lastError());
+    return query;
+}
+
+void SqliteConnection::execute(QSqlQuery& query, const QVariantList& values) const
+{
     for (const QVariant& bound : values) query.addBindValue(bound);
     if (!query.exec()) fail(query.lastError());
+}
+
+QSqlQuery SqliteConnection::run(const QString& sql, const QVariantList& values) const
+{
+    QSqlQuery query = prepared(sql);
+    execute(query, values);
     return query;
+}
+
+KeptQuery SqliteConnection::runKept(const QString& sql, const QVariantList& values) const
+{
+    // Taken out while it is in use, so that a second use at the same time prepares a statement of its own.
+    auto waiting = m_kept.extract(sql);
+    QSqlQuery query = waiting.empty() ? prepared(sql) : std::move(waiting.mapped());
+    execute(query, values);
+    return {std::move(query), m_kept, sql};
+}
+
+KeptQuery::KeptQuery(QSqlQuery query, std::map<QString, QSqlQuery>& kept, const QString& sql)
+    : m_query(std::move(query)), m_kept(kept), m_sql(sql)
+{
+}
+
+KeptQuery::~KeptQuery()
+{
+    m_query.finish();
+    m_kept.insert_or_assign(m_sql, std::move(m_query));
 }
 
 QVariant SqliteConnection::value(const QString& sql, const QVariantList& values) const
@@ -161,11 +193,17 @@ QVariant SqliteConnection::value(const QString& sql, const QVariantList& values)
     return query.next() ? query.value(0) : QVariant();
 }
 
+QVariant SqliteConnection::keptValue(const QString& sql, const QVariantList& values) const
+{
+    KeptQuery query = runKept(sql, values);
+    return query.next() ? query.value(0) : QVariant();
+}
+
 void SqliteConnection::fail(const QSqlError& error) const { throw faultOf(error, m_file.string()); }
 
 Transaction::Transaction(const SqliteConnection& connection) : m_connection(connection)
 {
-    m_connection.run(QStringLiteral("BEGIN IMMEDIATE"));
+    m_connection.runKept(QStringLiteral("BEGIN IMMEDIATE"));
 }
 
 Transaction::~Transaction()
@@ -180,7 +218,7 @@ Transaction::~Transaction()
 
 void Transaction::commit()
 {
-    m_connection.run(QStringLiteral("COMMIT"));
+    m_connection.runKept(QStringLiteral("COMMIT"));
     m_committed = true;
 }
 

@@ -8,9 +8,28 @@
 #include <QSqlQuery>
 #include <QVariant>
 #include <filesystem>
+#include <map>
 #include <string>
 
 namespace database {
+
+/// A statement that its connection keeps prepared for the next time, and the rows of this time, which end with this value.
+class KeptQuery {
+public:
+    /// `kept`: where the statement `sql` waits for its next use.
+    KeptQuery(QSqlQuery query, std::map<QString, QSqlQuery>& kept, const QString& sql);
+    ~KeptQuery();
+    KeptQuery(const KeptQuery&) = delete;
+    KeptQuery& operator=(const KeptQuery&) = delete;
+
+    bool next() { return m_query.next(); }
+    QVariant value(int column) const { return m_query.value(column); }
+
+private:
+    QSqlQuery m_query;
+    std::map<QString, QSqlQuery>& m_kept;
+    QString m_sql;
+};
 
 class SqliteConnection {
 public:
@@ -30,8 +49,12 @@ public:
     /// Executes the statement with its values bound in order.
     QSqlQuery run(const QString& sql, const QVariantList& values = {}) const;
 
+    /// As run(), for a statement that every answer needs: it stays prepared, because preparing takes longer than executing.
+    KeptQuery runKept(const QString& sql, const QVariantList& values = {}) const;
+
     /// The first value of the first row; invalid if there is no row.
     QVariant value(const QString& sql, const QVariantList& values = {}) const;
+    QVariant keptValue(const QString& sql, const QVariantList& values = {}) const;  ///< by runKept()
 
     const std::filesystem::path& file() const { return m_file; }
 
@@ -39,11 +62,14 @@ private:
     void open(const QString& name, const QString& options);
     void openForReading();
     void applyPragmas(Mode mode);
+    QSqlQuery prepared(const QString& sql) const;
+    void execute(QSqlQuery& query, const QVariantList& values) const;
     [[noreturn]] void fail(const QSqlError& error) const;
 
     std::filesystem::path m_file;
     QString m_name;
     QSqlDatabase m_connection;
+    mutable std::map<QString, QSqlQuery> m_kept;  ///< by their text; without those that are in use
 };
 
 /// BEGIN IMMEDIATE; rolls back unless commit() was called.

@@ -24,8 +24,8 @@ std::string folderOf(const SqliteConnection& sqlite) { return sqlite.file().pare
 int attemptOf(const SqliteConnection& sqlite, const std::string& participant, int trial)
 {
     return 1 + sqlite
-                   .value(QStringLiteral("SELECT COUNT(*) FROM voids WHERE participant = ? AND trial = ?"),
-                          {toQt(participant), trial})
+                   .keptValue(QStringLiteral("SELECT COUNT(*) FROM voids WHERE participant = ? AND trial = ?"),
+                              {toQt(participant), trial})
                    .toInt();
 }
 
@@ -37,9 +37,10 @@ std::string placeOf(const std::string& participant, int trial, const std::string
 bool hasAnswer(const SqliteConnection& sqlite, const ResponseRow& row)
 {
     return sqlite
-               .value(QStringLiteral(
-                          "SELECT COUNT(*) FROM responses WHERE participant = ? AND trial = ? AND attempt = ? AND question = ?"),
-                      {toQt(row.participant), row.trial, row.attempt, toQt(row.question)})
+               .keptValue(
+                   QStringLiteral(
+                       "SELECT COUNT(*) FROM responses WHERE participant = ? AND trial = ? AND attempt = ? AND question = ?"),
+                   {toQt(row.participant), row.trial, row.attempt, toQt(row.question)})
                .toInt() > 0;
 }
 

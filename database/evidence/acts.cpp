@@ -11,12 +11,6 @@ namespace database {
 
 namespace {
 
-/// A row of the table.
-struct StoredAct {
-    std::int64_t number = 0;
-    std::string kind, details, wallTime, previous, own;
-};
-
 std::string detailsOf(const Act& act)
 {
     return nlohmann::ordered_json{{"who", act.who},   {"program", act.program},     {"host", act.host},
@@ -24,18 +18,18 @@ std::string detailsOf(const Act& act)
         .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-std::string hashOf(const StoredAct& act)
+std::string hashOf(const ChainedAct& act)
 {
     protocols::CanonicalBytes bytes;
     bytes << std::string("act") << act.previous << act.number << act.kind << act.details << act.wallTime;
     return bytes.hash();
 }
 
-std::vector<StoredAct> rowsIn(const SqliteConnection& sqlite)
+std::vector<ChainedAct> rowsIn(const SqliteConnection& sqlite)
 {
-    std::vector<StoredAct> rows;
+    std::vector<ChainedAct> rows;
     QSqlQuery row =
-        sqlite.run(QStringLiteral("SELECT number, kind, details, wall_time, previous_hash, hash FROM acts ORDER BY number"));
+        sqlite.run(QStringLiteral("SELECT number, kind, wall_time, details, previous_hash, hash FROM acts ORDER BY number"));
     while (row.next())
         rows.push_back({row.value(0).toLongLong(), fromQt(row.value(1)), fromQt(row.value(2)), fromQt(row.value(3)),
                         fromQt(row.value(4)), fromQt(row.value(5))});
@@ -43,7 +37,7 @@ std::vector<StoredAct> rowsIn(const SqliteConnection& sqlite)
 }
 
 /// Empty where the details cannot be read.
-std::optional<Act> actOf(const StoredAct& row)
+std::optional<Act> actOf(const ChainedAct& row)
 {
     try {
         const auto details = nlohmann::json::parse(row.details);
@@ -62,13 +56,13 @@ std::optional<Act> actOf(const StoredAct& row)
 void insert(const SqliteConnection& sqlite, const Act& act)
 {
     Transaction transaction(sqlite);
-    const std::vector<StoredAct> earlier = rowsIn(sqlite);
-    StoredAct row;
+    const std::vector<ChainedAct> earlier = rowsIn(sqlite);
+    ChainedAct row;
     row.number = earlier.empty() ? 1 : earlier.back().number + 1;
     row.kind = act.kind;
     row.details = detailsOf(act);
     row.wallTime = act.wallTime;
-    row.previous = earlier.empty() ? "" : earlier.back().own;
+    row.previous = earlier.empty() ? "" : earlier.back().hash;
     sqlite.run(
         QStringLiteral("INSERT INTO acts(number, kind, details, wall_time, previous_hash, hash) VALUES (?, ?, ?, ?, ?, ?)"),
         {qlonglong(row.number), toQt(row.kind), toQt(row.details), toQt(row.wallTime), toQt(row.previous), toQt(hashOf(row))});
@@ -95,7 +89,7 @@ std::vector<Act> actsOf(const StudyStore& store)
 {
     const SqliteConnection sqlite(store.folder().database(), SqliteConnection::Mode::Read);
     std::vector<Act> acts;
-    for (const StoredAct& row : rowsIn(sqlite)) {
+    for (const ChainedAct& row : rowsIn(sqlite)) {
         auto act = actOf(row);
         if (!act)
             throw protocols::workFailed({"act " + std::to_string(row.number) + " cannot be read", sqlite.file().string(), "",
@@ -103,6 +97,11 @@ std::vector<Act> actsOf(const StudyStore& store)
         acts.push_back(std::move(*act));
     }
     return acts;
+}
+
+std::vector<ChainedAct> chainedActsOf(const StudyStore& store)
+{
+    return rowsIn(SqliteConnection(store.folder().database(), SqliteConnection::Mode::Read));
 }
 
 std::vector<Act> copiesSince(const StudyStore& store, std::int64_t sequence)
@@ -122,16 +121,16 @@ std::vector<std::string> faultsOfActs(const StudyStore& store)
     std::vector<std::string> faults;
     std::string previous;
     std::int64_t last = 0;
-    for (const StoredAct& row : rowsIn(sqlite)) {
+    for (const ChainedAct& row : rowsIn(sqlite)) {
         const std::string name = "act " + std::to_string(row.number) + " (" + row.kind + ")";
         const auto act = actOf(row);
         if (row.number != last + 1 || row.previous != previous) faults.push_back(name + ": does not follow the act before it");
-        if (!act || hashOf(row) != row.own)
+        if (!act || hashOf(row) != row.hash)
             faults.push_back(name + ": was altered");
         else if (fromQt(sqlite.value(QStringLiteral("SELECT hash FROM events WHERE sequence = ?"),
                                      {qlonglong(act->head.sequence)})) != act->head.hash)
             faults.push_back(name + ": the log no longer has the head of that time, " + textOf(act->head));
-        previous = row.own;
+        previous = row.hash;
         last = row.number;
     }
     const std::int64_t written = sqlite.value(QStringLiteral("SELECT seq FROM sqlite_sequence WHERE name = 'acts'")).toLongLong();

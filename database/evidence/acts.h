@@ -26,6 +26,16 @@ std::optional<std::string> recordAct(const StudyFolder& folder, Act act);
 /// In the order in which they were done.
 std::vector<Act> actsOf(const StudyStore& store);
 
+/// An act as its chain covers it. The hash is the SHA-256 of "act", previous, number, kind, details and wallTime.
+struct ChainedAct {
+    std::int64_t number = 0;     ///< from 1 without gaps
+    std::string kind, wallTime;  ///< as in Act
+    std::string details;         ///< JSON: who, program, host, path, and entry and hash of the log's head at that time
+    std::string previous, hash;
+};
+/// Every act in its order, also where its details cannot be read.
+std::vector<ChainedAct> chainedActsOf(const StudyStore& store);
+
 /// The exports, backups and reports that were recorded when the log had entry `sequence`: they may hold its content.
 std::vector<Act> copiesSince(const StudyStore& store, std::int64_t sequence);
 

@@ -216,7 +216,7 @@ int exportStudy(const ExportCall& call)
     std::printf("%s: %s as %s%s\n", out.c_str(), reports::counted(store.answers().size(), "answer").c_str(), format.c_str(),
                 store.unblinding() ? "" : ", blinded (no condition, no fabric)");
     std::printf("  log head %s\n", textOf(store.head()).c_str());
-    if (withLog) std::printf("  log.csv holds the log; log.txt says how to compute its head\n");
+    if (withLog) std::printf("  log.csv holds the log, acts.csv what was exported and saved; log.txt says how to check both\n");
     if (withSamples) std::printf("  finger_samples.csv holds what the display measured of the fingers\n");
     recordAct(store, "export", out);
     return 0;
@@ -289,8 +289,9 @@ void addExport(CLI::App& app, Action& action)
     auto* format = command->add_option("--format", call->format, "csv, json, or script (sessions that `replay` takes)")
                        ->check(CLI::IsMember({"csv", "json", "script"}))
                        ->capture_default_str();
-    auto* withLog = command->add_flag("--with-log", call->withLog,
-                                      "add the log (log.csv) and how to compute its head (log.txt); no content, no salts");
+    auto* withLog =
+        command->add_flag("--with-log", call->withLog,
+                          "add the log (log.csv), the acts (acts.csv) and how to check them (log.txt); no content, no salts");
     auto* withSamples =
         command->add_flag("--with-samples", call->withSamples,
                           "add what displays measured of the fingers (finger_samples.csv); unblinded studies only");

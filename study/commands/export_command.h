@@ -10,7 +10,7 @@ namespace study::commands {
 
 struct ExportForm {
     std::string format;        ///< "csv", "json" or "script"
-    bool withLog = false;      ///< the log, too: log.csv and log.txt
+    bool withLog = false;      ///< the log, too: log.csv, acts.csv and log.txt
     bool withSamples = false;  ///< samples of the finger, too: finger_samples.csv; unblinded studies only
 };
 

@@ -56,7 +56,7 @@ QString cell(const CsvTable& table, std::size_t row, const std::string& column)
 
 QByteArray field(const QByteArray& bytes) { return QByteArray::number(bytes.size()) + ':' + bytes + ','; }
 
-/// The head by the recipe of log.txt; empty where an entry does not fit.
+/// The head of the log by the recipe of log.txt; empty where an entry does not fit.
 QString headOf(const CsvTable& log)
 {
     QString previous;
@@ -122,16 +122,36 @@ private Q_SLOTS:
         const QString study = playedStudy();
         const QString out = at("log-" + format);
         const auto run = mustRun({"export", study, "--out", out, "--format", format, "--with-log"});
-        QVERIFY2(run.out.contains("log.csv holds the log"), qPrintable(run.out));
+        QVERIFY2(run.out.contains("log.csv holds the log, acts.csv"), qPrintable(run.out));
         const auto log = tableOf(out + "/log.csv");
         QCOMPARE(headOf(log), headIn(study));
         QVERIFY(bytesOf(out + "/log.txt").contains("Head: " + headIn(study)));
+        QVERIFY(tableOf(out + "/acts.csv").rows.empty());
+    }
+
+    /// Exports, backups and reports made before, each with the head of the log at that time.
+    void theExportedActsTellWhatWasMade()
+    {
+        const QString study = playedStudy();
+        mustRun({"export", study, "--out", at("act-one")});
+        mustRun({"backup", study, "--out", at("act-two.tar")});
+        mustRun({"export", study, "--out", at("act-three"), "--with-log"});
+        const auto acts = tableOf(at("act-three/acts.csv"));
+        QCOMPARE(acts.rows.size(), std::size_t{2});
+        QCOMPARE(cell(acts, 0, "kind"), "export");
+        QCOMPARE(cell(acts, 1, "kind"), "backup");
+        const json details = json::parse(cell(acts, 1, "details").toStdString());
+        QCOMPARE(QString::fromStdString(details["path"]), at("act-two.tar"));
+        QCOMPARE(QString("%1:%2").arg(details["entry"].get<int>()).arg(QString::fromStdString(details["hash"])), headIn(study));
+        QCOMPARE(cell(acts, 1, "previous_hash"), cell(acts, 0, "hash"));
+        QVERIFY(bytesOf(at("act-three/log.txt")).contains("Acts: 2:" + cell(acts, 1, "hash")));
     }
 
     void anExportHoldsNoLogUnlessAsked()
     {
         mustRun({"export", playedStudy(), "--out", at("plain")});
-        QVERIFY(!QFile::exists(at("plain/log.csv")) && !QFile::exists(at("plain/log.txt")));
+        QVERIFY(!QFile::exists(at("plain/log.csv")) && !QFile::exists(at("plain/acts.csv")) &&
+                !QFile::exists(at("plain/log.txt")));
     }
 
     /// The clear part alone: no salt, no payload, no answer.
@@ -148,12 +168,13 @@ private Q_SLOTS:
             QVERIFY2(!text.contains(word), word);
     }
 
-    /// log.txt ends with a program for Python. It must compute the head, and find an altered entry.
+    /// log.txt ends with a program for Python. It must compute both chains, and find an altered entry and an altered act.
     void theRecipeRuns()
     {
         const QString python = QStandardPaths::findExecutable("python3");
         if (python.isEmpty()) QSKIP("python3 is not installed: the recipe is not run");
         const QString study = playedStudy();
+        mustRun({"export", study, "--out", at("before-recipe")});
         mustRun({"export", study, "--out", at("recipe"), "--with-log"});
         const QString recipe = bytesOf(at("recipe/log.txt"));
         QFile program(at("check.py"));
@@ -162,18 +183,44 @@ private Q_SLOTS:
         program.close();
         const auto result = [&] {
             QProcess run;
-            run.start(python, {program.fileName(), at("recipe/log.csv")});
+            run.start(python, {program.fileName(), at("recipe/log.csv"), at("recipe/acts.csv")});
             run.waitForFinished();
             return QString::fromUtf8(run.readAllStandardOutput() + run.readAllStandardError()).trimmed();
         };
-        QCOMPARE(result(), headIn(study));
-        QString altered = bytesOf(at("recipe/log.csv"));
-        altered.replace(altered.indexOf("noted"), 5, "rated");
-        QFile log(at("recipe/log.csv"));
-        QVERIFY(log.open(QIODevice::WriteOnly));
-        log.write(altered.toUtf8());
-        log.close();
-        QVERIFY2(result().contains("was altered"), qPrintable(result()));
+        const auto replaced = [&](const QString& file, const QString& before, const QString& after) {
+            QString text = bytesOf(file);
+            text.replace(text.indexOf(before), before.size(), after);
+            QFile altered(file);
+            return altered.open(QIODevice::WriteOnly) && altered.write(text.toUtf8()) > 0;
+        };
+        const auto acts = tableOf(at("recipe/acts.csv"));
+        QCOMPARE(result(), "log " + headIn(study) + "\nacts 1:" + cell(acts, 0, "hash"));
+        QVERIFY(replaced(at("recipe/acts.csv"), "before-recipe", "after--recipe"));
+        QCOMPARE(result(), "act 1 was altered, or one before it is missing");
+        QVERIFY(replaced(at("recipe/acts.csv"), "after--recipe", "before-recipe"));
+        QVERIFY(replaced(at("recipe/log.csv"), "noted", "rated"));
+        QVERIFY2(result().startsWith("entry ") && result().contains("was altered"), qPrintable(result()));
+    }
+
+    /// Somebody chained the log anew and left the acts: their heads are no longer in it.
+    void theRecipeComparesTheActsWithTheLog()
+    {
+        const QString python = QStandardPaths::findExecutable("python3");
+        if (python.isEmpty()) QSKIP("python3 is not installed: the recipe is not run");
+        const QString study = playedStudy(), other = playedStudy();
+        mustRun({"export", study, "--out", at("first")});
+        mustRun({"export", study, "--out", at("own-acts"), "--with-log"});
+        mustRun({"export", other, "--out", at("other-log"), "--with-log"});
+        const QString recipe = bytesOf(at("own-acts/log.txt"));
+        QFile program(at("compare.py"));
+        QVERIFY(program.open(QIODevice::WriteOnly));
+        program.write(recipe.mid(recipe.indexOf("import csv")).toUtf8());
+        program.close();
+        QProcess run;
+        run.start(python, {program.fileName(), at("other-log/log.csv"), at("own-acts/acts.csv")});
+        run.waitForFinished();
+        QCOMPARE(QString::fromUtf8(run.readAllStandardError()).trimmed(), "act 1 names a head that the log does not have");
+        QVERIFY(run.exitCode() != 0);
     }
 
     void aPersonGetsTheirData()

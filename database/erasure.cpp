@@ -85,6 +85,14 @@ void removeAnswers(const SqliteConnection& sqlite, const std::string& participan
     sqlite.run(QStringLiteral("UPDATE participants SET state = 'withdrawn' WHERE id = ?"), {toQt(participant)});
 }
 
+/// Writes one page as it is. A reader who began with an empty log reads the database file itself, which hinders emptying the log
+/// only where the log holds something.
+void touchLog(const SqliteConnection& sqlite)
+{
+    const int version = sqlite.value(QStringLiteral("PRAGMA user_version")).toInt();
+    sqlite.run(QStringLiteral("PRAGMA user_version = %1").arg(version));
+}
+
 /// Copies the write-ahead log into the database and empties it; false while another connection reads an older state.
 bool logIsEmptied(const SqliteConnection& sqlite)
 {
@@ -121,8 +129,9 @@ ErasureRecord eraseFrom(const SqliteConnection& sqlite, const Erasure& erasure)
             .toInt() == 0)
         throw protocols::badInput(
             {"unknown participant " + erasure.participant.value, folder, "an enrolled participant", "see vis2hap study status"});
+    touchLog(sqlite);
     if (!logIsEmptied(sqlite))
-        throw protocols::environmentFault({"another program reads the study, so the data would stay in study.db-wal", folder,
+        throw protocols::environmentFault({"another program reads the study, so the data would stay in its files", folder,
                                            "no open monitor, report or database browser",
                                            "close it and run the command again; nothing was erased"});
     ErasureRecord record;
@@ -132,8 +141,8 @@ ErasureRecord eraseFrom(const SqliteConnection& sqlite, const Erasure& erasure)
     removeFromTables(sqlite, erasure, record);
     sqlite.run(QStringLiteral("VACUUM"));
     if (!logIsEmptied(sqlite))
-        throw protocols::environmentFault({"the data are removed, but another program keeps an older state in study.db-wal",
-                                           folder, "no open monitor, report or database browser",
+        throw protocols::environmentFault({"the data are removed, but another program keeps an older state of the study", folder,
+                                           "no open monitor, report or database browser",
                                            "close it and run the command again, which completes the erasure"});
     const protocols::ByteSearch search = protocols::searchFiles(sqlite.file().parent_path(), {texts.begin(), texts.end()});
     record.searchedFiles = search.files;

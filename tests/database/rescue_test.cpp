@@ -13,6 +13,7 @@
 #include "tests/support/error_text.h"
 #include "tests/support/folder_harm.h"
 #include "tests/support/played_session.h"
+#include "tests/support/raw_sqlite.h"
 #include "tests/support/study_builder.h"
 
 using tests::support::errorOf;
@@ -143,11 +144,19 @@ private Q_SLOTS:
         QCOMPARE(record.found, std::vector<std::string>{"notes/copy.txt"});
     }
 
+    void aReaderHoldsAnErasureUp_data()
+    {
+        QTest::addColumn<bool>("logIsEmpty");
+        QTest::newRow("who reads an older state of the log") << false;
+        QTest::newRow("who began when the log was empty") << true;
+    }
     void aReaderHoldsAnErasureUp()
     {
+        QFETCH(bool, logIsEmpty);
         const StudyFolder folder = newStudy();
         OpenSession session(folder, "S01");
-        session.playUntilAnswers(2);
+        session.playUntilAnswers(logIsEmpty ? 3 : 2);
+        if (logIsEmpty) tests::support::RawSqlite(folder.database()).rows("PRAGMA wal_checkpoint(TRUNCATE)");
         {
             const Reader reader(folder.database());
             session.playUntilAnswers(3);

@@ -3,14 +3,17 @@
 #include <sqlite3.h>
 
 #include <filesystem>
+#include <optional>
 #include <set>
 
 #include "database/event_chain.h"
 #include "database/response_columns.h"
 #include "protocols/files/errors.h"
-#include "protocols/files/whole_file.h"
+#include "protocols/files/sha256.h"
 #include "tests/promises/kept_answers.h"
+#include "tests/promises/traces.h"
 #include "tests/support/played_session.h"
+#include "tests/support/program.h"
 #include "tests/support/raw_sqlite.h"
 
 namespace tests::promises {
@@ -27,13 +30,26 @@ struct KnownEntry {
     std::string salt, commitment;
 };
 
+/// The content of a row of finger_samples, as the commitment covers it.
+database::FingerRow fingerFrom(const QSqlQuery& row, int first)
+{
+    database::FingerRow finger;
+    finger.beganAt = row.value(first).toLongLong();
+    finger.count = row.value(first + 1).toInt();
+    finger.leftOut = row.value(first + 2).toInt();
+    finger.samplesSha256 = protocols::sha256(database::fromQt(row.value(first + 3)));
+    return finger;
+}
+
 std::vector<KnownEntry> answersInLog(const database::StudyFolder& folder)
 {
     const database::SqliteConnection sqlite(folder.database(), database::SqliteConnection::Mode::Read);
     std::vector<KnownEntry> entries;
-    QSqlQuery row = sqlite.run(QStringLiteral("SELECT e.payload, e.at_ns, e.wall_time, e.salt, e.commitment, %1 FROM events e "
-                                              "JOIN responses r ON r.event = e.sequence ORDER BY e.sequence")
-                                   .arg(QLatin1String("r.") + namesOf(database::ResponseColumns::OfTable).replace(", ", ", r.")));
+    QSqlQuery row =
+        sqlite.run(QStringLiteral("SELECT e.payload, e.at_ns, e.wall_time, e.salt, e.commitment, f.began_at, f.count, "
+                                  "f.left_out, f.samples, %1 FROM events e JOIN responses r ON r.event = e.sequence "
+                                  "LEFT JOIN finger_samples f ON f.event = e.sequence ORDER BY e.sequence")
+                       .arg(QLatin1String("r.") + namesOf(database::ResponseColumns::OfTable).replace(", ", ", r.")));
     while (row.next()) {
         KnownEntry known;
         known.entry.event.payloadJson = database::fromQt(row.value(0));
@@ -41,7 +57,8 @@ std::vector<KnownEntry> answersInLog(const database::StudyFolder& folder)
         known.entry.event.wallTime = database::fromQt(row.value(2));
         known.salt = database::fromQt(row.value(3));
         known.commitment = database::fromQt(row.value(4));
-        known.entry.responses.push_back(rowFrom(row, database::ResponseColumns::OfTable, 5));
+        if (!row.value(5).isNull()) known.entry.finger.push_back(fingerFrom(row, 5));
+        known.entry.responses.push_back(rowFrom(row, database::ResponseColumns::OfTable, 9));
         entries.push_back(known);
     }
     return entries;
@@ -65,16 +82,73 @@ bool isOpened(const KnownEntry& known, const std::set<std::string>& salts)
     return false;
 }
 
-/// Number of texts found in any file of the folders.
-int foundIn(const fs::path& folder, const std::set<std::string>& texts)
+/// Facts and remarks that nobody else gives: the search ignores what two participants share.
+study::session::EventBody madeOwn(study::session::EventBody event, int step)
 {
-    int found = 0;
-    for (const auto& file : fs::recursive_directory_iterator(folder)) {
-        if (!file.is_regular_file()) continue;
-        const std::string bytes = protocols::readWholeFile(file.path());
-        for (const std::string& text : texts) found += bytes.find(text) != std::string::npos;
+    if (auto* facts = std::get_if<study::session::FactsGiven>(&event))
+        for (auto& [name, value] : facts->facts) value += " and more about S01";
+    if (auto* debriefed = std::get_if<study::session::Debriefed>(&event)) debriefed->text = "S01 has a friend who sews";
+    if (auto* noted = std::get_if<study::session::Noted>(&event)) noted->text = "S01 sneezed at step " + std::to_string(step);
+    return event;
+}
+
+/// A whole session with facts, notes, and a finger in every presentation. Its times are those of nobody else.
+void playWithTraces(const database::StudyFolder& folder)
+{
+    OpenSession session(folder, "S01");
+    session.clock.advanceSeconds(1234567.891);
+    for (int step = 1;; ++step) {
+        session.clock.advanceSeconds(1.25);  // longer than the dead time after a step
+        const auto* presenting = std::get_if<study::session::Presenting>(&session.driver->state().stage);
+        if (presenting && !session.driver->state().paused) {
+            if (presenting->question == 0) session.send(study::session::Touched{});
+            for (int sample = 0; sample < 20; ++sample) {
+                session.clock.advanceSeconds(0.01);
+                session.driver->addFinger({{}, 4000.01 + step + 0.07 * sample, 20.05, 0.432});
+            }
+            if (step % 10 == 0) session.send(madeOwn(study::session::Noted{{}, false}, step));
+        }
+        const auto event = support::nextEvent(session.driver->view(), session.driver->plan());
+        if (!event) return;
+        session.send(madeOwn(*event, step));
     }
-    return found;
+}
+
+/// Whether an erasure is refused, and nothing is erased, while another program reads the study. `logIsEmpty`: that program
+/// began after the write-ahead log was emptied, so that it reads study.db alone.
+bool isRefusedBesideReader(database::StudyStore& store, const database::Erasure& erasure, bool logIsEmpty)
+{
+    const std::size_t before = store.answers().size();
+    support::RawSqlite reader(store.folder().database());
+    if (logIsEmpty) reader.rows("PRAGMA wal_checkpoint(TRUNCATE)");
+    reader.run("BEGIN");
+    reader.rows("SELECT COUNT(*) FROM responses");
+    try {
+        store.erase(erasure);
+    } catch (const protocols::Error&) {
+        return store.answers().size() == before;
+    }
+    return false;
+}
+
+/// Everything that the program writes about a study: backups, exports in every form, reports; first blinded, then unblinded.
+fs::path everyCopyOf(const fs::path& study)
+{
+    const QString folder = QString::fromStdString(study.string()), out = folder + "-copies/";
+    fs::create_directory(out.toStdString());
+    const auto run = [](const QStringList& words) { ::support::mustRun(words); };
+    run({"backup", folder, "--out", out + "backup.tar"});
+    for (const bool isBlinded : {true, false}) {
+        const QString at = out + (isBlinded ? "blinded-" : "open-");
+        if (!isBlinded) run({"unblind", folder, "--who", "promises", "--why", "measures the erasure"});
+        for (const char* format : {"csv", "json", "script"})
+            run(QStringList{"export", folder, "--out", at + format, "--format", format, "--with-log"} +
+                (isBlinded ? QStringList() : QStringList{"--with-samples"}));
+        run({"export", folder, "--out", at + "person", "--participant", "S01"});
+        run({"report", folder, "--out", at + "report", "--quick"});
+        run({"study", "data-sheet", folder, "--out", at + "sheet.txt"});
+    }
+    return out.toStdString();
 }
 
 }  // namespace
@@ -84,46 +158,45 @@ Promise afterErasure(const Effort&)
     SessionStudy study(paperStudy());
     const database::StudyFolder folder = study.copy();
     const database::Erasure erasure{protocols::ParticipantId("S01"), true, "promises", "measures the erasure", {}};
-    OpenSession(folder, "S01").playToEnd();
-    OpenSession other(folder, "S02");
-    other.playUntilAnswers(20);
-    database::StudyStore& store = other.store;
+    playWithTraces(folder);
+    std::optional<OpenSession> other(std::in_place, folder, "S02");
+    other->playUntilAnswers(20);
     const std::vector<KnownEntry> before = answersInLog(folder);
+    const Traces traces = tracesOf("S01", folder);
 
-    bool isRefused = false;
-    {
-        support::RawSqlite reader(folder.database());
-        reader.run("BEGIN");
-        reader.rows("SELECT COUNT(*) FROM responses");
-        try {
-            store.erase(erasure);
-        } catch (const protocols::Error&) {
-            isRefused = store.answers().size() == before.size();
-        }
-    }
-    const auto record = store.erase(erasure);
-    const fs::path backup = folder.folder.string() + "-backup";
-    fs::create_directory(backup);
-    store.copyTo(backup / "study.db");
+    const fs::path earlier = folder.folder.string() + "-earlier";
+    fs::create_directory(earlier);
+    other->store.copyTo(earlier / "study.db");
+    for (const char* part : {"protocol.json", "stimuli", "allocation-key.json", "station-key.json"})
+        fs::copy(folder.folder / part, earlier / part, fs::copy_options::recursive);
+    const bool isSearched = kindsFoundIn({earlier}, traces).size() == traces.size() &&
+                            kindsFoundIn({everyCopyOf(earlier)}, traces).size() == traces.size();
 
-    const std::set<std::string> salts = saltsLeft(folder);
-    std::set<std::string> erasedSalts;
+    const bool isRefused =
+        isRefusedBesideReader(other->store, erasure, false) && isRefusedBesideReader(other->store, erasure, true);
+    const auto record = other->store.erase(erasure);
+    int found = filesWith(traces, {folder.folder}) + static_cast<int>(record.found.size());  // also the write-ahead log
+    other.reset();
+    const fs::path copies = everyCopyOf(folder.folder);
+    found += filesWith(traces, {folder.folder, copies});
+
+    std::set<std::string> salts = saltsLeft(folder);
+    salts.merge(possibleSaltsIn(copies));
     int erased = 0, recovered = 0, openedBefore = 0;
     for (const KnownEntry& known : before) {
         if (known.entry.responses.front().participant != "S01") continue;
         ++erased;
-        erasedSalts.insert(known.salt);
         openedBefore += isOpened(known, {known.salt});
         recovered += isOpened(known, salts);
     }
-    const int found = foundIn(folder.folder, erasedSalts) + foundIn(backup, erasedSalts) + static_cast<int>(record.found.size());
-    return {"erased answers, guessed from database, write-ahead log and a later backup",
-            withCommas(erased) + " answers, each against " + withCommas(static_cast<long>(salts.size())) +
-                " texts of the log, with its times and its content known",
+    return {"erased answers, guessed from database and write-ahead log, and from backups, exports and reports made after",
+            withCommas(erased) + " answers with facts, notes and samples of the finger, each against " +
+                withCommas(static_cast<long>(salts.size())) + " texts, with its times and its content known",
             "0 recovered; 0 found by a byte search; refused while a reader holds a snapshot",
-            std::to_string(recovered) + " recovered, " + std::to_string(found) +
-                " found; with a reader: " + (isRefused ? "refused, nothing erased" : "NOT refused"),
-            recovered == 0 && found == 0 && isRefused && openedBefore == erased && record.answers == erased};
+            std::to_string(recovered) + " recovered, found in " + std::to_string(found) + " files" +
+                (isSearched ? "" : ", but the search does NOT find what an earlier copy holds") +
+                "; with a reader: " + (isRefused ? "refused, nothing erased" : "NOT refused"),
+            recovered == 0 && found == 0 && isSearched && isRefused && openedBefore == erased && record.answers == erased};
 }
 
 }  // namespace tests::promises

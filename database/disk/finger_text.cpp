@@ -12,6 +12,7 @@ using protocols::FingerSample;
 
 constexpr std::int64_t tickNs = 100000;
 constexpr std::int64_t farthest = std::int64_t{1} << 40;  ///< of any number in a sound text
+constexpr std::int64_t latestNs = std::int64_t{1} << 62;  ///< of any clock; a later time cannot be counted on from
 
 /// A measured value and how many of its unit are written for 1.
 struct MeasuredField {
@@ -70,7 +71,7 @@ FingerSample nextSample(FingerTextReader& reader, FingerSums& sums, std::int64_t
 {
     FingerSample sample;
     const auto later = reader.number();
-    sums.ticks += later.value_or(-farthest);  // a sample without a time is no sample
+    sums.ticks += later && *later >= 0 ? *later : -2 * farthest;  // no sample is without a time, or before the one before
     for (std::size_t field = 0; field < measuredFields.size() && reader.isSound(); ++field) {
         reader.mustTake(',');
         const auto change = reader.number();
@@ -107,13 +108,14 @@ std::string fingerTextOf(std::span<const FingerSample> samples)
 
 std::optional<std::vector<FingerSample>> fingerSamplesFrom(std::string_view text, std::int64_t beganAtNs)
 {
+    if (beganAtNs < -latestNs || beganAtNs > latestNs) return std::nullopt;
     std::vector<FingerSample> samples;
     FingerTextReader reader(text);
     FingerSums sums;
     while (!reader.isAtEnd()) {
         if (!samples.empty()) reader.mustTake(';');
         samples.push_back(nextSample(reader, sums, beganAtNs));
-        if (!reader.isSound() || !sums.areSound()) return std::nullopt;
+        if (!reader.isSound() || !sums.areSound() || samples.front().atNs != beganAtNs) return std::nullopt;
     }
     return samples;
 }

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <opencv2/core.hpp>
+#include <stdexcept>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/images/image_io.h"
 
@@ -28,9 +31,70 @@ ordered_json written(const fs::path& folder, const std::string& name, const cv::
 
 ordered_json numberOrNull(const std::optional<double>& number) { return number ? ordered_json(*number) : ordered_json(nullptr); }
 
-cv::Mat readBack(const fs::path& folder, const ordered_json& name)
+/// Files lie in the folder itself. Throws std::invalid_argument for a name that leads out of it.
+fs::path fileIn(const fs::path& folder, const nlohmann::json& name)
 {
-    return name.is_null() ? cv::Mat() : readNpy(folder / name.get<std::string>());
+    const fs::path file = name.get<std::string>();
+    if (file.empty() || file != file.filename()) throw std::invalid_argument("\"" + file.string() + "\" is no name of a file");
+    return folder / file;
+}
+
+/// Empty for null. Throws std::invalid_argument for other elements than `type` and for values that are not finite.
+cv::Mat readBack(const fs::path& folder, const nlohmann::json& name, int type)
+{
+    if (name.is_null()) return {};
+    const fs::path file = fileIn(folder, name);
+    cv::Mat array = readNpy(file);
+    if (array.type() != type || !cv::checkRange(array))
+        throw std::invalid_argument(file.filename().string() + " holds values of another type, or values that are not finite");
+    return array;
+}
+
+double positive(const nlohmann::json& object, const char* name)
+{
+    const double value = object.at(name).get<double>();
+    if (!(value > 0)) throw std::invalid_argument(std::string(name) + " is not positive");
+    return value;
+}
+
+int whole(const nlohmann::json& object, const char* name)
+{
+    constexpr std::int64_t most = 1 << 24;
+    const nlohmann::json& value = object.at(name);
+    if (!value.is_number_integer() || value.get<std::int64_t>() < 1 || value.get<std::int64_t>() > most)
+        throw std::invalid_argument(std::string(name) + " is no whole number from 1 to 2^24");
+    return value.get<int>();
+}
+
+void readSpectrogram(GeneratedSignals& answer, const fs::path& folder, const nlohmann::json& item)
+{
+    answer.spectrogram = readBack(folder, item.at("spectrogram"), CV_32FC1);
+    if (answer.spectrogram.empty()) return;
+    const nlohmann::json& parameters = item.at("spectrogram_parameters");
+    answer.spectrogramParameters = {whole(parameters, "window"), whole(parameters, "hop"), whole(parameters, "fft"),
+                                    positive(parameters, "samples_per_mm")};
+    // The rows come first: they bound the length of the windows.
+    if (answer.spectrogram.rows != answer.spectrogramParameters.frequencies())
+        throw std::invalid_argument("the spectrogram has " + std::to_string(answer.spectrogram.rows) + " frequencies");
+    signals::requireInvertible(answer.spectrogramParameters);
+}
+
+GeneratedSignals answerIn(const fs::path& folder, const nlohmann::json& item)
+{
+    GeneratedSignals answer;
+    answer.heightMm = readBack(folder, item.at("height"), CV_32FC1);
+    if (!answer.heightMm.empty()) answer.heightMmPerPixel = positive(item, "height_mm_per_pixel");
+    readSpectrogram(answer, folder, item);
+    const cv::Mat trace = readBack(folder, item.at("trace"), CV_64FC1);
+    if (!trace.empty()) {
+        answer.trace.assign(trace.ptr<double>(), trace.ptr<double>() + trace.total());
+        answer.traceMmPerSample = positive(item, "trace_mm_per_sample");
+        answer.meanFriction = item.at("mean_friction").get<double>();
+    }
+    if (const nlohmann::json& distance = item.at("distance"); !distance.is_null())
+        answer.photograph.distance = distance.get<double>();
+    answer.photograph.usualDistance = item.at("usual_distance").get<double>();
+    return answer;
 }
 
 }  // namespace
@@ -77,24 +141,27 @@ void RequestWriter::finish() const
 GenerationRequest readRequest(const fs::path& folder)
 {
     const fs::path file = folder / "request.json";
-    const std::string text = protocols::readWholeFile(file);
+    const auto refused = [&](const std::string& what) {
+        return protocols::badInput({what, file.string(), requestSchema, "build both executables again"});
+    };
+    const nlohmann::json json = protocols::parseStrictJson(protocols::readWholeFile(file), file.string());
     GenerationRequest request;
     try {
-        const ordered_json json = ordered_json::parse(text);
-        if (json.at("schema").get<std::string>() != requestSchema)
-            throw protocols::badInput({"has another schema", file.string(), requestSchema, "build both executables again"});
+        if (json.at("schema").get<std::string>() != requestSchema) throw refused("has another schema");
         const std::string model = json.at("model").get<std::string>();
         request.options.model = model.empty() ? shippedModel() : fs::path(model);
         request.options.quality = qualityNamed(json.at("quality").get<std::string>());
         request.options.height = json.at("height").get<bool>();
         request.options.friction = json.at("friction").get<bool>();
-        for (const ordered_json& item : json.at("photographs")) {
-            const ordered_json& pitch = item.at("mm_per_pixel");
-            request.photographs.push_back({folder / item.at("file").get<std::string>(),
-                                           pitch.is_null() ? std::nullopt : std::optional(pitch.get<double>())});
+        for (const nlohmann::json& item : json.at("photographs")) {
+            const bool hasPitch = !item.at("mm_per_pixel").is_null();
+            request.photographs.push_back(
+                {fileIn(folder, item.at("file")), hasPitch ? std::optional(positive(item, "mm_per_pixel")) : std::nullopt});
         }
-    } catch (const ordered_json::exception& fault) {
-        throw protocols::badInput({fault.what(), file.string(), requestSchema, "build both executables again"});
+    } catch (const nlohmann::json::exception& fault) {
+        throw refused(fault.what());
+    } catch (const std::invalid_argument& fault) {
+        throw refused(fault.what());
     }
     return request;
 }
@@ -144,24 +211,9 @@ std::vector<GeneratedSignals> readAnswers(const fs::path& folder)
     const fs::path file = folder / "answer.json";
     std::vector<GeneratedSignals> answers;
     try {
-        const ordered_json json = ordered_json::parse(protocols::readWholeFile(file));
-        for (const ordered_json& item : json.at("signals")) {
-            GeneratedSignals answer;
-            answer.heightMm = readBack(folder, item.at("height"));
-            answer.heightMmPerPixel = item.at("height_mm_per_pixel").get<double>();
-            answer.spectrogram = readBack(folder, item.at("spectrogram"));
-            const ordered_json& parameters = item.at("spectrogram_parameters");
-            answer.spectrogramParameters = {parameters.at("window").get<int>(), parameters.at("hop").get<int>(),
-                                            parameters.at("fft").get<int>(), parameters.at("samples_per_mm").get<double>()};
-            const cv::Mat trace = readBack(folder, item.at("trace"));
-            if (!trace.empty()) answer.trace.assign(trace.ptr<double>(), trace.ptr<double>() + trace.total());
-            answer.traceMmPerSample = item.at("trace_mm_per_sample").get<double>();
-            answer.meanFriction = item.at("mean_friction").get<double>();
-            if (const ordered_json& distance = item.at("distance"); !distance.is_null())
-                answer.photograph.distance = distance.get<double>();
-            answer.photograph.usualDistance = item.at("usual_distance").get<double>();
-            answers.push_back(answer);
-        }
+        const nlohmann::json json = protocols::parseStrictJson(protocols::readWholeFile(file), file.string());
+        if (json.at("schema") != answerSchema) throw std::invalid_argument("has another schema");
+        for (const nlohmann::json& item : json.at("signals")) answers.push_back(answerIn(folder, item));
     } catch (const std::exception& fault) {
         throw protocols::workFailed({std::string("the answer of vis2hap-nn cannot be read: ") + fault.what(), file.string(),
                                      answerSchema, "build both executables again, so that their versions match"});

@@ -3,8 +3,10 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/condition.h"
+#include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/sha256.h"
+#include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/images/image_io.h"
 
@@ -23,19 +25,29 @@ fs::path imagePath(const fs::path& folder, const protocols::FabricId& fabric, co
     return folder / fabric.value / (protocols::fileNameOf(condition) + ".png");
 }
 
+/// None for a damaged manifest.
+std::optional<ordered_json> manifestIn(const fs::path& file)
+{
+    try {
+        return protocols::parseStrictOrderedJson(protocols::readWholeFile(file), file.string());
+    } catch (const protocols::Error&) {
+        return std::nullopt;
+    }
+}
+
 /// Throws nlohmann's exceptions for a manifest with other fields.
 std::optional<KeptImages> keptIn(const fs::path& folder, const std::string& key, const rendering::RenderRequest& request)
 {
     if (!fs::exists(folder / manifestName)) return std::nullopt;
-    const auto manifest = ordered_json::parse(protocols::readWholeFile(folder / manifestName), nullptr, false);
-    if (manifest.is_discarded() || manifest.value("key", "") != key || !manifest.contains("stamps")) return std::nullopt;
+    const auto manifest = manifestIn(folder / manifestName);
+    if (!manifest || manifest->value("key", "") != key || !manifest->contains("stamps")) return std::nullopt;
     KeptImages kept;
-    kept.signalsJson = manifest.at("signals").dump();
-    kept.stamps = manifest.at("stamps").get<std::vector<std::string>>();
+    kept.signalsJson = manifest->at("signals").dump();
+    kept.stamps = manifest->at("stamps").get<std::vector<std::string>>();
     for (const auto& condition : request.conditions)
         for (const auto& fabric : request.fabrics) {
             const auto file = imagePath(folder, fabric, condition);
-            const auto expected = manifest.at("sha256").value(fs::relative(file, folder).string(), "");
+            const auto expected = manifest->at("sha256").value(fs::relative(file, folder).string(), "");
             if (!fs::exists(file) || protocols::sha256OfFile(file) != expected) return std::nullopt;
             kept.images[condition][fabric] = rendering::readPng(file);
         }

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "database/disk/finger_text.h"
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/id_rule.h"
@@ -29,12 +30,12 @@
 #include "rendering/images/image_png.h"
 #include "rendering/images/image_tiff.h"
 #include "rendering/images/true_map.h"
-#include "rendering/models/model_card_fields.h"
-#include "rendering/models/tensors/tensor_file.h"
 #include "rendering/signals/spectrogram_file.h"
 #include "rendering/signals/tactile/calibration.h"
 #include "study/players/script.h"
+#include "tests/fuzz/model_readers.h"
 #include "tests/fuzz/number_readers.h"
+#include "tests/fuzz/settings_readers.h"
 #include "tests/fuzz/study_readers.h"
 #include "tests/support/true_map_bytes.h"
 
@@ -164,6 +165,22 @@ void readId(const std::string& bytes)
     protocols::requireGoodId(bytes, "a participant", "a.json");
 }
 
+void readDriverLine(const std::string& bytes)
+{
+    const auto message = rendering::driverMessageFrom(bytes);
+    if (!message || message->kind != rendering::MessageKind::Finger) return;
+    for (const auto& value : {message->xMm, message->yMm, message->forceN})
+        if (value && !(std::abs(*value) <= 1e4)) throw std::runtime_error("a finger beyond every display was read");
+}
+
+void readFingerText(const std::string& bytes)
+{
+    const auto samples = database::fingerSamplesFrom(bytes, 1'000'000'000);
+    if (!samples) throw protocols::badInput({"no samples of a finger", "", "", ""});
+    const auto again = database::fingerSamplesFrom(database::fingerTextOf(*samples), 1'000'000'000);
+    if (!again || again->size() != samples->size()) throw std::runtime_error("samples are not read as they were written");
+}
+
 Reader imageReader(const std::string& name, const fs::path& file, std::vector<std::string> corpus)
 {
     return {name, std::move(corpus), [file](const std::string& bytes) {
@@ -215,8 +232,10 @@ std::vector<Reader> textReaders()
         {"driver",
          {R"({"type":"hello","id":1,"schema":"vis2hap.display/1","name":"x","width":1280,"height":800,"touches":true})",
           R"({"type":"shown","id":2,"t_device":1.5})", R"({"type":"failed","id":3,"why":"x"})",
-          R"({"type":"finger","id":2,"at_s":1.5,"x_mm":31.2,"y_mm":20.05,"force_n":0.42})"},
-         [](const std::string& bytes) { rendering::driverMessageFrom(bytes); }},
+          R"({"type":"finger","id":2,"at_s":1.5,"x_mm":31.2,"y_mm":20.05,"force_n":0.42})",
+          R"({"type":"finger","id":2,"at_s":null,"x_mm":-1e4,"y_mm":null,"force_n":1e999})", R"({"type":"finger","id":7.0})"},
+         readDriverLine},
+        {"finger-text", {"0,3120,2005,420;50,12,,-3;60,,,", "0,,,;1,2147483647,-9,"}, readFingerText},
         {"true-map", {tests::support::trueMapBytes(heights())}, [](const std::string& bytes) {
              use(rendering::trueMapFrom(bytes, "a.tmd").heightMm);
          }}};
@@ -232,25 +251,6 @@ std::vector<Reader> imageReaders(const fs::path& folder)
             imageReader("tiff", folder / "a.tiff", {bytesOf(folder / "height.tiff")}),
             imageReader("npy", folder / "a.npy", {bytesOf(folder / "array.npy")}),
             imageReader("pgm", folder / "a.pgm", {rendering::pgmBytes(ramp(CV_8UC1)), "P5\n# c\n2 2\n65535\n12345678"})};
-}
-
-std::vector<Reader> modelReaders(const fs::path& folder)
-{
-    using namespace rendering::models;
-    const TensorKind kind{"a", Element::F32, {2, 3}};
-    const std::string tensors = tensorFileBytes({{{"format", "x"}}, {{kind, std::string(24, '\0')}}});
-    const TensorSource source{folder / "m.safetensors", "weights", "train again"};
-    const fs::path model = folder / "m.safetensors";
-    return {{"tensors",
-             {tensors},
-             [kind, source](const std::string& bytes) {
-                 tensorMetadata(bytes, source);
-                 parseTensorFile(bytes, {kind}, source);
-             }},
-            {"model-card", {cardText(ModelCardFields{})}, [model](const std::string& bytes) {
-                 put(cardOf(model), bytes);
-                 readModelCardFields(model);
-             }}};
 }
 
 using RecordReader = std::vector<rendering::fabrics::RawRecord> (*)(const fs::path&, const rendering::fabrics::FrictionOptions&);
@@ -306,8 +306,8 @@ std::vector<Reader> recordReaders(const fs::path& folder)
 std::vector<Reader> allReaders(const fs::path& folder)
 {
     std::vector<Reader> readers = textReaders();
-    for (auto& more :
-         {imageReaders(folder), modelReaders(folder), recordReaders(folder), numberReaders(folder), studyReaders(folder)})
+    for (auto& more : {imageReaders(folder), modelReaders(folder), recordReaders(folder), numberReaders(folder),
+                       settingsReaders(folder), studyReaders(folder)})
         readers.insert(readers.end(), more.begin(), more.end());
     return readers;
 }

@@ -9,13 +9,17 @@
 #include <stdexcept>
 
 #include "database/evidence/acts.h"
+#include "database/evidence/finger_records.h"
+#include "database/evidence/operator_latency.h"
 #include "database/preregistrations.h"
 #include "database/station_key.h"
 #include "protocols/files/errors.h"
+#include "protocols/secrets/signing.h"
 #include "study/commands/passphrase_option.h"
 #include "study/leaks/seen_study.h"
 #include "study/making/preregistration.h"
 #include "study/records/blinded_report.h"
+#include "study/records/evidence/signed_head.h"
 #include "study/records/log_heads.h"
 #include "study/records/stored_study.h"
 #include "study/records/study_faults.h"
@@ -62,7 +66,7 @@ public:
             database::StudyStore store(m_sound, database::StudyStore::Access::Write);
             study::making::preregister(store, callOfPlan());
         }
-        tests::support::OpenSession(m_sound, "P01").playToEnd();
+        playWithFinger("P01");
         play("P02", 3, study::session::WithdrawnEvent{"ill"});
         {
             database::StudyStore store(m_sound, database::StudyStore::Access::Write);
@@ -73,6 +77,10 @@ public:
         }
         m_earlier = contentOf(m_sound.database());
         play("P03", 5, study::session::Paused{});
+        {
+            const database::StudyStore store(m_sound, database::StudyStore::Access::Write);
+            recordOperatorLatency(store, {"Ada", "tone", 60, 20, 1, 2, 310.5, 280.25, 350, {}, 0});
+        }
         recordAct(m_sound, {"export", "a", "vis2hap", "host", "out", {}, ""});
         fs::remove(m_sound.folder / "preregistration.txt");
     }
@@ -92,6 +100,17 @@ public:
     }
 
 private:
+    void playWithFinger(const char* participant) const
+    {
+        tests::support::OpenSession session(m_sound, participant);
+        do {
+            for (int sample = 0; sample < 5; ++sample) {
+                session.clock.advanceSeconds(0.01);
+                session.driver->addFinger({{}, 31.4 + 0.7 * sample, 20.5, 0.43});
+            }
+        } while (session.step());
+    }
+
     void play(const char* participant, int answers, const study::session::EventBody& end) const
     {
         tests::support::OpenSession session(m_sound, participant);
@@ -123,7 +142,8 @@ void readStudy(const StudyFolder& folder)
     const auto store = records::openStudy(folder.folder);
     runAllOf({[&] { records::findingsOf(store); }, [&] { records::textOf(records::statusOf(store, nobody)); },
               [&] { records::studyData(store, nobody); }, [&] { records::blindedReport(store); }, [&] { actsOf(store); },
-              [&] { store.personalFacts(); }, [&] { store.erasures(); },
+              [&] { store.personalFacts(); }, [&] { store.erasures(); }, [&] { chainedActsOf(store); },
+              [&] { operatorLatenciesOf(store); }, [&] { eachFingerRecord(store, {}, [](const database::FingerRecord&) {}); },
               [&] { study::leaks::seenStudy(study::leaks::tablesOfDatabase(folder.database())); }});
 }
 
@@ -225,6 +245,23 @@ std::vector<Reader> fileReaders(const fs::path& folder, const Study& study)
                  return Inputs{"head " + textOf(head) + "\n", R"({"head":")" + textOf(head) + "\"}",
                                shortTextOf(head) + " 99:abcdef0123456789"};
              }},
+            {"signed-head",
+             {},
+             [study](const std::string& bytes) {
+                 const database::StudyStore store(study->get().sound(), database::StudyStore::Access::Read);
+                 if (const auto head = study::records::signedHeadIn(bytes, "head.txt"))
+                     (void)faultOfSignature(*head, head->publicKey, store);
+             },
+             [study] {
+                 const database::StudyStore store(study->get().sound(), database::StudyStore::Access::Read);
+                 return Inputs{study::records::signedHeadText(store, protocols::SecretKey::ofSeed(3), "vis2hap")};
+             }},
+            {"signing-key",
+             {study::records::signingKeyText(protocols::SecretKey::ofSeed(3), std::nullopt)},
+             [](const std::string& bytes) { study::records::signingKeyOf(bytes, "lab.key", nobody); }},
+            {"public-key",
+             {protocols::pemOf(protocols::publicKeyOf(protocols::SecretKey::ofSeed(3)))},
+             [](const std::string& bytes) { protocols::publicKeyOfPem(bytes, "lab.key.pub"); }},
             {"passphrase", {"four words of mine\n", "long enough\r\nsecond line\n"}, [passphrase](const std::string& bytes) {
                  replace(passphrase.file, bytes);
                  if (const auto given = givenPassphrase(passphrase)(); given && given->find('\n') != std::string::npos)

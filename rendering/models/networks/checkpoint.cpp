@@ -1,8 +1,10 @@
 #include "rendering/models/networks/checkpoint.h"
 
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
 
 namespace rendering::models {
@@ -30,27 +32,44 @@ protocols::Error unusable(const TensorSource& source, const std::string& what)
     return protocols::badInput({what, source.file.string(), source.expected, source.nextStep});
 }
 
+nlohmann::json jsonIn(const std::string& text, const TensorSource& source)
+{
+    try {
+        return protocols::parseStrictJson(text, source.file.string());
+    } catch (const protocols::Error&) {
+        throw unusable(source, "the checkpoint is damaged");
+    }
+}
+
+int countIn(const nlohmann::json& state, const char* name)
+{
+    const nlohmann::json& value = state.at(name);
+    if (!value.is_number_integer()) throw std::out_of_range(name);
+    const auto count = value.get<std::int64_t>();
+    if (count < 0 || count > std::numeric_limits<int>::max()) throw std::out_of_range(name);
+    return static_cast<int>(count);
+}
+
 Checkpoint stateFrom(const std::map<std::string, std::string>& metadata, const TensorSource& source)
 {
     Checkpoint checkpoint;
     try {
         if (metadata.at("format") != formatName) throw unusable(source, "the checkpoint is of another version");
-        const ordered_json json = ordered_json::parse(metadata.at("state"));
+        const nlohmann::json json = jsonIn(metadata.at("state"), source);
         checkpoint.fingerprint = json.at("fingerprint").get<std::string>();
         checkpoint.validationBefore = json.at("validation_before").get<std::string>();
-        checkpoint.step = json.at("step").get<int>();
-        checkpoint.bestStep = json.at("best_step").get<int>();
+        checkpoint.step = countIn(json, "step");
+        checkpoint.bestStep = countIn(json, "best_step");
         checkpoint.bestDistance = json.at("best_distance").get<double>();
-        checkpoint.validationsWithoutBetter = json.at("validations_without_better").get<int>();
+        checkpoint.validationsWithoutBetter = countIn(json, "validations_without_better");
         checkpoint.elapsedS = json.at("elapsed_s").get<double>();
-        if (!ordered_json::accept(checkpoint.validationBefore)) throw unusable(source, "the checkpoint is damaged");
-    } catch (const ordered_json::exception&) {
+        jsonIn(checkpoint.validationBefore, source);
+    } catch (const nlohmann::json::exception&) {
         throw unusable(source, "the checkpoint is damaged");
     } catch (const std::out_of_range&) {
         throw unusable(source, "the checkpoint is damaged");
     }
-    if (checkpoint.step < 0 || checkpoint.bestStep < 0 || checkpoint.validationsWithoutBetter < 0 || !(checkpoint.elapsedS >= 0))
-        throw unusable(source, "the checkpoint is damaged");
+    if (!(checkpoint.elapsedS >= 0)) throw unusable(source, "the checkpoint is damaged");
     return checkpoint;
 }
 

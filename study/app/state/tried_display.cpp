@@ -31,7 +31,7 @@ std::optional<double> rememberedScale(const QSettings* settings, const std::stri
 {
     if (!settings || settings->value(scaleOfKey).toString().toStdString() != specification) return std::nullopt;
     const double mmPerPixel = settings->value(scaleKey).toDouble();
-    return mmPerPixel > 0 ? std::optional(mmPerPixel) : std::nullopt;
+    return mmPerPixel > 0 && mmPerPixel <= largestMmPerPixel ? std::optional(mmPerPixel) : std::nullopt;
 }
 
 void rememberScale(QSettings* settings, const std::string& specification, double mmPerPixel)

@@ -28,7 +28,9 @@ bool leavesPlainImages(const std::string& specification);
 /// Specification of the display that was connected last; empty if none is stored. `settings` may be null.
 std::string rememberedDisplay(const QSettings* settings);
 void rememberDisplay(QSettings* settings, const std::string& specification);
-/// Scale of this display, mm per pixel, if the operator entered one.
+/// Pixels of a display are smaller than this.
+inline constexpr double largestMmPerPixel = 10;
+/// Scale of this display, mm per pixel, if the operator entered one; a number that no display has is left out.
 std::optional<double> rememberedScale(const QSettings* settings, const std::string& specification);
 void rememberScale(QSettings* settings, const std::string& specification, double mmPerPixel);
 

@@ -163,9 +163,8 @@ std::string DisplayPage::specification() const
 std::optional<double> DisplayPage::scale() const
 {
     bool isNumber = false;
-    constexpr double largestMm = 10;
     const double mm = m_scale->text().trimmed().replace(QLatin1Char(','), QLatin1Char('.')).toDouble(&isNumber);
-    return isNumber && mm > 0 && mm <= largestMm ? std::optional(mm) : std::nullopt;
+    return isNumber && mm > 0 && mm <= largestMmPerPixel ? std::optional(mm) : std::nullopt;
 }
 
 void DisplayPage::connectDisplay()

@@ -24,8 +24,8 @@ UsedSide usedSide(int length, double factor)
     return {(length - taken) / 2, taken, largestSidePx};
 }
 
-/// The finest procedural fabric at 0.05 mm per pixel is silk satin, with a period of 5 px. Most fabrics have 7 to 11 px.
-constexpr double finestPeriodPx = 5, ordinaryPeriodPx = 9;
+/// Most procedural fabrics have periods of 7 to 11 px at 0.05 mm per pixel.
+constexpr double ordinaryPeriodPx = 9;
 /// Waves below 2.3 px are hardly resolved, so more enlargement would add nothing.
 constexpr double mostEnlargement = 4;
 

@@ -8,6 +8,9 @@ namespace rendering::models {
 /// Largest side in px at the model's pitch. It exceeds any photograph of one place on a fabric and limits time and memory.
 inline constexpr int largestSidePx = 2048;
 
+/// Period of the finest weave of the training data at the model's pitch, px: silk satin at 0.05 mm per pixel.
+inline constexpr double finestPeriodPx = 5;
+
 struct PhotographAtPitch {
     cv::Mat rgb;              ///< CV_8UC3, own memory
     cv::Rect part;            ///< the part of the photograph that is used, in its own pixels

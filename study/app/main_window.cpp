@@ -11,6 +11,7 @@
 #include "study/app/pages/data_page.h"
 #include "study/app/pages/monitor_window.h"
 #include "study/app/pages/new_study_page.h"
+#include "study/app/pages/photographs/photographs_page.h"
 #include "study/app/pages/session_page.h"
 #include "study/app/pages/setup/display_page.h"
 #include "study/app/pages/setup/keys_page.h"
@@ -47,6 +48,7 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
       m_startPage(new StartPage(this)),
       m_newStudyPage(new NewStudyPage(options.makeStudy, this)),
       m_dataPage(new DataPage(options.lookAtData, this)),
+      m_photographsPage(new PhotographsPage(options.photographs, this)),
       m_displayPage(new DisplayPage(options, this)),
       m_keysPage(new KeysPage(options.settings, this)),
       m_studyPage(new StudyPage(this)),
@@ -59,8 +61,9 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
     m_pages->setObjectName("pages");
     for (QWidget* page :
          {static_cast<QWidget*>(m_startPage), static_cast<QWidget*>(m_newStudyPage), static_cast<QWidget*>(m_dataPage),
-          static_cast<QWidget*>(m_displayPage), static_cast<QWidget*>(m_keysPage), static_cast<QWidget*>(m_latencyPage),
-          static_cast<QWidget*>(m_studyPage), static_cast<QWidget*>(m_toolsPage), static_cast<QWidget*>(m_sessionPage)})
+          static_cast<QWidget*>(m_photographsPage), static_cast<QWidget*>(m_displayPage), static_cast<QWidget*>(m_keysPage),
+          static_cast<QWidget*>(m_latencyPage), static_cast<QWidget*>(m_studyPage), static_cast<QWidget*>(m_toolsPage),
+          static_cast<QWidget*>(m_sessionPage)})
         m_pages->addWidget(page);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -98,6 +101,16 @@ void MainWindow::connectPages()
         m_dataPage->focusFirst();
     });
     connect(m_dataPage, &DataPage::backRequested, this, &MainWindow::showStart);
+    connect(m_startPage, &StartPage::photographsRequested, this, [this] {
+        m_pages->setCurrentWidget(m_photographsPage);
+        m_photographsPage->focusFirst();
+    });
+    connect(m_photographsPage, &PhotographsPage::backRequested, this, &MainWindow::showStart);
+    connect(m_photographsPage, &PhotographsPage::studyRequested, this, [this](const QString& dataset) {
+        m_newStudyPage->fillDataset(dataset);
+        m_pages->setCurrentWidget(m_newStudyPage);
+        m_newStudyPage->focusFirst();
+    });
     connect(m_newStudyPage, &NewStudyPage::backRequested, this, &MainWindow::showStart);
     connect(m_newStudyPage, &NewStudyPage::made, this, [this](const QString& folder) {
         showStart();
@@ -218,8 +231,9 @@ QWidget* MainWindow::currentPage() const { return m_pages->currentWidget(); }
 void MainWindow::showStart()
 {
     setWindowTitle(tr("Vis2Hap"));
-    m_startPage->present(recentStudies(m_options.settings.get()), static_cast<bool>(m_options.makeStudy),
-                         static_cast<bool>(m_options.lookAtData));
+    m_startPage->present(recentStudies(m_options.settings.get()),
+                         {static_cast<bool>(m_options.makeStudy), static_cast<bool>(m_options.lookAtData),
+                          static_cast<bool>(m_options.photographs)});
     m_pages->setCurrentWidget(m_startPage);
     m_startPage->focusFirst();
 }

@@ -1,5 +1,5 @@
-// The main window: a stack of pages (start, new study, data set, display, keys, latency, study, tools, session), the open study
-// and session, and the appearance. It decides nothing about a session; it connects the pages to the controller.
+// The main window: a stack of pages (start, new study, data set, photographs, display, keys, latency, study, tools, session), the
+// open study and session, and the appearance. It decides nothing about a session; it connects the pages to the controller.
 #pragma once
 
 #include <QWidget>
@@ -20,6 +20,7 @@ class KeysPage;
 class LatencyPage;
 class MonitorWindow;
 class NewStudyPage;
+class PhotographsPage;
 class SessionPage;
 class StartPage;
 class StudyPage;
@@ -83,6 +84,7 @@ private:
     StartPage* m_startPage;
     NewStudyPage* m_newStudyPage;
     DataPage* m_dataPage;
+    PhotographsPage* m_photographsPage;
     DisplayPage* m_displayPage;
     KeysPage* m_keysPage;
     LatencyPage* m_latencyPage;

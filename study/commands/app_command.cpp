@@ -11,6 +11,7 @@
 #include "study/commands/text_checks.h"
 #include "study/looking/look_at_data.h"
 #include "study/making/new_study.h"
+#include "study/photographs/photograph_steps.h"
 #include "study/records/stored_study.h"
 
 namespace study::commands {
@@ -68,6 +69,7 @@ app::AppOptions optionsOf(const AppCall& call)
     options.makeStudy = makeForApp;
     options.settings = app::userSettings();
     options.lookAtData = looking::lookAtData();
+    options.photographs = photographs::photographSteps();
     options.readFlags = flagsOf;
     options.useTool = studyTools(call.operatorName);
     options.operatedBy = session::operatedBy(call.operatorName, versionText());

@@ -8,6 +8,7 @@
 #include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/fabrics/recordings/import_sources.h"
+#include "rendering/fabrics/recordings/photograph_files.h"
 #include "rendering/images/image_png.h"
 
 namespace rendering::fabrics {
@@ -16,28 +17,6 @@ namespace fs = std::filesystem;
 using protocols::Sync;
 
 namespace {
-
-constexpr std::string_view imageEndings[] = {".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp"};
-constexpr int smallestSidePx = 16;
-
-/// CV_8UC3, RGB.
-cv::Mat readPicture(const fs::path& file, const ImportRequest& request)
-{
-    cv::Mat image;
-    if (lowerCase(file.extension().string()) == ".png")
-        image = readPng(file);
-    else if (request.decodeOther)
-        image = request.decodeOther(file);
-    else
-        throw protocols::badInput(
-            {"is not a PNG, and this program has no decoder for it", file.string(), "a PNG image", "convert it to PNG"});
-    if (image.empty() || std::min(image.rows, image.cols) < smallestSidePx)
-        throw protocols::badInput({"is " + std::to_string(image.cols) + " x " + std::to_string(image.rows) + " pixels",
-                                   file.string(), "at least 16 x 16 pixels", "export it at a larger size"});
-    if (image.depth() == CV_16U) image.convertTo(image, CV_8U, 1.0 / 257);
-    if (image.channels() == 1) cv::cvtColor(image, image, cv::COLOR_GRAY2RGB);
-    return image;
-}
 
 std::string sizeOf(const cv::Mat& image) { return std::to_string(image.cols) + " x " + std::to_string(image.rows) + " px"; }
 
@@ -106,7 +85,7 @@ cv::Mat referenceAmong(const std::vector<SourceFile>& files, const ImportRequest
     }
     for (const SourceFile& source : files) {
         if (!isReference(source.file)) continue;
-        const cv::Mat picture = readPicture(source.file, request);
+        const cv::Mat picture = readPhotographFile(source.file, request.decodeOther);
         if (!reference.empty() && !samePixels(picture, reference))
             throw protocols::badInput({"differs from the reference frame " + from.string(), source.file.string(),
                                        "one sensor for each data set",
@@ -145,10 +124,10 @@ void takeSensor(const ImportedSensor& sensor, const Dataset& dataset, cv::Mat& r
 std::vector<std::string> importPhotos(const ImportRequest& request, ImportStage& stage)
 {
     Dataset& dataset = stage.dataset();
-    const auto files = sourceFiles(request.from, imageEndings, FabricNaming::FolderOrFile);
+    const auto files = sourceFiles(request.from, photographEndings(), FabricNaming::FolderOrFile);
     ImportCounts counts;
     for (const SourceFile& source : files) {
-        const cv::Mat picture = readPicture(source.file, request);
+        const cv::Mat picture = readPhotographFile(source.file, request.decodeOther);
         const auto fabric = stage.fabricFor(source.fabricName, request.fabric);
         const auto slot = stage.addSample(fabric, Modality::Visual);
         writePng(slot.file, picture, Sync::Later);
@@ -167,7 +146,7 @@ std::vector<std::string> importPhotos(const ImportRequest& request, ImportStage&
 std::vector<std::string> importGelsight(const ImportRequest& request, ImportStage& stage)
 {
     Dataset& dataset = stage.dataset();
-    const auto files = sourceFiles(request.from, imageEndings, FabricNaming::FolderOrFile);
+    const auto files = sourceFiles(request.from, photographEndings(), FabricNaming::FolderOrFile);
     cv::Mat reference = referenceAmong(files, request, dataset, stage.isNew());
     if (request.sensor) takeSensor(*request.sensor, dataset, reference);
     if (reference.empty() && !stage.isNew() && hasSamples(dataset, Modality::Tactile))
@@ -177,7 +156,7 @@ std::vector<std::string> importGelsight(const ImportRequest& request, ImportStag
     ImportCounts counts;
     for (const SourceFile& source : files) {
         if (isReference(source.file)) continue;
-        const cv::Mat frame = readPicture(source.file, request);
+        const cv::Mat frame = readPhotographFile(source.file, request.decodeOther);
         if (size.area() == 0) size = frame.size();
         if (request.sensor && isGrey(frame))
             throw protocols::badInput({"is a grey image", source.file.string(),

@@ -249,6 +249,8 @@ void NewStudyPage::goBack()
     m_doing->setText(tr("The program stops this work."));
 }
 
+void NewStudyPage::fillDataset(const QString& folder) { m_dataset->setText(folder); }
+
 void NewStudyPage::focusFirst() { m_study->setFocus(); }
 
 void NewStudyPage::keyPressEvent(QKeyEvent* event)

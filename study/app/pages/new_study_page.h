@@ -26,6 +26,8 @@ public:
     ~NewStudyPage() override;
 
     void focusFirst();
+    /// Enters this data set.
+    void fillDataset(const QString& folder);
     bool isMaking() const { return m_making != nullptr; }
 
 Q_SIGNALS:

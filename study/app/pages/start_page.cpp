@@ -22,6 +22,7 @@ StartPage::StartPage(QWidget* parent)
       m_open(mainButton("openButton", tr("Open the study (Enter)"), this)),
       m_new(button("newStudyButton", tr("Create a new study…"), this)),
       m_data(button("lookAtDataButton", tr("Look at a data set…"), this)),
+      m_photographs(button("photographsButton", tr("Data set from photographs…"), this)),
       m_display(button("displayButton", tr("Display…"), this)),
       m_keys(button("keysButton", tr("Keys and pedals…"), this)),
       m_message(new MessageBar("startMessage", this))
@@ -60,7 +61,7 @@ StartPage::StartPage(QWidget* parent)
     column->addLayout(folderRow);
     column->addWidget(m_message);
     column->addSpacing(10);
-    column->addLayout(actionsRow({m_open, m_new, m_data, m_display, m_keys}));
+    column->addLayout(actionsRow({m_open, m_new, m_photographs, m_data, m_display, m_keys}));
     column->addStretch(2);
     column->addWidget(appearanceHint(page));
     auto* outer = new QVBoxLayout(this);
@@ -76,11 +77,12 @@ StartPage::StartPage(QWidget* parent)
     connect(m_browse, &QPushButton::clicked, this, &StartPage::browse);
     connect(m_new, &QPushButton::clicked, this, &StartPage::newStudyRequested);
     connect(m_data, &QPushButton::clicked, this, &StartPage::dataRequested);
+    connect(m_photographs, &QPushButton::clicked, this, &StartPage::photographsRequested);
     connect(m_display, &QPushButton::clicked, this, &StartPage::displayRequested);
     connect(m_keys, &QPushButton::clicked, this, &StartPage::keysRequested);
 }
 
-void StartPage::present(const QStringList& recentFolders, bool canMakeStudies, bool canLookAtData)
+void StartPage::present(const QStringList& recentFolders, const Offered& offered)
 {
     m_message->clearMessage();
     m_recent->clear();
@@ -88,8 +90,9 @@ void StartPage::present(const QStringList& recentFolders, bool canMakeStudies, b
     m_recent->setVisible(!recentFolders.isEmpty());
     m_recentCaption->setVisible(!recentFolders.isEmpty());
     if (!recentFolders.isEmpty()) m_recent->setCurrentRow(0);
-    m_new->setVisible(canMakeStudies);
-    m_data->setVisible(canLookAtData);
+    m_new->setVisible(offered.newStudies);
+    m_data->setVisible(offered.dataSets);
+    m_photographs->setVisible(offered.photographs);
 }
 
 void StartPage::showFault(const QString& text) { m_message->showFault(text); }

@@ -1,4 +1,4 @@
-// First page of the program: opens a study folder, recent or other, or leads to the pages for a new study or a data set.
+// First page of the program: opens a study folder, recent or other, or leads to the pages for a new study or data set.
 #pragma once
 
 #include <QStringList>
@@ -18,8 +18,12 @@ class StartPage : public QWidget {
 public:
     explicit StartPage(QWidget* parent);
 
+    /// Work that the program offers besides open studies.
+    struct Offered {
+        bool newStudies = false, dataSets = false, photographs = false;
+    };
     /// `recentFolders`: the most recent first.
-    void present(const QStringList& recentFolders, bool canMakeStudies, bool canLookAtData);
+    void present(const QStringList& recentFolders, const Offered& offered);
     void showFault(const QString& text);
     void focusFirst();
 
@@ -27,6 +31,7 @@ Q_SIGNALS:
     void openRequested(const QString& folder);
     void newStudyRequested();
     void dataRequested();
+    void photographsRequested();
     void displayRequested();
     void keysRequested();
 
@@ -44,6 +49,7 @@ private:
     QPushButton* m_open;
     QPushButton* m_new;
     QPushButton* m_data;
+    QPushButton* m_photographs;
     QPushButton* m_display;
     QPushButton* m_keys;
     MessageBar* m_message;

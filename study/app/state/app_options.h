@@ -14,6 +14,7 @@
 #include "rendering/display/display.h"
 #include "study/app/state/data_look.h"
 #include "study/app/state/monitor.h"
+#include "study/app/state/photograph_steps.h"
 #include "study/app/state/screen_cover.h"
 #include "study/app/state/study_tool.h"
 #include "study/session/clock.h"
@@ -51,6 +52,7 @@ struct AppOptions {
     std::shared_ptr<session::Clock> clock;  ///< empty: the system's clock
     std::shared_ptr<QSettings> settings;    ///< recent studies, display and appearance; empty: nothing is stored
     LookAtData lookAtData;                  ///< empty: the window offers no data sets
+    PhotographSteps photographs;            ///< empty: the window offers no data set from photographs
     UseTool useTool;                        ///< empty: the study page offers no tools
     ReadFlags readFlags;                    ///< for the monitor; empty: no flags are shown
     database::ParticipantKind kind = database::ParticipantKind::Human;

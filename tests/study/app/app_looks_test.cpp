@@ -15,6 +15,7 @@
 
 #include "study/app/pages/data_page.h"
 #include "study/app/pages/monitor_window.h"
+#include "study/app/pages/photographs/photographs_page.h"
 #include "study/app/pages/tools/tools_page.h"
 #include "study/app/pieces/answer_entry.h"
 #include "study/app/pieces/pieces.h"
@@ -68,6 +69,32 @@ LookAtData someData()
     return look;
 }
 
+/// Two photographs, one with a warning, and a blank picture of friction images.
+PhotographSteps somePhotographs()
+{
+    PhotographSteps steps;
+    steps.find = [](const std::filesystem::path& place) {
+        return std::vector<std::filesystem::path>{place / "linen.jpg", place / "felt, from the museum.jpg"};
+    };
+    steps.see = [](const std::filesystem::path&, int) {
+        QImage picture(800, 600, QImage::Format_RGB32);
+        picture.fill(Qt::gray);
+        return SeenPhotograph{picture, QSize(4000, 3000)};
+    };
+    steps.check = [](const PhotographSet&, const ToolProgress&) {
+        return std::vector<QStringList>{
+            {},
+            {"photograph 0 of felt differs from all training photographs (distance 9.1, 99 % of known fabrics lie below 4.2)"}};
+    };
+    steps.write = [](const PhotographSet&, const std::filesystem::path&, const ToolProgress&) {};
+    steps.draw = [](const FrictionPictureRequest& request, const ToolProgress&) {
+        QImage picture(request.widthPx, 500, QImage::Format_RGB32);
+        picture.fill(Qt::gray);
+        return picture;
+    };
+    return steps;
+}
+
 /// Buttons and labels that are too small for their text.
 QStringList cutTextsIn(const QWidget& page)
 {
@@ -117,6 +144,7 @@ private:
     void visitQuestions(OpenWindow& open, const Look& look);
     void visitPanels(OpenWindow& open, const Look& look);
     void visitAround(OpenWindow& open, const Look& look);
+    void visitPhotographs(OpenWindow& open, const Look& look);
     void visitMonitor(OpenWindow& open, const Look& look);
     QFont m_font = QApplication::font();
 
@@ -142,6 +170,7 @@ void AppLooksTest::visitPages(const Look& look)
     AppOptions options;
     options.makeStudy = [](const NewStudyRequest&, const MakingProgress&) {};
     options.lookAtData = someData();
+    options.photographs = somePhotographs();
     options.useTool = [](StudyTool, const std::filesystem::path&, const std::filesystem::path&, const ToolProgress&) {
         return ToolOutcome{};
     };
@@ -307,11 +336,39 @@ void AppLooksTest::visitAround(OpenWindow& open, const Look& look)
     QTRY_VERIFY(!page.isBusy());
     look(open.window(), "data-open");
     open.gui().pressKey(Qt::Key_Escape);
+    visitPhotographs(open, look);
     open.gui().click("displayButton");
     look(open.window(), "display");
     open.gui().click("connectDisplayButton");
     open.gui().click("pattern2Button");
     look(open.window(), "display-pattern");
+}
+
+void AppLooksTest::visitPhotographs(OpenWindow& open, const Look& look)
+{
+    open.gui().click("photographsButton");
+    look(open.window(), "photographs");
+    auto& page = *qobject_cast<PhotographsPage*>(open.window().currentPage());
+    page.add(filePath("photographs"));
+    QTRY_VERIFY(!page.isBusy());
+    open.widget<QLineEdit>("fabricNameField").setFocus();
+    look(open.window(), "photographs-name-refused");  // an id has no comma
+    open.gui().clear();
+    open.gui().type("felt");
+    open.gui().focusOn("pixelWidthField");
+    open.gui().type("40");
+    look(open.window(), "photographs-scale-refused");
+    open.gui().clear();
+    open.gui().type("0.05");
+    open.gui().click("checkPhotographsButton");
+    QTRY_VERIFY(!page.isBusy());
+    look(open.window(), "photographs-checked");
+    open.gui().click("writeDatasetButton");
+    QTRY_VERIFY(!page.isBusy());
+    open.gui().click("drawFrictionImagesButton");
+    QTRY_VERIFY(!page.isBusy());
+    look(open.window(), "photographs-rendered");
+    open.gui().pressKey(Qt::Key_Escape);
 }
 
 void AppLooksTest::visitMonitor(OpenWindow& open, const Look& look)

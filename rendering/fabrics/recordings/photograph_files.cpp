@@ -1,0 +1,61 @@
+#include "rendering/fabrics/recordings/photograph_files.h"
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+
+#include "protocols/files/errors.h"
+#include "rendering/fabrics/recordings/import_stage.h"
+#include "rendering/images/image_png.h"
+
+namespace rendering::fabrics {
+
+namespace {
+
+constexpr std::string_view imageEndings[] = {".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp"};
+constexpr int smallestSidePx = 16;
+
+}  // namespace
+
+std::span<const std::string_view> photographEndings() { return imageEndings; }
+
+cv::Mat readPhotographFile(const std::filesystem::path& file, const DecodeOther& decodeOther)
+{
+    cv::Mat image;
+    if (lowerCase(file.extension().string()) == ".png")
+        image = readPng(file);
+    else if (decodeOther)
+        image = decodeOther(file);
+    else
+        throw protocols::badInput(
+            {"is not a PNG, and this program has no decoder for it", file.string(), "a PNG image", "convert it to PNG"});
+    if (image.empty() || std::min(image.rows, image.cols) < smallestSidePx)
+        throw protocols::badInput({"is " + std::to_string(image.cols) + " x " + std::to_string(image.rows) + " pixels",
+                                   file.string(), "at least 16 x 16 pixels", "export it at a larger size"});
+    if (image.depth() == CV_16U) image.convertTo(image, CV_8U, 1.0 / 257);
+    if (image.channels() == 1) cv::cvtColor(image, image, cv::COLOR_GRAY2RGB);
+    return image;
+}
+
+void makePhotographSet(const NewPhotographSet& request, const std::function<void(int, int)>& progress)
+{
+    std::error_code unknown;
+    if (std::filesystem::exists(std::filesystem::symlink_status(request.out, unknown)))
+        throw protocols::badInput({"this folder or file exists already", request.out.string(), "a name that is free",
+                                   "choose another name; nothing was written"});
+    if (request.photographs.empty())
+        throw protocols::badInput({"there are no photographs", request.out.string(), "at least one", "choose photographs"});
+    ImportStage stage(request.out);
+    stage.dataset().cameraMmPerPixel = request.mmPerPixel;
+    const int total = static_cast<int>(request.photographs.size());
+    for (int done = 0; done < total; ++done) {
+        if (progress) progress(done, total);
+        const SourceFile& source = request.photographs[static_cast<std::size_t>(done)];
+        const cv::Mat picture = readPhotographFile(source.file, request.decodeOther);
+        const auto slot = stage.addSample(stage.fabricFor(source.fabricName, std::nullopt), Modality::Visual);
+        writePng(slot.file, picture, protocols::Sync::Later);
+    }
+    if (progress) progress(total, total);
+    stage.commit();
+}
+
+}  // namespace rendering::fabrics

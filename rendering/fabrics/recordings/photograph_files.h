@@ -1,0 +1,38 @@
+// Photographs as files: which files of a folder are photographs, their pixels, and a new data set made from them.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <opencv2/core/mat.hpp>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "rendering/fabrics/recordings/import_sources.h"
+
+namespace rendering::fabrics {
+
+/// Decodes the formats that image_io does not read (import.h).
+using DecodeOther = std::function<cv::Mat(const std::filesystem::path&)>;
+
+/// Endings of image files, lower case, with the dot.
+std::span<const std::string_view> photographEndings();
+
+/// CV_8UC3, RGB, at least 16 x 16 pixels. Throws badInput naming the file.
+cv::Mat readPhotographFile(const std::filesystem::path& file, const DecodeOther& decodeOther);
+
+struct NewPhotographSet {
+    std::vector<SourceFile>
+        photographs;                   ///< in the order of their samples; fabrics get their ids in the order of their first one
+    std::optional<double> mmPerPixel;  ///< of every photograph; nullopt: unknown
+    std::filesystem::path out;
+    DecodeOther decodeOther;
+};
+
+/// Writes a new data set, as a whole or not at all. `progress(done, total)` counts photographs; an exception that it throws
+/// ends the work. Throws badInput for a photograph that cannot be read and where `out` exists, environmentFault where the disk
+/// refuses.
+void makePhotographSet(const NewPhotographSet& request, const std::function<void(int, int)>& progress = {});
+
+}  // namespace rendering::fabrics

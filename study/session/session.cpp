@@ -77,12 +77,12 @@ struct Transition {
     }
     Outcome operator()(const ScaleTraining& training, const ScalePlaced& placed) const
     {
-        const auto places = placesToName(plan, state);
-        if (training.placed >= static_cast<int>(places.size()))
-            return Refusal{"The participant has said a number for every place already."};
-        if (placed.shown != places[static_cast<std::size_t>(training.placed)])
-            return Refusal{"This is not the place on the line that is shown."};
-        return moved(ScaleTraining{training.isRefresher, training.placed + 1});
+        const auto place = placeToName(plan, state);
+        if (!place) return Refusal{"The participant has named enough places."};
+        if (placed.shown != *place) return Refusal{"This is not the place on the line that is shown."};
+        const bool isRight = isRightPlace(*memorisedScaleOf(plan.protocol), placed.shown, placed.spoken);
+        return moved(ScaleTraining{training.isRefresher, training.placed + 1, isRight ? training.rightInARow + 1 : 0,
+                                   NamedPlace{placed.shown, placed.spoken, isRight}});
     }
     Outcome operator()(const ScaleTraining&, const ScaleTrainingDone&) const { return preparedOn(); }
     Outcome operator()(const CheckingList&, const ChecklistDone&) const { return preparedOn(); }
@@ -227,7 +227,7 @@ Outcome startSitting(const State& state, const SittingStarted& started, std::int
     SessionStep step{state, {ClearDisplay{}}};
     interrupt(step.next);
     ++step.next.sitting;
-    step.next.sittingBeganAtNs = step.next.restedAtNs = step.next.trayAskedAtNs = atNs;
+    step.next.sittingBeganAtNs = step.next.restedAtNs = step.next.trayAskedAtNs = step.next.breakBeganAtNs = atNs;
     step.next.sittingOverTold = false;
     step.next.deadTimeNs = started.deadTimeNs;
     return step;
@@ -290,6 +290,16 @@ std::variant<SessionStep, Refusal> apply(const Plan& plan, const State& state, c
 {
     if (plan.trials.empty()) return Refusal{"The participant's list is empty."};
     return applyTo(plan, withOrder(plan, state), event);
+}
+
+bool isEnteredByOperator(const EventBody& event)
+{
+    return std::visit(protocols::Overloaded{[](const Touched& touch) { return touch.by == TouchSource::Operator; },
+                                            [](const Consented& entry) { return entry.by == EnteredBy::Operator; },
+                                            [](const FactsGiven& entry) { return entry.by == EnteredBy::Operator; },
+                                            [](const ScalePlaced& entry) { return entry.by == EnteredBy::Operator; },
+                                            [](const auto&) { return true; }},
+                      event);
 }
 
 std::string nameOf(const State& state)

@@ -58,10 +58,19 @@ struct Familiarising {
     std::optional<int> shown;
     bool operator==(const Familiarising&) const = default;
 };
-/// `placed`: number of places on the line for which the participant has said a number.
+/// A place on the line and the number that the participant gave it.
+struct NamedPlace {
+    protocols::Tenths shown, named;
+    bool isRight = false;
+    bool operator==(const NamedPlace&) const = default;
+};
+/// `placed`: number of places on the line for which the participant has said a number. The training goes on until
+/// placesInARow() of them are right in a row.
 struct ScaleTraining {
     bool isRefresher = false;
     int placed = 0;
+    int rightInARow = 0;
+    std::optional<NamedPlace> last = {};
     bool operator==(const ScaleTraining&) const = default;
 };
 struct CheckingList {
@@ -129,6 +138,7 @@ struct State {
     bool sittingOverTold = false;
     std::int64_t sittingBeganAtNs = 0;
     std::int64_t deadTimeNs = 0;                       ///< in this sitting; a bounced key confirms no tray within it
+    std::int64_t breakBeganAtNs = 0;                   ///< in this sitting
     std::int64_t restedAtNs = 0;                       ///< end of the last break or pause, or start of the sitting
     std::int64_t trayAskedAtNs = 0;                    ///< start of the present presentation, with its tray
     std::vector<std::pair<int, std::int64_t>> paceNs;  ///< phase and duration of each finished presentation
@@ -141,19 +151,28 @@ struct State {
 struct SittingStarted {
     std::int64_t deadTimeNs = 0;
 };
-struct Begun {};      ///< leaves Enrolled
-struct Consented {};  ///< the participant has agreed to the protocol's consent text
+struct Begun {};  ///< leaves Enrolled
+/// Who made an entry that the operator and the participant (on their own page) can both make.
+enum class EnteredBy { Operator, Participant };
+/// The participant has agreed to the protocol's consent text.
+struct Consented {
+    EnteredBy by = EnteredBy::Operator;
+};
 /// Facts that the participant gave, with their values. The log keeps the names of the facts, never the values.
 struct FactsGiven {
     std::map<std::string, std::string> facts;
+    EnteredBy by = EnteredBy::Operator;
 };
 struct FamiliarisationShown {
     int item = 0;
 };
 struct FamiliarisationDone {};
+/// The place on the line and the number that the participant said; on the participant's page, the number that was asked for and
+/// the place that was tapped.
 struct ScalePlaced {
     protocols::Tenths shown, spoken;
-};  ///< the place on the line and the number that the participant said
+    EnteredBy by = EnteredBy::Operator;
+};
 struct ScaleTrainingDone {};
 /// The ticked lines and the readings by name, as in the protocol.
 struct ChecklistDone {
@@ -240,6 +259,9 @@ struct Refusal {
 };
 
 std::variant<SessionStep, Refusal> apply(const Plan& plan, const State& state, const Event& event);
+
+/// False for touches that the display reports and for entries on the participant's own page.
+bool isEnteredByOperator(const EventBody& event);
 
 /// "PlacingTray", "PlacingTray (paused)".
 std::string nameOf(const State& state);

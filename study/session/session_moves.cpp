@@ -1,6 +1,7 @@
 #include "study/session/session_moves.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "protocols/random.h"
 #include "study/session/session_record.h"
@@ -100,13 +101,18 @@ bool blockEndsBefore(const State& state, int position)
     return placeAt(state, position - 1).block != placeAt(state, position).block;
 }
 
-std::vector<protocols::Tenths> placesToName(const Plan& plan, const State& state)
+int placesInARow(const ScaleTraining& training) { return training.isRefresher ? 1 : 3; }
+
+std::optional<protocols::Tenths> placeToName(const Plan& plan, const State& state)
 {
     const auto* training = std::get_if<ScaleTraining>(&state.stage);
     const protocols::RatingScale* scale = memorisedScaleOf(plan.protocol);
-    if (!training || !scale || plan.trials.empty()) return {};
-    protocols::Random random = protocols::Random::stream(static_cast<std::uint64_t>(state.sitting),
-                                                         "places on the scale/" + plan.trials.front().presentationCode.value);
+    if (!training || !scale || plan.trials.empty() || training->rightInARow >= placesInARow(*training)) return std::nullopt;
+    const int round = training->placed / 3;
+    // The first round has no number: earlier versions had one round only, and their logs hold its places.
+    protocols::Random random = protocols::Random::stream(
+        static_cast<std::uint64_t>(state.sitting),
+        "places on the scale/" + plan.trials.front().presentationCode.value + (round == 0 ? "" : "/" + std::to_string(round)));
     const int steps = (scale->max.value - scale->min.value) / scale->step.value;
     std::vector<protocols::Tenths> places;
     for (int third = 0; third < 3; ++third) {
@@ -115,8 +121,12 @@ std::vector<protocols::Tenths> placesToName(const Plan& plan, const State& state
         places.push_back({scale->min.value + scale->step.value * std::min(step, steps)});
     }
     random.shuffle(places);
-    places.resize(training->isRefresher ? 1 : 3);
-    return places;
+    return places[static_cast<std::size_t>(training->placed % 3)];
+}
+
+bool isRightPlace(const protocols::RatingScale& scale, protocols::Tenths shown, protocols::Tenths named)
+{
+    return std::abs(named.value - shown.value) * 20 <= scale.max.value - scale.min.value;
 }
 
 std::optional<std::string> faultOfAnswer(const Plan& plan, int index, int question, const GivenAnswer& answer)
@@ -192,6 +202,7 @@ void endPresentation(const Plan& plan, SessionStep& step, std::int64_t atNs)
     } else if (const auto reason = breakDueBefore(plan, next, position, atNs)) {
         next.sittingOverTold = next.sittingOverTold || *reason == BreakReason::SittingOver;
         next.stage = OnBreak{placeAt(next, position).index, *reason};
+        next.breakBeganAtNs = atNs;
     } else {
         placeTray(plan, step, atNs);
     }

@@ -34,9 +34,15 @@ int attemptSoFar(const State& state, int index);
 /// Whether order[position - 1] ends a block or phase.
 bool blockEndsBefore(const State& state, int position);
 
-/// Places on the line for which the participant says a number: three, or one in a refresher; none in other stages. They differ
-/// between participants and sittings. Every call returns the same ones.
-std::vector<protocols::Tenths> placesToName(const Plan& plan, const State& state);
+/// Places on the line that must be right in a row: three, or one in a refresher.
+int placesInARow(const ScaleTraining& training);
+
+/// The next place on the line for which the participant says a number; empty where enough were right in a row, and in other
+/// stages. Places differ between participants and sittings. Every call returns the same one.
+std::optional<protocols::Tenths> placeToName(const Plan& plan, const State& state);
+
+/// Whether the number lies within a twentieth of the line from the place: on a scale with few steps, the same step.
+bool isRightPlace(const protocols::RatingScale& scale, protocols::Tenths shown, protocols::Tenths named);
 
 /// Why this answer cannot be stored for that question, as a sentence for the operator; empty if it can.
 std::optional<std::string> faultOfAnswer(const Plan& plan, int index, int question, const GivenAnswer& answer);

@@ -17,11 +17,24 @@ Corrected correctedOf(const Json& payload)
             payload.at("why").get<std::string>()};
 }
 
+EnteredBy enteredByIn(const Json& payload)
+{
+    return payload.value("by", "operator") == "participant" ? EnteredBy::Participant : EnteredBy::Operator;
+}
+
+/// The operator is not named: earlier versions had nobody else.
+Json withEnteredBy(Json payload, EnteredBy by)
+{
+    if (by == EnteredBy::Participant) payload["by"] = "participant";
+    return payload;
+}
+
 /// Which facts were given; what they are is kept where it can be erased.
 FactsGiven factsOf(const Json& payload)
 {
     FactsGiven given;
     for (const Json& fact : payload.at("given")) given.facts[fact.get<std::string>()];
+    given.by = enteredByIn(payload);
     return given;
 }
 
@@ -72,14 +85,14 @@ constexpr Kind kinds[] = {
     {"sitting_started",
      [](const Json& payload) -> EventBody { return SittingStarted{payload.value("dead_time_ns", std::int64_t{0})}; }},
     {"begun", [](const Json&) -> EventBody { return Begun{}; }},
-    {"consented", [](const Json&) -> EventBody { return Consented{}; }},
+    {"consented", [](const Json& payload) -> EventBody { return Consented{enteredByIn(payload)}; }},
     {"facts_given", [](const Json& payload) -> EventBody { return factsOf(payload); }},
     {"familiarisation_shown",
      [](const Json& payload) -> EventBody { return FamiliarisationShown{payload.at("item").get<int>()}; }},
     {"familiarisation_done", [](const Json&) -> EventBody { return FamiliarisationDone{}; }},
     {"scale_placed",
      [](const Json& payload) -> EventBody {
-         return ScalePlaced{{payload.at("shown").get<int>()}, {payload.at("spoken").get<int>()}};
+         return ScalePlaced{{payload.at("shown").get<int>()}, {payload.at("spoken").get<int>()}, enteredByIn(payload)};
      }},
     {"scale_training_done", [](const Json&) -> EventBody { return ScaleTrainingDone{}; }},
     {"checklist_done", [](const Json& payload) -> EventBody { return checklistOf(payload); }},
@@ -134,16 +147,17 @@ Json payloadOfEvent(const EventBody& body)
                    [](const Noted& event) {
                        return event.isFlag ? Json{{"text", event.text}, {"flag", true}} : Json{{"text", event.text}};
                    },
+                   [](const Consented& event) { return withEnteredBy(Json::object(), event.by); },
                    [](const FactsGiven& event) {
                        Json given = Json::array();
                        for (const auto& [fact, value] : event.facts) given.push_back(fact);
-                       return Json{{"given", given}};
+                       return withEnteredBy({{"given", given}}, event.by);
                    },
                    [](const FamiliarisationShown& event) {
                        return Json{{"item", event.item}};
                    },
                    [](const ScalePlaced& event) {
-                       return Json{{"shown", event.shown.value}, {"spoken", event.spoken.value}};
+                       return withEnteredBy({{"shown", event.shown.value}, {"spoken", event.spoken.value}}, event.by);
                    },
                    [](const ChecklistDone& event) {
                        return Json{{"ticked", event.ticked}, {"readings", event.readings}};

@@ -117,7 +117,8 @@ View viewOf(const Plan& plan, const State& state, const protocols::ParticipantId
     view.presentationsToBreak = remaining == 0 ? 0 : presentationsToBreak(state);
     view.sittingIsPrepared = state.preparedSitting == 0 || state.preparedSitting == state.sitting;
     for (const FamiliarisationImage& item : plan.familiarisation) view.familiarisation.push_back(item.name);
-    view.placesToName = placesToName(plan, state);
+    view.placeToName = placeToName(plan, state);
+    if (std::holds_alternative<OnBreak>(state.stage)) view.breakSeconds = static_cast<double>(nowNs - state.breakBeganAtNs) / 1e9;
     addLastAnswer(view, plan, state);
     return view;
 }

@@ -24,10 +24,11 @@ struct View {
     double minutesLeft = 0;     ///< by the protocol's seconds; after five presentations by this participant's median
     double sittingMinutes = 0;  ///< since this sitting began, at the last event
     int presentationsToBreak = 0;
-    bool sittingIsPrepared = true;                ///< false: the refresher and the checklist of this sitting are due
-    std::vector<std::string> familiarisation;     ///< names of the fabrics for getting to know the display
-    std::vector<protocols::Tenths> placesToName;  ///< in scale training
-    std::optional<std::string> lastAnswer;        ///< to read back: "Q3: 5.5"
+    bool sittingIsPrepared = true;                 ///< false: the refresher and the checklist of this sitting are due
+    std::vector<std::string> familiarisation;      ///< names of the fabrics for getting to know the display
+    std::optional<protocols::Tenths> placeToName;  ///< in scale training, until enough places were right in a row
+    double breakSeconds = 0;                       ///< since the present break began, or since this sitting did
+    std::optional<std::string> lastAnswer;         ///< to read back: "Q3: 5.5"
     std::optional<protocols::QuestionId> lastQuestion;
     std::string logHead;  ///< of the study, short, where a sitting may end here; set by Driver
 };

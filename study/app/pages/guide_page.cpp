@@ -2,6 +2,7 @@
 
 #include <QTimer>
 #include <QVBoxLayout>
+#include <cmath>
 
 #include "study/app/pieces/flow_layout.h"
 #include "study/app/pieces/pieces.h"
@@ -39,8 +40,8 @@ void GuidePage::present(const session::View& view)
     if (!guide) return;
     m_guide = *guide;
     const auto* onBreak = view.state.paused ? nullptr : std::get_if<session::OnBreak>(&view.state.stage);
-    if (onBreak && m_shownBreak != *onBreak) m_sinceBreak.start();
-    m_shownBreak = onBreak ? std::optional(*onBreak) : std::nullopt;
+    m_breakBefore = std::chrono::milliseconds(std::llround(view.breakSeconds * 1000));
+    m_sinceShown.start();
     m_clock->setVisible(onBreak != nullptr);
     if (onBreak) {
         showClock();
@@ -57,7 +58,7 @@ void GuidePage::present(const session::View& view)
 
 void GuidePage::showClock()
 {
-    const qint64 seconds = m_sinceBreak.elapsed() / 1000;
+    const qint64 seconds = (m_breakBefore.count() + m_sinceShown.elapsed()) / 1000;
     m_clock->setText(tr("Break: %1:%2").arg(seconds / 60).arg(seconds % 60, 2, 10, QLatin1Char('0')));
 }
 

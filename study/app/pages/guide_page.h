@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QElapsedTimer>
+#include <chrono>
 
 #include "study/app/pages/stage_guides.h"
 #include "study/app/pages/stage_page.h"
@@ -41,8 +42,8 @@ private:
     Guide m_guide;
     void showClock();
 
-    std::optional<session::OnBreak> m_shownBreak;
-    QElapsedTimer m_sinceBreak;
+    std::chrono::milliseconds m_breakBefore{0};  ///< how long the break had lasted when it was shown
+    QElapsedTimer m_sinceShown;
     QTimer* m_tick;
     QLabel* m_clock;  ///< how long the break has lasted
     PageHead* m_head;

@@ -78,8 +78,6 @@ void ScaleTrainingPage::begin(const SessionFacts& facts)
     m_line->setScale(m_scale);
     showAnchors();
     m_place.reset();
-    m_asked.reset();
-    m_lastNamed.reset();
     m_spoken->clear();
 }
 
@@ -117,30 +115,26 @@ void ScaleTrainingPage::showAnchors()
 void ScaleTrainingPage::present(const session::View& view)
 {
     const auto& training = std::get<session::ScaleTraining>(view.state.stage);
-    const int places = static_cast<int>(view.placesToName.size());
-    const std::optional<Tenths> place =
-        training.placed < places ? std::optional(view.placesToName[static_cast<std::size_t>(training.placed)]) : std::nullopt;
-    if (place != m_place) {
-        m_spoken->clear();
-        m_lastNamed = std::exchange(m_asked, std::nullopt);
-    }
-    m_place = place;
+    if (training.placed != m_placed || view.placeToName != m_place) m_spoken->clear();
+    m_placed = training.placed;
+    m_place = view.placeToName;
     showInstruction(training.isRefresher);
     m_line->setRating(m_place);
     m_placeRow->setVisible(m_place.has_value());
-    m_whichPlace->setText(
-        places == 1 ? tr("Ask: “Which number belongs to this mark?”")
-                    : tr("Mark %1 of %2. Ask: “Which number belongs to this mark?”").arg(training.placed + 1).arg(places));
-    showText(*m_deviation, m_lastNamed ? deviation(*m_lastNamed) : QString());
+    m_whichPlace->setText(training.isRefresher ? tr("Ask: “Which number belongs to this mark?”")
+                                               : tr("Mark %1; right in a row: %2 of 3. Ask: “Which number belongs to this mark?”")
+                                                     .arg(training.placed + 1)
+                                                     .arg(training.rightInARow));
+    showText(*m_deviation, training.last ? deviation(*training.last) : QString());
     setButtonText(*m_action, m_place ? tr("Store this number (Enter)") : tr("The participant knows the scale (Enter)"));
     m_done->setVisible(m_place.has_value());
 }
 
-QString ScaleTrainingPage::deviation(const ScalePlaced& placed) const
+QString ScaleTrainingPage::deviation(const session::NamedPlace& placed) const
 {
-    const int off = placed.spoken.value - placed.shown.value;
+    const int off = placed.named.value - placed.shown.value;
     const int span = m_scale.max.value - m_scale.min.value;
-    const QString far = textOf(Tenths{std::abs(off)}), shown = textOf(placed.shown), spoken = textOf(placed.spoken);
+    const QString far = textOf(Tenths{std::abs(off)}), shown = textOf(placed.shown), spoken = textOf(placed.named);
     if (off == 0) return tr("The participant said %1. The mark was exactly there.").arg(spoken);
     if (std::abs(off) * 20 <= span)
         return tr("The participant said %1, and the mark was at %2. This is very close.").arg(spoken, shown);
@@ -159,8 +153,7 @@ void ScaleTrainingPage::confirm()
     }
     const auto typed = ratingFromText(m_spoken->text(), m_scale);
     if (const auto* spoken = std::get_if<Tenths>(&typed)) {
-        m_asked = ScalePlaced{*m_place, *spoken};
-        const ScalePlaced placed = *m_asked;
+        const ScalePlaced placed{*m_place, *spoken};
         Q_EMIT eventRequested(placed);
         return;
     }

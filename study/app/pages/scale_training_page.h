@@ -1,6 +1,5 @@
 // Scale training, shown to the participant before the mask is on. The page shows the line to memorise with its two anchors,
-// then marks without numbers, one after another. The participant says the number of each mark. Later sittings use a shorter
-// form.
+// then marks without numbers, one after another, until three numbers are right in a row. Later sittings use a shorter form.
 #pragma once
 
 #include <optional>
@@ -33,12 +32,11 @@ private:
     void showAnchors();
     void confirm();
     /// Sentence on the distance between the spoken number and the mark, in friendly words.
-    QString deviation(const session::ScalePlaced& placed) const;
+    QString deviation(const session::NamedPlace& placed) const;
 
     protocols::RatingScale m_scale;
-    std::optional<protocols::Tenths> m_place;     ///< the mark shown now
-    std::optional<session::ScalePlaced> m_asked;  ///< sent, not yet confirmed as stored
-    std::optional<session::ScalePlaced> m_lastNamed;
+    std::optional<protocols::Tenths> m_place;  ///< the mark shown now
+    int m_placed = 0;                          ///< number of marks before it
     PageHead* m_head;
     ScaleLine* m_line;
     QWidget* m_anchors;

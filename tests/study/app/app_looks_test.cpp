@@ -206,7 +206,7 @@ void AppLooksTest::visitPreparation(OpenWindow& open, const Look& look)
     look(open.window(), "familiarisation-shown");
     open.playTo("ScaleTraining");
     look(open.window(), "scale-training");
-    open.perform(ScalePlaced{open.view().placesToName.front(), Tenths{50}});
+    open.perform(ScalePlaced{*open.view().placeToName, Tenths{50}});
     look(open.window(), "scale-training-named");
     open.playTo("CheckingList");
     open.gui().focusOn("check1");

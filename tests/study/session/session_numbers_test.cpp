@@ -157,7 +157,7 @@ private Q_SLOTS:
         Transcript session(smallPlan());
         session.at(3, SittingStarted{}).at(5, Begun{});
         session.at(6, FamiliarisationShown{1}).at(7, FamiliarisationDone{});
-        for (const Tenths place : placesToName(session.plan(), session.state())) session.at(8, ScalePlaced{place, {50}});
+        for (int place = 0; place < 3; ++place) session.at(8, ScalePlaced{*placeToName(session.plan(), session.state()), {50}});
         session.at(11, ScaleTrainingDone{});
         session.at(13, TrayReady{}).at(17, Touched{}).at(29, Answered{FabricId("F02")});
         session.at(31, TrayReady{}).at(41, Touched{TouchSource::Display, 4}).at(53, Answered{FabricId("F03")});

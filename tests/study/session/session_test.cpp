@@ -2,11 +2,13 @@
 #include <QtTest>
 #include <iomanip>
 #include <iostream>
+#include <set>
 #include <sstream>
 
 #include "study/session/preparation.h"
 #include "study/session/session_moves.h"
 #include "study/session/session_record.h"
+#include "study/session/view.h"
 
 using namespace study::session;
 using protocols::FabricId;
@@ -147,12 +149,21 @@ std::vector<std::pair<std::string, Session>> gridStates()
     return states;
 }
 
+/// The participant's number for the present place, this far off.
+ScalePlaced placed(const Session& session, int tenthsOff)
+{
+    const Tenths shown = *placeToName(session.plan(), session.state());
+    // Where the number would leave the scale, the error goes the other way.
+    const bool fits = protocols::RatingScale{}.holds({shown.value + tenthsOff});
+    return {shown, {shown.value + (fits ? tenthsOff : -tenthsOff)}};
+}
+
 /// The first two letters of the next stage, p if paused; "." if refused.
 std::string cell(const Session& session, EventBody body)
 {
     const Plan& plan = session.plan();
     if (auto* placed = std::get_if<ScalePlaced>(&body))
-        if (const auto places = placesToName(plan, session.state()); !places.empty()) placed->shown = places.front();
+        if (const auto place = placeToName(plan, session.state())) placed->shown = *place;
     const auto* presenting = std::get_if<Presenting>(&session.state().stage);
     if (std::holds_alternative<Answered>(body) && presenting && presenting->index >= 4) body = Answered{Tenths{54}};
     const auto outcome = apply(plan, session.state(), {body, 1});
@@ -473,7 +484,11 @@ private Q_SLOTS:
         session.choose();
         session << Paused{} << SittingStarted{} << SittingPrepared{};
         QVERIFY(std::get<ScaleTraining>(session.state().stage).isRefresher);
-        QCOMPARE(placesToName(session.plan(), session.state()).size(), 1u);
+        // One place is enough if it is right, and the operator may end the training at any time.
+        session << placed(session, 60);
+        QVERIFY(placeToName(session.plan(), session.state()));
+        session << placed(session, 0);
+        QVERIFY(!placeToName(session.plan(), session.state()));
         session << ScaleTrainingDone{};
         QCOMPARE(session.name(), std::string("CheckingList"));
         session << ChecklistDone{};
@@ -490,15 +505,51 @@ private Q_SLOTS:
         QCOMPARE(session.effects(), std::vector<Effect>{ClearDisplay{}});
     }
 
-    void placesOnTheScaleAreNamedInTurn()
+    void placesAreNamedUntilThreeAreRightInARow()
     {
         Session session = familiarising() << FamiliarisationDone{};
-        const auto places = placesToName(session.plan(), session.state());
-        QCOMPARE(places.size(), 3u);
-        for (const Tenths place : places) QVERIFY(protocols::RatingScale{}.holds(place));
-        QVERIFY(!session.refusalOf(ScalePlaced{places[1], {50}}).isEmpty());
-        for (const Tenths place : places) session << ScalePlaced{place, {50}};
-        QVERIFY(!session.refusalOf(ScalePlaced{places[2], {50}}).isEmpty());
+        const auto inARow = [&] { return std::get<ScaleTraining>(session.state().stage).rightInARow; };
+        const Tenths first = *placeToName(session.plan(), session.state());
+        QVERIFY(protocols::RatingScale{}.holds(first));
+        QVERIFY(!session.refusalOf(ScalePlaced{{first.value + 1}, {50}}).isEmpty());
+        session << placed(session, 0) << placed(session, 5);
+        QCOMPARE(inARow(), 2);
+        session << placed(session, -6);  // more than a twentieth of the line
+        QCOMPARE(inARow(), 0);
+        const auto last = std::get<ScaleTraining>(session.state().stage).last;
+        QVERIFY(last && !last->isRight && last->named.value == last->shown.value - 6);
+        std::set<int> asked;
+        for (int right = 1; right <= 3; ++right) {
+            asked.insert(placeToName(session.plan(), session.state())->value);
+            session << placed(session, 0);
+            QCOMPARE(inARow(), right);
+        }
+        QCOMPARE(asked.size(), std::size_t(3));
+        QVERIFY(!placeToName(session.plan(), session.state()));
+        QVERIFY(!session.refusalOf(ScalePlaced{first, first}).isEmpty());
+        session << ScaleTrainingDone{};
+        QCOMPARE(session.name(), std::string("CheckingList"));
+    }
+
+    void onAScaleWithWordsOnlyTheSameStepIsRight()
+    {
+        const protocols::RatingScale likert{Tenths{10}, Tenths{70}, Tenths{10}, 6, {}};
+        QVERIFY(isRightPlace(likert, Tenths{30}, Tenths{30}));
+        QVERIFY(!isRightPlace(likert, Tenths{30}, Tenths{40}));
+    }
+
+    void theClockOfABreakRunsFromItsBeginning()
+    {
+        Session session = atFirstTray().choose().choose().choose();
+        const auto secondsAt = [&](std::int64_t ns) {
+            return viewOf(session.plan(), session.state(), protocols::ParticipantId("P01"), ns).breakSeconds;
+        };
+        const std::int64_t began = session.state().breakBeganAtNs;
+        QCOMPARE(secondsAt(began + 90'500'000'000), 90.5);
+        session << Voided{"wrong swatch"};  // another tray may be next, but the break goes on
+        QCOMPARE(secondsAt(began + 90'500'000'000), 90.5);
+        session << BreakEnded{};
+        QCOMPARE(secondsAt(began + 90'500'000'000), 0.0);
     }
 
     void questionsMayBeAnsweredBySameOrDifferentAndInWords()

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "protocols/condition.h"
+#include "protocols/usual_texts.h"
 
 namespace protocols {
 
@@ -140,6 +141,26 @@ std::vector<Phase> fixedPhasesOf(const Protocol& p)
     return fixed;
 }
 
+std::string inBraces(const std::set<std::string>& names)
+{
+    std::string list;
+    for (const std::string& name : names) list += (list.empty() ? "{" : ", {") + name + "}";
+    return list.empty() ? "no braces" : list;
+}
+
+void checkParticipantTexts(const Protocol& p, Faults& faults)
+{
+    for (const auto& [key, text] : p.participantTexts) {
+        const auto usual = usualParticipantTexts().find(key);
+        if (usual == usualParticipantTexts().end())
+            faults.push_back("participant_texts: '" + key + "' is no text of the participant's page, expected a key such as '" +
+                             usualParticipantTexts().begin()->first + "' (see the README)");
+        else if (const auto names = placeholdersIn(usual->second); placeholdersIn(text) != names)
+            faults.push_back("participant_texts." + key + ": has " + inBraces(placeholdersIn(text)) + ", expected " +
+                             inBraces(names));
+    }
+}
+
 }  // namespace
 
 int Protocol::presentations() const
@@ -186,6 +207,12 @@ const RatingScale* memorisedScaleOf(const Protocol& protocol)
     return nullptr;
 }
 
+std::string participantText(const Protocol& protocol, std::string_view key)
+{
+    const auto own = protocol.participantTexts.find(std::string(key));
+    return own != protocol.participantTexts.end() ? own->second : usualParticipantTexts().find(key)->second;
+}
+
 std::vector<std::string> fixedPartsChanged(const Protocol& kept, const Protocol& changed)
 {
     std::vector<std::string> parts;
@@ -207,6 +234,7 @@ std::vector<std::string> faultsOf(const Protocol& protocol)
     checkPlanned(protocol, faults);
     checkPrimary(protocol, faults);
     checkNumbers(protocol, faults);
+    checkParticipantTexts(protocol, faults);
     return faults;
 }
 

@@ -2,8 +2,10 @@
 // planned contrasts. protocol_json.h reads it from a file; counterbalancing.h draws the running orders.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -65,6 +67,9 @@ struct Protocol {
     bool secondEntry = false;        ///< the operator enters every answer twice; both must agree
     double deadTimeSeconds = 0.7;    ///< a new tray cannot be confirmed within it, so that a key that bounces arms nothing
     bool confirmPieces = false;      ///< the operator scans or types the code of every piece on the tray
+    std::string language = "en";     ///< BCP 47 tag of what the participant reads and hears
+    /// Sentences for the participant by key (usualParticipantTexts()); a missing one is the usual text.
+    std::map<std::string, std::string> participantTexts;
 
     /// Conditions x fabrics, without catch trials.
     int presentationsPerPhase() const { return fabricCount * static_cast<int>(conditions.size()); }
@@ -86,6 +91,9 @@ const Question* questionWith(const Protocol& protocol, const QuestionId& id);
 
 /// The scale that the participants memorise: that of the first phase with ratings; null where nothing is rated.
 const RatingScale* memorisedScaleOf(const Protocol& protocol);
+
+/// The sentence for the participant with this key: the protocol's, or the usual one. `key` is one of usualParticipantTexts().
+std::string participantText(const Protocol& protocol, std::string_view key);
 
 /// The parts that `changed` changes although participants have trials that follow `kept`: "phases", "conditions", ... Empty if
 /// only texts, times, bounds, contrasts, checklist and facts differ.

@@ -129,6 +129,14 @@ void readAnalysis(const ProtocolPart& document, Protocol& protocol)
     if (document.has("primary")) protocol.primary = contrastFrom(document.raw("primary"));
 }
 
+void readParticipantTexts(const ProtocolPart& document, Protocol& protocol)
+{
+    const json& texts = document.raw("participant_texts");
+    if (!texts.is_object()) return;
+    const ProtocolPart part = document.part("participant_texts");
+    for (const auto& [key, text] : texts.items()) protocol.participantTexts[key] = part.text(key, "?");
+}
+
 void readCourse(const ProtocolPart& document, Protocol& protocol, ProtocolEdition edition)
 {
     protocol.secondsPerPresentation = document.number("seconds_per_presentation", protocol.secondsPerPresentation);
@@ -142,6 +150,8 @@ void readCourse(const ProtocolPart& document, Protocol& protocol, ProtocolEditio
     protocol.secondEntry = document.yesOrNo("second_entry", protocol.secondEntry);
     protocol.deadTimeSeconds = document.number("dead_time_seconds", protocol.deadTimeSeconds);
     protocol.confirmPieces = document.yesOrNo("confirm_pieces", protocol.confirmPieces);
+    protocol.language = document.text("language", protocol.language);
+    readParticipantTexts(document, protocol);
     protocol.checklist = document.texts("checklist");
     protocol.readings = document.texts("readings");
     protocol.facts = document.texts("facts");

@@ -74,4 +74,72 @@ std::string usualConsent(ProtocolEdition edition) { return consent.of(edition); 
 
 std::string usualStrokeWords(ProtocolEdition edition) { return strokeWords.of(edition); }
 
+const std::map<std::string, std::string, std::less<>>& usualParticipantTexts()
+{
+    static const std::map<std::string, std::string, std::less<>> texts{
+        {"welcome_title", "Welcome"},
+        {"welcome_text",
+         "Read the information sheet. The experimenter explains what happens and answers your questions. You may stop at any "
+         "time. You do not have to give a reason."},
+        {"consent_title", "Consent"},
+        {"consent_text", "Read this statement. Then say whether you agree."},
+        {"agree", "I agree"},
+        {"decline", "I do not agree"},
+        {"declined_title", "Thank you"},
+        {"declined_text", "You do not have to take part. Tell the experimenter. You can also go back to the statement."},
+        {"back", "Back"},
+        {"facts_title", "About you"},
+        {"facts_text",
+         "You do not have to answer these questions. You may leave any line empty. Your answers are stored apart from your "
+         "other answers. You can ask us to erase them later."},
+        {"send", "Send"},
+        {"familiarise_title", "Get to know the display"},
+        {"familiarise_text", "The experimenter shows you how to feel the display."},
+        {"scale_title", "Learn the scale"},
+        {"scale_text", "The line has equal parts. Only its ends have numbers."},
+        {"scale_low", "unrelated"},
+        {"scale_high", "totally the same"},
+        {"scale_tap", "Tap the place of {number}."},
+        {"scale_say", "Which number belongs to the mark? Say it."},
+        {"scale_right", "Right. Your answer was {named}, and the place is {shown}."},
+        {"scale_wrong", "Your answer was {named}. The place is {shown}."},
+        {"scale_count", "{count} of {needed} right in a row"},
+        {"scale_done", "You know the scale now. The experimenter continues."},
+        {"mask_title", "Put on the blindfold and the headphones"},
+        {"mask_text", "The experimenter helps you."},
+        {"wait_title", "Please wait for the experimenter"},
+        {"feel_title", "Feel the display"},
+        {"break_title", "Break"},
+        {"break_text", "You may lift the blindfold, drink and move your hand. The experimenter tells you when we continue."},
+        {"break_clock", "The break has lasted {time}"},
+        {"pause_title", "Pause"},
+        {"pause_text", "Please wait for the experimenter."},
+        {"last_title", "Almost done"},
+        {"last_text", "Tell the experimenter what you noticed."},
+        {"end_title", "Thank you"},
+        {"end_text", "The session is over."},
+        {"code_title", "Enter the code"},
+        {"code_text", "The experimenter has a code of six digits for you."},
+        {"code_field", "Code"},
+        {"code_enter", "Continue"},
+        {"code_wrong", "This code is wrong. Try again."},
+        {"code_wait", "There were too many wrong codes. Wait {seconds} seconds."},
+        {"code_spent", "This code is not valid any more. Ask the experimenter for a new code."},
+        {"code_taken", "Another device shows this page. Ask the experimenter for a new code."},
+        {"no_connection", "There is no connection. This page continues by itself."},
+    };
+    return texts;
+}
+
+std::set<std::string> placeholdersIn(std::string_view text)
+{
+    std::set<std::string> names;
+    for (std::size_t from = text.find('{'); from != std::string_view::npos; from = text.find('{', from + 1)) {
+        const std::size_t to = text.find('}', from);
+        if (to == std::string_view::npos) break;
+        names.emplace(text.substr(from + 1, to - from - 1));
+    }
+    return names;
+}
+
 }  // namespace protocols

@@ -1,8 +1,11 @@
 // The sentences that a study uses where its protocol gives none: the questions of the paper, consent, how to stroke. The
-// operator reads them to the participant.
+// operator reads them to the participant. Also what the participant reads on a screen of their own.
 #pragma once
 
+#include <map>
+#include <set>
 #include <string>
+#include <string_view>
 
 #include "protocols/answer_kind.h"
 #include "protocols/ids.h"
@@ -18,5 +21,12 @@ std::string usualConsent(ProtocolEdition edition);
 
 /// How the participant strokes glass and cloth.
 std::string usualStrokeWords(ProtocolEdition edition);
+
+/// What the participant reads on their own screen, by key, in English: {name} stands for a value. A protocol may replace each
+/// by "participant_texts".
+const std::map<std::string, std::string, std::less<>>& usualParticipantTexts();
+
+/// The names in braces in a text: "{count} of {needed}" gives "count" and "needed".
+std::set<std::string> placeholdersIn(std::string_view text);
 
 }  // namespace protocols

@@ -16,12 +16,14 @@
 #include "study/app/pages/setup/display_page.h"
 #include "study/app/pages/setup/keys_page.h"
 #include "study/app/pages/setup/latency_page.h"
+#include "study/app/pages/setup/participant_page.h"
 #include "study/app/pages/stage_page.h"
 #include "study/app/pages/start_page.h"
 #include "study/app/pages/study_page.h"
 #include "study/app/pages/tools/tools_page.h"
 #include "study/app/pieces/pieces.h"
 #include "study/app/state/recent_studies.h"
+#include "study/participant/session/present_instruction.h"
 
 namespace study::app {
 
@@ -51,6 +53,8 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
       m_photographsPage(new PhotographsPage(options.photographs, this)),
       m_displayPage(new DisplayPage(options, this)),
       m_keysPage(new KeysPage(options.settings, this)),
+      m_participantSide(new ParticipantSide(this)),
+      m_participantPage(new ParticipantPage(*m_participantSide, this)),
       m_studyPage(new StudyPage(this)),
       m_toolsPage(new ToolsPage(options.useTool, this)),
       m_sessionPage(new SessionPage(this))
@@ -62,8 +66,8 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
     for (QWidget* page :
          {static_cast<QWidget*>(m_startPage), static_cast<QWidget*>(m_newStudyPage), static_cast<QWidget*>(m_dataPage),
           static_cast<QWidget*>(m_photographsPage), static_cast<QWidget*>(m_displayPage), static_cast<QWidget*>(m_keysPage),
-          static_cast<QWidget*>(m_latencyPage), static_cast<QWidget*>(m_studyPage), static_cast<QWidget*>(m_toolsPage),
-          static_cast<QWidget*>(m_sessionPage)})
+          static_cast<QWidget*>(m_latencyPage), static_cast<QWidget*>(m_participantPage), static_cast<QWidget*>(m_studyPage),
+          static_cast<QWidget*>(m_toolsPage), static_cast<QWidget*>(m_sessionPage)})
         m_pages->addWidget(page);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -82,6 +86,7 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
     connectKeysPages();
     m_studyPage->offerTools(static_cast<bool>(options.useTool));
     connectTools();
+    connectParticipantSide();
     connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q), this), &QShortcut::activated, this, [this] { close(); });
     showStart();
 }
@@ -190,6 +195,55 @@ void MainWindow::connectKeysPages()
     });
 }
 
+void MainWindow::connectParticipantSide()
+{
+    auto* shortcut = new QShortcut(QKeySequence(Qt::Key_F4), this);
+    shortcut->setAutoRepeat(false);
+    connect(shortcut, &QShortcut::activated, this, &MainWindow::showParticipantSide);
+    connect(m_startPage, &StartPage::participantRequested, this, &MainWindow::showParticipantSide);
+    connect(m_studyPage, &StudyPage::participantRequested, this, &MainWindow::showParticipantSide);
+    connect(m_participantPage, &ParticipantPage::backRequested, this, &MainWindow::leaveParticipantSide);
+    connect(m_participantSide, &ParticipantSide::acted, this, &MainWindow::takeAct);
+    tellParticipant();
+}
+
+void MainWindow::showParticipantSide()
+{
+    if (m_pages->currentWidget() == m_participantPage) return leaveParticipantSide();
+    m_beforeParticipantPage = m_pages->currentWidget();
+    m_participantPage->present();
+    m_pages->setCurrentWidget(m_participantPage);
+    m_participantPage->focusFirst();
+}
+
+void MainWindow::leaveParticipantSide()
+{
+    m_pages->setCurrentWidget(m_beforeParticipantPage);
+    if (m_session) m_sessionPage->present(m_session->view(), m_session->canCorrect());
+}
+
+void MainWindow::tellParticipant()
+{
+    const auto& protocol = m_study ? m_study->protocol() : protocols::Protocol{};
+    if (m_session)
+        m_participantSide->show(participant::instructionFor(m_session->view(), m_session->plan().protocol));
+    else
+        m_participantSide->show(participant::waiting(protocol));
+}
+
+void MainWindow::takeAct(const participant::ParticipantAct& act)
+{
+    if (!m_session) return;
+    const auto event = participant::eventOf(act, m_session->view(), m_session->plan().protocol);
+    if (event) {
+        const auto& view = m_session->view();
+        const auto before = std::pair(view.state.stage.index(), view.placeToName.has_value());
+        m_session->send(*event);
+        if (before != std::pair(view.state.stage.index(), view.placeToName.has_value())) m_sessionPage->holdKeys();
+    }
+    m_sessionPage->showAct(act);
+}
+
 void MainWindow::showKeys()
 {
     m_keysPage->present();
@@ -264,6 +318,7 @@ void MainWindow::closeStudy()
     m_monitor.reset();
     m_study.reset();
     showStart();
+    tellParticipant();
 }
 
 void MainWindow::startSession(const protocols::ParticipantId& participant)
@@ -297,6 +352,8 @@ void MainWindow::begin(const protocols::ParticipantId& participant, std::unique_
     m_pages->setCurrentWidget(m_sessionPage);
     setWindowTitle(tr("%1 – %2 – Vis2Hap").arg(QString::fromStdString(participant.value), m_study->name()));
     m_sessionPage->present(m_session->view(), m_session->canCorrect());
+    m_participantSide->setWords(m_session->plan().protocol);
+    tellParticipant();
 }
 
 void MainWindow::connectSession()
@@ -308,15 +365,15 @@ void MainWindow::connectSession()
 
 void MainWindow::refreshSession()
 {
-    // When the display fails, the event is stored nevertheless. A touch that the display reports can come at any time, so
-    // it must not close a panel that the operator is using.
+    // When the display fails, the event is stored nevertheless. A touch that the display reports, or an act of the participant,
+    // can come at any time, so it must not close a panel that the operator is using.
     const auto& outcome = m_session->lastOutcome();
-    const auto* touched = std::get_if<session::Touched>(&outcome->event);
-    const bool isByDisplay = touched && touched->by == session::TouchSource::Display;
+    const bool isByOperator = session::isEnteredByOperator(outcome->event);
     const bool isAccepted = !outcome->refusal && !outcome->fault;
-    if (!isByDisplay && (isAccepted || m_sessionPage->shownView().state != m_session->view().state))
+    if (isByOperator && (isAccepted || m_sessionPage->shownView().state != m_session->view().state))
         m_sessionPage->closePanelAndMessage();
     m_sessionPage->present(m_session->view(), m_session->canCorrect());
+    tellParticipant();
 }
 
 bool MainWindow::pauseForLeaving()
@@ -336,6 +393,7 @@ void MainWindow::leaveSession()
     if (!m_session || !pauseForLeaving()) return;
     m_session.reset();
     showStudy();
+    tellParticipant();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)
@@ -345,6 +403,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
         return;
     }
     m_monitor.reset();  // an open monitor would keep the program running
+    m_participantPage->closeWindow();
     QWidget::closeEvent(event);
 }
 

@@ -1,5 +1,6 @@
-// The main window: a stack of pages (start, new study, data set, photographs, display, keys, latency, study, tools, session), the
-// open study and session, and the appearance. It decides nothing about a session; it connects the pages to the controller.
+// The main window: a stack of pages (start, new study, data set, photographs, display, keys, latency, participant's screen,
+// study, tools, session), the open study and session, and the appearance. It decides nothing about a session; it connects the
+// pages to the controller.
 #pragma once
 
 #include <QWidget>
@@ -12,6 +13,10 @@
 
 class QStackedWidget;
 
+namespace study::participant {
+struct ParticipantAct;
+}
+
 namespace study::app {
 
 class DataPage;
@@ -20,6 +25,8 @@ class KeysPage;
 class LatencyPage;
 class MonitorWindow;
 class NewStudyPage;
+class ParticipantPage;
+class ParticipantSide;
 class PhotographsPage;
 class SessionPage;
 class StartPage;
@@ -46,6 +53,7 @@ public:
     QWidget* currentPage() const;
 
     StartPage& startPage() const { return *m_startPage; }
+    ParticipantSide& participantSide() const { return *m_participantSide; }
     void setAppearance(const Appearance& appearance) { m_appearanceKeys->set(appearance); }
 
 protected:
@@ -65,6 +73,12 @@ private:
     void showStart();
     void showStudy();
     void connectTools();
+    void connectParticipantSide();
+    void showParticipantSide();
+    void leaveParticipantSide();
+    /// Shows the participant what belongs to this moment.
+    void tellParticipant();
+    void takeAct(const participant::ParticipantAct& act);
     void openMonitor();
     void refreshSession();
     void leaveSession();
@@ -88,6 +102,9 @@ private:
     DisplayPage* m_displayPage;
     KeysPage* m_keysPage;
     LatencyPage* m_latencyPage;
+    ParticipantSide* m_participantSide;
+    ParticipantPage* m_participantPage;
+    QWidget* m_beforeParticipantPage = nullptr;  ///< the page to go back to
     StudyPage* m_studyPage;
     ToolsPage* m_toolsPage;
     SessionPage* m_sessionPage;

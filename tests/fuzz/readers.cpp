@@ -35,6 +35,7 @@
 #include "study/players/script.h"
 #include "tests/fuzz/model_readers.h"
 #include "tests/fuzz/number_readers.h"
+#include "tests/fuzz/page_readers.h"
 #include "tests/fuzz/settings_readers.h"
 #include "tests/fuzz/study_readers.h"
 #include "tests/support/true_map_bytes.h"
@@ -306,7 +307,7 @@ std::vector<Reader> recordReaders(const fs::path& folder)
 std::vector<Reader> allReaders(const fs::path& folder)
 {
     std::vector<Reader> readers = textReaders();
-    for (auto& more : {imageReaders(folder), modelReaders(folder), recordReaders(folder), numberReaders(folder),
+    for (auto& more : {imageReaders(folder), modelReaders(folder), recordReaders(folder), numberReaders(folder), pageReaders(),
                        settingsReaders(folder), studyReaders(folder)})
         readers.insert(readers.end(), more.begin(), more.end());
     return readers;

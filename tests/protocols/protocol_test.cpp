@@ -58,7 +58,8 @@ private Q_SLOTS:
  "phases": [{"questions": ["S1", "N1"], "same_different": true, "free_text": ["N1"], "catch_trials": 2},
             {"questions": ["L1"], "scale": {"min": 1, "max": 3, "step": 1, "sections": 2, "labels": ["no", "so so", "yes"]}}],
  "swatches": "fresh", "second_entry": true, "familiarisation_fabrics": 2, "break_after_minutes": 15,
- "dead_time_seconds": 1.5, "confirm_pieces": true,
+ "dead_time_seconds": 1.5, "confirm_pieces": true, "language": "ja",
+ "participant_texts": {"break_title": "休憩", "break_clock": "{time} 経過"},
  "readings": ["temperature in °C"])")
                 .toStdString(),
             "study.json");
@@ -75,6 +76,9 @@ private Q_SLOTS:
         QVERIFY(protocol.secondEntry);
         QCOMPARE(protocol.deadTimeSeconds, 1.5);
         QVERIFY(protocol.confirmPieces);
+        QCOMPARE(protocol.language, std::string("ja"));
+        QCOMPARE(participantText(protocol, "break_title"), std::string("休憩"));
+        QCOMPARE(participantText(protocol, "agree"), std::string("I agree"));
         QCOMPARE(paper().deadTimeSeconds, 0.7);
     }
 
@@ -171,6 +175,11 @@ private Q_SLOTS:
             "phases[0]: has more than one of");
         row("question asked twice", "\"Q2\"", "\"Q1\"", "phases[1].questions[0]: 'Q1' is asked twice");
         row("question without words", "\"Q2\"", "\"Q9\"", "'Q9' has no text");
+        row("unknown text for the participant", "\"name\"", "\"participant_texts\": {\"hello\": \"Hi\"}, \"name\"",
+            "participant_texts: 'hello' is no text of the participant's page");
+        row("text without its value", "\"name\"", "\"participant_texts\": {\"scale_tap\": \"Tap.\"}, \"name\"",
+            "participant_texts.scale_tap: has no braces, expected {number}");
+        row("no language", "\"name\"", "\"language\": \"Deutsch!\", \"name\"", "language: \"Deutsch!\", expected a language tag");
         row("words without question", "\"name\"", "\"question_texts\": {\"Q7\": \"Is it warm?\"}, \"name\"",
             "'Q7' is asked in no phase");
         row("scale upside down", "\"max\": 10", "\"max\": -1", "phases[1].scale: max is not above min");

@@ -235,8 +235,32 @@ void SessionPage::keyPressEvent(QKeyEvent* event)
     if (!isTaken) QWidget::keyPressEvent(event);
 }
 
+void SessionPage::showAct(const participant::ParticipantAct& act)
+{
+    const auto text = std::visit(
+        protocols::Overloaded{[](const participant::Agreement& agreement) {
+                                  return agreement.agrees
+                                             ? tr("The participant agreed on their own screen.")
+                                             : tr("The participant does not agree. Speak with them. W ends the session.");
+                              },
+                              [](const participant::FactsTold&) { return tr("The participant answered on their own screen."); },
+                              [](const participant::PlaceTapped&) { return QString(); }},
+        act.what);
+    const auto* agreement = std::get_if<participant::Agreement>(&act.what);
+    if (!text.isEmpty() && !m_panel) showMessage(text, agreement && !agreement->agrees ? Tone::Fault : Tone::Done);
+}
+
+bool SessionPage::isHeld() const
+{
+    constexpr int holdMs = 700;
+    return !m_panel && m_sinceHeld.isValid() && m_sinceHeld.elapsed() < holdMs;
+}
+
 bool SessionPage::eventFilter(QObject* watched, QEvent* event)
 {
+    const bool isEntry = event->type() == QEvent::KeyPress || event->type() == QEvent::MouseButtonPress;
+    const auto* target = qobject_cast<QWidget*>(watched);
+    if (isEntry && isHeld() && target && (target == this || isAncestorOf(target))) return true;
     // A key that a control refuses goes on to its parents, so only the first receiver counts.
     const bool isFirst = event->type() == QEvent::KeyPress && watched == window()->focusWidget() && isVisible() &&
                          (watched == this || isAncestorOf(qobject_cast<QWidget*>(watched)));

@@ -2,11 +2,13 @@
 // the stage page. The page shows a view and requests events; it contains no engine.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QWidget>
 
 #include "study/app/state/answer_mark.h"
 #include "study/app/state/scanner_entry.h"
 #include "study/app/state/session_controller.h"
+#include "study/participant/participant_act.h"
 
 namespace study::app {
 
@@ -29,6 +31,11 @@ public:
     /// Closes the panel and clears the message after an accepted event.
     void closePanelAndMessage();
     void showMessage(const QString& text, Tone tone);
+    /// The participant has moved the session on: keys and clicks that were meant for the page before do nothing for a
+    /// moment.
+    void holdKeys() { m_sinceHeld.start(); }
+    /// Says what the participant did on their own page.
+    void showAct(const participant::ParticipantAct& act);
     /// Shows which test pattern can be felt; none if it is off.
     void showPattern(const std::optional<TestPattern>& pattern);
     const session::View& shownView() const { return m_view; }
@@ -56,6 +63,7 @@ protected:
 private:
     bool takesKeyFirst(const QKeyEvent& event);
     bool isScannedByMistake(const QKeyEvent& event);
+    bool isHeld() const;
     void connectPanels();
     void bindKeysWhileWriting();
     StagePage& pageOf(const session::View& view) const;
@@ -74,6 +82,7 @@ private:
     bool m_isPreparationDeclined = false;
     bool m_isMendable = false;  ///< the message is about an entry, so it goes with the next change of that entry
     ScannerEntry m_scanner;
+    QElapsedTimer m_sinceHeld;
     StagePage* m_panel = nullptr;  ///< open panel; null if none
 
     SessionHeader* m_header;

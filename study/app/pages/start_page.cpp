@@ -25,6 +25,7 @@ StartPage::StartPage(QWidget* parent)
       m_photographs(button("photographsButton", tr("Data set from photographs…"), this)),
       m_display(button("displayButton", tr("Display…"), this)),
       m_keys(button("keysButton", tr("Keys and pedals…"), this)),
+      m_participant(button("participantScreenButton", tr("Participant's screen… (F4)"), this)),
       m_message(new MessageBar("startMessage", this))
 {
     setObjectName("startPage");
@@ -61,7 +62,7 @@ StartPage::StartPage(QWidget* parent)
     column->addLayout(folderRow);
     column->addWidget(m_message);
     column->addSpacing(10);
-    column->addLayout(actionsRow({m_open, m_new, m_photographs, m_data, m_display, m_keys}));
+    column->addLayout(actionsRow({m_open, m_new, m_photographs, m_data, m_display, m_keys, m_participant}));
     column->addStretch(2);
     column->addWidget(appearanceHint(page));
     auto* outer = new QVBoxLayout(this);
@@ -80,6 +81,7 @@ StartPage::StartPage(QWidget* parent)
     connect(m_photographs, &QPushButton::clicked, this, &StartPage::photographsRequested);
     connect(m_display, &QPushButton::clicked, this, &StartPage::displayRequested);
     connect(m_keys, &QPushButton::clicked, this, &StartPage::keysRequested);
+    connect(m_participant, &QPushButton::clicked, this, &StartPage::participantRequested);
 }
 
 void StartPage::present(const QStringList& recentFolders, const Offered& offered)

@@ -34,6 +34,7 @@ Q_SIGNALS:
     void photographsRequested();
     void displayRequested();
     void keysRequested();
+    void participantRequested();
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -52,6 +53,7 @@ private:
     QPushButton* m_photographs;
     QPushButton* m_display;
     QPushButton* m_keys;
+    QPushButton* m_participant;
     MessageBar* m_message;
 };
 

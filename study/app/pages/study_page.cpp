@@ -42,6 +42,7 @@ StudyPage::StudyPage(QWidget* parent)
       m_enrol(mainButton("enrolButton", tr("Enrol and begin (Enter)"), this)),
       m_display(button("displayButton", tr("Display…"), this)),
       m_keys(button("studyKeysButton", tr("Keys…"), this)),
+      m_screen(button("participantScreenButton", tr("Participant's screen… (F4)"), this)),
       m_close(plainButton("closeStudyButton", tr("Close the study (Esc)"), this)),
       m_tools(plainButton("toolsButton", tr("Tools… (F2)"), this)),
       m_message(new MessageBar("studyMessage", this))
@@ -77,7 +78,7 @@ StudyPage::StudyPage(QWidget* parent)
     column->addWidget(m_message);
     column->addSpacing(10);
     column->addLayout(m_middle, 1);
-    column->addLayout(actionsRow({m_display, m_keys, m_tools, m_close}));
+    column->addLayout(actionsRow({m_display, m_keys, m_screen, m_tools, m_close}));
     column->addWidget(appearanceHint(page));
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
@@ -88,11 +89,13 @@ StudyPage::StudyPage(QWidget* parent)
     setTabOrder(m_resume, m_places);
     setTabOrder(m_places, m_display);
     setTabOrder(m_display, m_keys);
-    setTabOrder(m_keys, m_close);
+    setTabOrder(m_keys, m_screen);
+    setTabOrder(m_screen, m_close);
     setTabOrder(m_close, m_tools);
 
     connect(m_display, &QPushButton::clicked, this, &StudyPage::displayRequested);
     connect(m_keys, &QPushButton::clicked, this, &StudyPage::keysRequested);
+    connect(m_screen, &QPushButton::clicked, this, &StudyPage::participantRequested);
     connect(m_enrol, &QPushButton::clicked, this, &StudyPage::enrol);
     connect(m_resume, &QPushButton::clicked, this, &StudyPage::resumeChosen);
     connect(m_participant, &QLineEdit::textChanged, this, [this] { m_isAskedAgain = false; });

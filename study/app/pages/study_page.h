@@ -35,6 +35,7 @@ Q_SIGNALS:
     void closeRequested();
     void displayRequested();
     void keysRequested();
+    void participantRequested();
     void toolsRequested();
 
 protected:
@@ -69,6 +70,7 @@ private:
     QPushButton* m_enrol;
     QPushButton* m_display;
     QPushButton* m_keys;
+    QPushButton* m_screen;
     QPushButton* m_close;
     QPushButton* m_tools;
     MessageBar* m_message;

@@ -303,6 +303,13 @@ void AppLooksTest::visitAround(OpenWindow& open, const Look& look)
     open.gui().pressKey(Qt::Key_Return);
     QTest::qWait(1);
     look(open.window(), "study");
+    open.gui().click("participantScreenButton");
+    look(open.window(), "participant");
+    open.gui().click("startPageButton");
+    QTRY_VERIFY(open.window().currentPage()->findChild<QLabel*>("pageAddress")->isVisible());
+    look(open.window(), "participant-page");
+    open.gui().click("startPageButton");
+    open.gui().pressKey(Qt::Key_Escape);
     open.gui().click("studyKeysButton");
     open.gui().click("assignKeyButton");
     look(open.window(), "keys");

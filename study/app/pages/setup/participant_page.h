@@ -1,0 +1,61 @@
+// Page of the participant's screen: opens the instruction on a second screen of this computer, or as a page for a tablet's
+// browser in the same room, with its address and code.
+#pragma once
+
+#include <QWidget>
+#include <memory>
+
+#include "study/app/participant/participant_side.h"
+#include "study/app/participant/participant_window.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace study::app {
+
+class MessageBar;
+
+class ParticipantPage : public QWidget {
+    Q_OBJECT
+public:
+    /// `side` must outlive the page.
+    ParticipantPage(ParticipantSide& side, QWidget* parent);
+    ~ParticipantPage() override;
+
+    /// Lists the screens and networks of this moment.
+    void present();
+    void focusFirst();
+    void closeWindow();
+    bool isWindowOpen() const { return m_window != nullptr; }
+
+Q_SIGNALS:
+    void backRequested();
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    void build();
+    void listScreens();
+    void listNetworks();
+    void toggleWindow();
+    void togglePage();
+    void showState();
+
+    ParticipantSide& m_side;
+    std::unique_ptr<ParticipantWindow> m_window;
+    QComboBox* m_screen;
+    QPushButton* m_open;
+    QLabel* m_screenState;
+    QComboBox* m_network;
+    QPushButton* m_start;
+    QPushButton* m_newCode;
+    QPushButton* m_back;
+    QLabel* m_address;
+    QLabel* m_code;
+    QLabel* m_state;
+    MessageBar* m_message;
+};
+
+}  // namespace study::app

@@ -1,0 +1,171 @@
+#include "study/participant/session/present_instruction.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "study/session/session_moves.h"
+
+namespace study::participant {
+
+namespace {
+
+using namespace session;
+using protocols::Protocol;
+using protocols::Tenths;
+
+/// The text with the values of its names in braces.
+std::string filled(std::string text, std::initializer_list<std::pair<std::string_view, std::string>> values)
+{
+    for (const auto& [name, value] : values) {
+        const std::string place = "{" + std::string(name) + "}";
+        for (std::size_t at = text.find(place); at != std::string::npos; at = text.find(place, at + value.size()))
+            text.replace(at, place.size(), value);
+    }
+    return text;
+}
+
+std::string numberText(Tenths rating)
+{
+    const int absolute = std::abs(rating.value);
+    const std::string sign = rating.value < 0 ? "-" : "";
+    return sign + std::to_string(absolute / 10) + (absolute % 10 == 0 ? "" : "." + std::to_string(absolute % 10));
+}
+
+/// "5.4", or "4, agree" on a scale with words.
+std::string placeText(Tenths rating, const protocols::RatingScale& scale)
+{
+    const std::size_t step = static_cast<std::size_t>((rating.value - scale.min.value) / scale.step.value);
+    return numberText(rating) + (step < scale.labels.size() ? ", " + scale.labels[step] : "");
+}
+
+struct InstructionOfStage {
+    const View& view;
+    const Protocol& protocol;
+
+    Instruction operator()(const Enrolled&) const { return page("welcome_title", {text("welcome_text")}); }
+    Instruction operator()(const Consenting&) const
+    {
+        Instruction consent = page("consent_title", {text("consent_text")});
+        consent.task = Task::Consent;
+        consent.statement = protocol.consent;
+        return consent;
+    }
+    Instruction operator()(const AskingFacts&) const
+    {
+        Instruction facts = page("facts_title", {text("facts_text")});
+        facts.task = Task::Facts;
+        facts.questions = protocol.facts;
+        return facts;
+    }
+    Instruction operator()(const Familiarising&) const
+    {
+        Instruction instruction = page("familiarise_title", {text("familiarise_text")});
+        if (!protocol.strokeWords.empty()) instruction.lines.push_back(protocol.strokeWords);
+        return instruction;
+    }
+    Instruction operator()(const ScaleTraining& training) const
+    {
+        Instruction instruction = page("scale_title", {});
+        if (const auto* scale = memorisedScaleOf(protocol)) {
+            instruction.task = Task::Scale;
+            instruction.scale = scaleTask(training, *scale);
+            if (!view.placeToName)
+                instruction.lines = {text("scale_done")};
+            else if (scale->labels.empty() && scale->sections > 1)
+                instruction.lines = {text("scale_text")};
+        }
+        return instruction;
+    }
+    Instruction operator()(const CheckingList&) const { return page("mask_title", {text("mask_text")}); }
+    Instruction operator()(const PlacingTray&) const { return waiting(protocol); }
+    Instruction operator()(const Presenting&) const { return page("feel_title", {}); }
+    Instruction operator()(const OnBreak&) const
+    {
+        Instruction instruction = page("break_title", {text("break_text")});
+        instruction.breakSeconds = static_cast<int>(std::clamp(view.breakSeconds, 0.0, 1e6));
+        instruction.breakClock = text("break_clock");
+        return instruction;
+    }
+    Instruction operator()(const Debriefing&) const { return page("last_title", {text("last_text")}); }
+    Instruction operator()(const Finished&) const { return page("end_title", {text("end_text")}); }
+    Instruction operator()(const Withdrawn&) const { return page("end_title", {text("end_text")}); }
+
+    Instruction paused() const { return page("pause_title", {text("pause_text")}); }
+
+private:
+    std::string text(std::string_view key) const { return participantText(protocol, key); }
+
+    Instruction page(std::string_view titleKey, std::vector<std::string> lines) const
+    {
+        Instruction instruction;
+        instruction.title = text(titleKey);
+        instruction.lines = std::move(lines);
+        return instruction;
+    }
+
+    ScaleTask scaleTask(const ScaleTraining& training, const protocols::RatingScale& scale) const
+    {
+        ScaleTask task;
+        task.scale = scale;
+        task.low = endText(scale.min, scale, "scale_low");
+        task.high = endText(scale.max, scale, "scale_high");
+        task.asked = view.placeToName;
+        if (task.asked) task.tap = filled(text("scale_tap"), {{"number", placeText(*task.asked, scale)}});
+        if (task.asked) task.say = text("scale_say");
+        task.count = filled(text("scale_count"), {{"count", std::to_string(training.rightInARow)},
+                                                  {"needed", std::to_string(placesInARow(training))}});
+        if (training.last) task.last = feedback(*training.last, scale);
+        return task;
+    }
+
+    /// A scale has words for its ends, or the ends of the paper's scale.
+    std::string endText(Tenths end, const protocols::RatingScale& scale, std::string_view key) const
+    {
+        return scale.labels.empty() ? numberText(end) + " " + text(key) : placeText(end, scale);
+    }
+
+    ScaleFeedback feedback(const NamedPlace& last, const protocols::RatingScale& scale) const
+    {
+        return {last.shown, last.named, last.isRight,
+                filled(text(last.isRight ? "scale_right" : "scale_wrong"),
+                       {{"named", placeText(last.named, scale)}, {"shown", placeText(last.shown, scale)}})};
+    }
+};
+
+}  // namespace
+
+Instruction instructionFor(const View& view, const Protocol& protocol)
+{
+    const InstructionOfStage instruction{view, protocol};
+    const bool isOver = std::holds_alternative<Finished>(view.state.stage) || std::holds_alternative<Withdrawn>(view.state.stage);
+    return view.state.paused && !isOver ? instruction.paused() : std::visit(instruction, view.state.stage);
+}
+
+Instruction waiting(const Protocol& protocol)
+{
+    Instruction instruction;
+    instruction.title = participantText(protocol, "wait_title");
+    return instruction;
+}
+
+std::optional<EventBody> eventOf(const ParticipantAct& act, const View& view, const Protocol& protocol)
+{
+    if (!isAskedFor(act, instructionFor(view, protocol))) return std::nullopt;
+    return std::visit(protocols::Overloaded{[](const Agreement& agreement) -> std::optional<EventBody> {
+                                                if (!agreement.agrees) return std::nullopt;
+                                                return Consented{EnteredBy::Participant};
+                                            },
+                                            [&](const FactsTold& told) -> std::optional<EventBody> {
+                                                FactsGiven given{{}, EnteredBy::Participant};
+                                                for (std::size_t i = 0; i < told.answers.size(); ++i)
+                                                    if (!told.answers[i].empty())
+                                                        given.facts[protocol.facts[i]] = told.answers[i];
+                                                return given;
+                                            },
+                                            [&](const PlaceTapped& tapped) -> std::optional<EventBody> {
+                                                return ScalePlaced{*view.placeToName, tapped.place, EnteredBy::Participant};
+                                            }},
+                      act.what);
+}
+
+}  // namespace study::participant

@@ -1,0 +1,99 @@
+#include "tests/fuzz/page_readers.h"
+
+#include <sstream>
+#include <stdexcept>
+
+#include "protocols/files/errors.h"
+#include "study/participant/page_room.h"
+
+namespace fuzz {
+
+namespace {
+
+using namespace study::participant;
+
+constexpr const char* host = "127.0.0.1:8577";
+
+Instruction scaleTraining()
+{
+    Instruction instruction;
+    instruction.task = Task::Scale;
+    instruction.title = "Learn the scale";
+    instruction.scale = ScaleTask{};
+    instruction.scale->scale.labels = {"no", "yes"};
+    instruction.scale->asked = protocols::Tenths{35};
+    instruction.scale->last = ScaleFeedback{{35}, {30}, true, "Right."};
+    return instruction;
+}
+
+/// Bytes as a request: a line each for method, path, host, origin, cookie and content type; the rest is the body.
+PageRequest requestFrom(const std::string& bytes)
+{
+    std::istringstream stream(bytes);
+    PageRequest request;
+    for (std::string* part :
+         {&request.method, &request.path, &request.host, &request.origin, &request.cookie, &request.contentType})
+        std::getline(stream, *part);
+    request.body.assign(std::istreambuf_iterator<char>(stream), {});
+    request.from = "127.0.0.1";
+    return request;
+}
+
+/// Whatever comes in, nobody without the cookie sees the instruction or acts, and every line for the app can be read.
+void answer(const std::string& bytes)
+{
+    PageRoom room(host, {"html", "css", "js"}, PageAccess([] { return "secret"; }, {}));
+    room.take(NewCode{"482913"}, 0);
+    room.take(NumberedInstruction{7, scaleTraining()}, 0);
+    const PageRequest request = requestFrom(bytes);
+    const PageReply before = room.answer(request, 1);
+    const bool isEntry = before.status == 204 && request.path == "/enter" && request.body.find("482913") != std::string::npos;
+    if (before.status >= 200 && before.status < 300 && !isEntry && request.path != "/" && request.path != "/words" &&
+        !request.path.starts_with("/page."))
+        throw std::runtime_error("a browser without a code was served");
+    if (before.status < 300 && request.host != host) throw std::runtime_error("another host was served");
+    room.take(KnownDevice{"2bb80d537b1da3e38bd30361aa855686bde0eacd7162fef6a25fe97bf527a25b"}, 0);  // of "secret"
+    for (const auto& line : room.answer(request, 2).lines)
+        if (lineFromPage(lineOf(line)) != line) throw std::runtime_error("a line changed on its way");
+}
+
+void readToPage(const std::string& bytes)
+{
+    LineBuffer buffer;
+    for (const std::string& text : buffer.take(bytes + "\n")) {
+        const LineToPage line = lineToPage(text);
+        if (lineToPage(lineOf(line)) != line) throw std::runtime_error("a line changed");
+    }
+}
+
+void readFromPage(const std::string& bytes)
+{
+    LineBuffer buffer;
+    for (const std::string& text : buffer.take(bytes + "\n")) {
+        const LineFromPage line = lineFromPage(text);
+        if (lineFromPage(lineOf(line)) != line) throw std::runtime_error("a line changed");
+    }
+}
+
+}  // namespace
+
+std::vector<Reader> pageReaders()
+{
+    const std::string from = std::string("\n") + host + "\n\nvis2hap=secret\napplication/json\n";
+    return {{"page-request",
+             {"POST\n/act" + from + R"({"number":7,"tapped":32})", "GET\n/now" + from, "GET\n/" + from, "GET\n/words" + from,
+              "POST\n/enter" + from + R"({"code":"482913"})", "POST\n/act" + from + R"({"number":7,"facts":["31","\u00e4"]})"},
+             answer},
+            {"page-input",
+             {lineOf(NumberedInstruction{7, scaleTraining()}), lineOf(NewCode{"482913"}),
+              lineOf(KnownDevice{std::string(64, 'a')}), lineOf(PageTexts{"en", {{"agree", "I agree"}}})},
+             readToPage},
+            {"page-output",
+             {lineOf(ParticipantAct{7, FactsTold{{"31", ""}}}), lineOf(ParticipantAct{7, Agreement{true}}),
+              lineOf(ParticipantAct{7, PlaceTapped{{32}}}), lineOf(Listening{8577}),
+              lineOf(DeviceEntered{"::1", std::string(64, 'a')}), lineOf(WrongCodeEntered{"::1", 3, true}),
+              lineOf(DeviceRefused{"::1"})},
+             readFromPage}};
+}
+
+}  // namespace fuzz

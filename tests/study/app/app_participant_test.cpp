@@ -1,0 +1,282 @@
+// A session in the window with the participant's own screen: a tablet's browser, and a window on a second screen. What the
+// participant does reaches the session, the operator sees it and keeps control, and the session never needs the screen.
+#include <QApplication>
+#include <QComboBox>
+#include <QLabel>
+#include <QTest>
+#include <csignal>
+
+#include "study/app/participant/participant_side.h"
+#include "study/app/pieces/scale_line.h"
+#include "study/app/state/rating_text.h"
+#include "tests/support/browser.h"
+#include "tests/support/open_window.h"
+#include "tests/support/whole_protocol.h"
+
+using namespace study::session;
+using protocols::ParticipantId;
+using study::app::PageState;
+using study::app::ParticipantSide;
+using tests::support::Answer;
+using tests::support::Browser;
+using tests::support::OpenWindow;
+
+namespace {
+
+/// A session with a browser that has entered the code.
+struct TabletSession {
+    OpenWindow open;
+    std::unique_ptr<Browser> tablet;
+
+    explicit TabletSession(const database::StudyFolder& study, bool begins = true) : open(study)
+    {
+        side().startPage("127.0.0.1");
+        if (!QTest::qWaitFor([this] { return !side().state().address.isEmpty(); }, 10000)) qFatal("the page does not listen");
+        tablet = std::make_unique<Browser>(side().state().address.mid(7));
+        if (tablet->enter(side().state().code.toLatin1()).status != 204) qFatal("the code is refused");
+        if (begins) open.window().startSession(ParticipantId("P01"));
+    }
+    ParticipantSide& side() { return open.window().participantSide(); }
+    /// What the tablet shows, after the app had time to send it.
+    QByteArray shown()
+    {
+        QTest::qWait(60);
+        return tablet->get("/now").body;
+    }
+    int number() { return shown().mid(shown().indexOf("\"number\":") + 9).split(',').front().toInt(); }
+    int act(const QByteArray& members)
+    {
+        const int status = tablet->post("/act", "{\"number\":" + QByteArray::number(number()) + "," + members + "}").status;
+        QTest::qWait(60);
+        return status;
+    }
+    /// The operator's keys hold for 0.7 s after the participant has moved the session on.
+    void waitForKeys() { QTest::qWait(750); }
+    std::string stage() { return nameOf(open.view().state); }
+};
+
+}  // namespace
+
+class AppParticipantTest : public tests::support::WindowTest {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aParticipantAgreesAnswersAndLearnsTheScaleOnATablet();
+    void theTabletShowsNothingOfPresentations();
+    void whoDoesNotAgreeIsTheOperatorsDecision();
+    void aLateTapChangesNothing();
+    void theOperatorsKeysHoldForAMoment();
+    void aPanelOfTheOperatorStaysOpen();
+    void theSessionGoesOnWithoutThePage();
+    void aKilledPageComesBackAndKnowsTheTablet();
+    void thePageNamesAddressCodeAndGuests();
+    void theSecondScreenShowsTheSame();
+    void f4LeadsThereAndBack();
+};
+
+void AppParticipantTest::aParticipantAgreesAnswersAndLearnsTheScaleOnATablet()
+{
+    const auto study = newStudy(tests::support::wholeStudy());
+    TabletSession session(study);
+    QVERIFY(session.shown().contains("Welcome"));
+    session.open.perform(Begun{});
+    QVERIFY(session.shown().contains("They have agreed to take part."));
+    QCOMPARE(session.act("\"agrees\":true"), 204);
+    QCOMPARE(session.stage(), std::string("AskingFacts"));
+    QVERIFY2(session.open.message().contains("agreed on their own screen"), qPrintable(session.open.message()));
+    QVERIFY(session.shown().contains("handedness"));
+    QCOMPARE(session.act(R"("facts":["31","","left",""])"), 204);
+    QCOMPARE(session.stage(), std::string("Familiarising"));
+    session.waitForKeys();
+    session.open.perform(FamiliarisationDone{});
+    for (const int tenthsOff : {0, 0, 30, 0, 0, 0}) {
+        const int place = session.open.view().placeToName.value().value;
+        const int named = place + (place + tenthsOff <= 100 ? tenthsOff : -tenthsOff);
+        QCOMPARE(session.act("\"tapped\":" + QByteArray::number(named)), 204);
+        QVERIFY(session.open.widget<QLabel>("deviation").text().contains(study::app::textOf(protocols::Tenths{named})));
+    }
+    QVERIFY(!session.open.view().placeToName);
+    QVERIFY2(session.shown().contains("You know the scale now."), session.shown().constData());
+    session.waitForKeys();
+    session.open.perform(ScaleTrainingDone{});
+    QVERIFY(session.shown().contains("blindfold"));
+    session.open.playToEnd();
+    QVERIFY(session.shown().contains("The session is over."));
+    const auto& store = session.open.window().study()->store();
+    QCOMPARE(static_cast<int>(store.answers().size()), tests::support::answersOf({}));
+    int byParticipant = 0;
+    for (const auto& event : store.events(ParticipantId("P01")))
+        byParticipant += event.payloadJson.find("\"by\":\"participant\"") != std::string::npos;
+    QCOMPARE(byParticipant, 8);
+}
+
+void AppParticipantTest::theTabletShowsNothingOfPresentations()
+{
+    TabletSession session(newStudy(tests::support::wholeStudy()));
+    session.open.playTo("Presenting");
+    std::set<QByteArray> seen;
+    for (int step = 0; step < 14; ++step) {
+        const QByteArray shown = session.shown();
+        for (const std::string& piece : session.open.view().tray) QVERIFY(!shown.contains(piece.c_str()));
+        if (const auto& code = session.open.view().code.value; !code.empty()) QVERIFY(!shown.contains(code.c_str()));
+        if (session.stage() != "OnBreak") seen.insert(shown.mid(shown.indexOf("instruction")));
+        session.open.perform(session.open.nextEvent());
+    }
+    QCOMPARE(seen.size(), std::size_t(2));  // wait, feel
+}
+
+void AppParticipantTest::whoDoesNotAgreeIsTheOperatorsDecision()
+{
+    TabletSession session(newStudy(tests::support::wholeStudy()));
+    session.open.perform(Begun{});
+    QCOMPARE(session.act("\"agrees\":false"), 204);
+    QCOMPARE(session.stage(), std::string("Consenting"));
+    QVERIFY2(session.open.message().contains("does not agree"), qPrintable(session.open.message()));
+    QCOMPARE(session.act("\"agrees\":true"), 204);  // after a talk
+    QCOMPARE(session.stage(), std::string("AskingFacts"));
+}
+
+void AppParticipantTest::aLateTapChangesNothing()
+{
+    TabletSession session(newStudy(tests::support::wholeStudy()));
+    session.open.perform(Begun{});
+    const int consent = session.number();
+    session.open.perform(Consented{});  // the operator was faster
+    QCOMPARE(session.stage(), std::string("AskingFacts"));
+    session.shown();
+    QCOMPARE(session.tablet->post("/act", "{\"number\":" + QByteArray::number(consent) + ",\"agrees\":true}").status, 409);
+    QCOMPARE(session.act("\"agrees\":true"), 400);
+    QCOMPARE(session.act("\"facts\":[\"1\"]"), 400);  // fewer than the questions
+    QCOMPARE(session.stage(), std::string("AskingFacts"));
+}
+
+void AppParticipantTest::theOperatorsKeysHoldForAMoment()
+{
+    TabletSession session(newStudy(tests::support::wholeStudy()));
+    session.open.playTo("AskingFacts");
+    const int number = session.number();
+    session.tablet->post("/act", "{\"number\":" + QByteArray::number(number) + R"(,"facts":["","","",""]})");
+    QTRY_COMPARE(session.stage(), std::string("Familiarising"));
+    session.open.gui().pressKey(Qt::Key_Return);  // meant for the page of the facts
+    QCOMPARE(session.stage(), std::string("Familiarising"));
+    session.waitForKeys();
+    session.open.gui().pressKey(Qt::Key_Return);
+    QCOMPARE(session.stage(), std::string("ScaleTraining"));
+}
+
+void AppParticipantTest::aPanelOfTheOperatorStaysOpen()
+{
+    TabletSession session(newStudy(tests::support::wholeStudy()));
+    session.open.perform(Begun{});
+    session.open.gui().click("noteButton");
+    session.open.gui().type("nervous");
+    QCOMPARE(session.act("\"agrees\":true"), 204);
+    QCOMPARE(session.stage(), std::string("AskingFacts"));
+    session.open.gui().pressKey(Qt::Key_Return);
+    const auto last = session.open.window().study()->store().events(ParticipantId("P01")).back();
+    QCOMPARE(last.kind, std::string("noted"));
+    QVERIFY(last.payloadJson.find("nervous") != std::string::npos);
+}
+
+void AppParticipantTest::theSessionGoesOnWithoutThePage()
+{
+    TabletSession session(newStudy(tests::support::wholeStudy()));
+    session.open.playTo("AskingFacts");
+    session.side().stopPage();
+    QCOMPARE(session.tablet->get("/now").status, 0);
+    session.open.playToEnd();
+    QCOMPARE(session.stage(), std::string("Finished"));
+}
+
+void AppParticipantTest::aKilledPageComesBackAndKnowsTheTablet()
+{
+    TabletSession session(newStudy(tests::support::wholeStudy()));
+    session.open.playTo("Consenting");
+    const QString address = session.side().state().address;
+    ::kill(static_cast<pid_t>(session.side().pageProcessId()), SIGKILL);
+    QTRY_VERIFY(session.side().state().fault.contains("has stopped"));
+    QTRY_VERIFY(session.side().state().fault.isEmpty());
+    QTRY_COMPARE(session.tablet->get("/now").status, 200);
+    QCOMPARE(session.side().state().address, address);
+    QVERIFY(session.shown().contains("They have agreed"));
+    QCOMPARE(session.act("\"agrees\":true"), 204);
+    QCOMPARE(session.stage(), std::string("AskingFacts"));
+}
+
+void AppParticipantTest::thePageNamesAddressCodeAndGuests()
+{
+    OpenWindow open(newStudy());
+    QVERIFY(QTest::qWaitForWindowActive(&open.window()));
+    open.gui().pressKey(Qt::Key_F4);
+    QCOMPARE(open.window().currentPage()->objectName(), QString("participantPage"));
+    open.gui().click("startPageButton");
+    const auto text = [&](const char* name) { return open.widget<QLabel>(name).text(); };
+    QTRY_VERIFY(open.window().currentPage()->findChild<QLabel*>("pageAddress")->isVisible());
+    QVERIFY(text("pageAddress").startsWith("http://127.0.0.1:"));
+    const QString code = text("pageCode").section(": ", 1).remove(' ');
+    QCOMPARE(code.size(), 6);
+    Browser tablet(text("pageAddress").mid(7));
+    for (int tries = 1; tries <= 2; ++tries) QCOMPARE(tablet.enter("x").status, 403);
+    QTRY_VERIFY2(text("pageState").contains("Wrong codes: 2"), qPrintable(text("pageState")));
+    QCOMPARE(tablet.enter(code.toLatin1()).status, 204);
+    QTRY_VERIFY2(text("pageState").contains("A browser at 127.0.0.1 shows the page"), qPrintable(text("pageState")));
+    QVERIFY(!open.window().currentPage()->findChild<QLabel*>("pageCode")->isVisible());
+    open.gui().click("newCodeButton");
+    QVERIFY(text("pageCode").section(": ", 1).remove(' ') != code);
+    QTRY_COMPARE(tablet.get("/now").status, 401);
+    open.gui().click("startPageButton");  // stops it
+    QCOMPARE(tablet.get("/now").status, 0);
+    QVERIFY(open.widget<QComboBox>("networkChoice").itemText(0).contains("This computer only"));
+}
+
+void AppParticipantTest::theSecondScreenShowsTheSame()
+{
+    OpenWindow open(newStudy(tests::support::wholeStudy()));
+    QVERIFY(QTest::qWaitForWindowActive(&open.window()));
+    open.gui().pressKey(Qt::Key_F4);
+    open.gui().click("openWindowButton");
+    open.gui().pressKey(Qt::Key_Escape);
+    const auto window = [] {
+        for (QWidget* one : QApplication::topLevelWidgets())
+            if (one->objectName() == "participantWindow" && one->isVisible()) return one;
+        return static_cast<QWidget*>(nullptr);
+    };
+    QVERIFY(window());
+    const auto text = [&](const char* name) { return window()->findChild<QLabel*>(name)->text(); };
+    open.window().startSession(ParticipantId("P01"));
+    open.perform(Begun{});
+    QVERIFY(text("participantStatement").contains("They have agreed to take part."));
+    open.playTo("ScaleTraining");
+    const auto* line = window()->findChild<study::app::ScaleLine*>();
+    QVERIFY(line->isVisible() && line->rating() == open.view().placeToName);
+    QCOMPARE(text("participantQuestion"), QString("Which number belongs to the mark? Say it."));
+    open.perform(ScalePlaced{*open.view().placeToName, *open.view().placeToName});
+    QCOMPARE(text("participantCount"), QString("1 of 3 right in a row"));
+    open.playTo("Presenting");
+    QCOMPARE(text("participantTitle"), QString("Feel the display"));
+    QVERIFY(!line->isVisible());
+    open.playTo("OnBreak");
+    QVERIFY2(text("participantClock").startsWith("The break has lasted 0:0"), qPrintable(text("participantClock")));
+    open.window().close();
+    QVERIFY(!window());
+}
+
+void AppParticipantTest::f4LeadsThereAndBack()
+{
+    OpenWindow open(newStudy(tests::support::wholeStudy()));
+    QVERIFY(QTest::qWaitForWindowActive(&open.window()));
+    open.gui().pressKey(Qt::Key_F4);
+    QCOMPARE(open.window().currentPage()->objectName(), QString("participantPage"));
+    open.gui().pressKey(Qt::Key_F4);
+    QCOMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
+    open.enrolAndBegin();
+    open.gui().pressKey(Qt::Key_F4);
+    QCOMPARE(open.window().currentPage()->objectName(), QString("participantPage"));
+    open.gui().pressKey(Qt::Key_Escape);
+    QCOMPARE(open.window().currentPage()->objectName(), QString("sessionPage"));
+    QCOMPARE(nameOf(open.view().state), std::string("PlacingTray"));  // Esc paused nothing
+    open.perform(open.nextEvent());
+}
+
+QTEST_MAIN(AppParticipantTest)
+#include "app_participant_test.moc"

@@ -65,6 +65,12 @@ struct TrueOrOther {
 /// Which fabric pieces lie on the tray during a presentation.
 using TrayRule = std::variant<TrueAmongFoils, TrueAlone, TrueOrOther>;
 
+/// What the trays of a choice phase are drawn for, beside hiding the true slot.
+enum class TrayAim {
+    EvenSlots,  ///< true fabrics and foils are equally often in each slot
+    FewSwaps,   ///< as many pieces as possible stay where they lie from one tray to the next
+};
+
 /// One function object out of several lambdas, for std::visit.
 template <class... Cases>
 struct Overloaded : Cases... {

@@ -42,8 +42,10 @@ std::vector<std::vector<Tray>> traysOfTrueFabrics(const std::vector<std::vector<
 std::vector<std::vector<Tray>> traysFor(const Phase& phase, const std::vector<std::vector<Rendering>>& orders,
                                         const StudySize& size, Random& random)
 {
-    return std::visit(Overloaded{[&](const TrueAmongFoils& rule) { return drawTrays(orders, size, rule.pieces, random); },
-                                 [&](const TrueAlone&) { return traysOfTrueFabrics(orders); },
+    const auto amongFoils = [&](const TrueAmongFoils& rule) {
+        return drawTrays(orders, size, rule.pieces, phase.trayAim, random);
+    };
+    return std::visit(Overloaded{amongFoils, [&](const TrueAlone&) { return traysOfTrueFabrics(orders); },
                                  [&](const TrueOrOther&) { return drawSameDifferentTrays(orders, size, random); }},
                       trayRuleOf(phase.task));
 }

@@ -28,6 +28,7 @@ struct Phase {
     std::vector<Question> questions;
     AnswerKind task;  ///< what a question asks for unless it is answered in free text; decides what lies on the tray
     int catchTrials = 0;
+    TrayAim trayAim = TrayAim::EvenSlots;  ///< of a choice phase
     bool operator==(const Phase&) const = default;
 };
 

@@ -58,6 +58,9 @@ Phase phaseFrom(const ProtocolPart& part, const ProtocolPart& texts, const std::
     Phase phase;
     phase.task = taskOf(part, place);
     phase.catchTrials = part.whole("catch_trials", phase.catchTrials);
+    if (part.yesOrNo("few_swaps", false)) phase.trayAim = TrayAim::FewSwaps;
+    if (part.has("few_swaps") && !std::holds_alternative<ForcedChoice>(phase.task))
+        part.faults().add(place + ".few_swaps: the tray has one piece, expected a phase with alternatives");
     for (const std::string& id : part.texts("questions")) {
         const std::string text = texts.text(id, usualTextOf(QuestionId(id), phase.task, edition));
         // A text that the schema refuses is no missing text.

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "protocols/answer_kind.h"
 #include "protocols/random.h"
 #include "protocols/running_orders.h"
 
@@ -16,7 +17,10 @@ using Tray = std::vector<int>;
 /// fabric and per label, slots of each foil per participant. A participant can notice that a fabric also lay on the tray before
 /// or after, how often it appears, and its slot. All this is as frequent for foils as for true fabrics, so it does not reveal
 /// the true slot. Where this is impossible, a bounded search comes as close as it can.
+///
+/// With FewSwaps a fabric of two trays in a row keeps its slot, and trays in a row share more fabrics. True slots are then drawn
+/// at random and only as even as chance makes them. Foil sets stay as even.
 std::vector<std::vector<Tray>> drawTrays(const std::vector<std::vector<Rendering>>& orders, const StudySize& size,
-                                         int alternatives, Random& random);
+                                         int alternatives, TrayAim aim, Random& random);
 
 }  // namespace protocols

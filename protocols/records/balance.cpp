@@ -1,8 +1,11 @@
 #include "protocols/records/balance.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 
 #include "protocols/foil_sets.h"
@@ -160,12 +163,59 @@ void addChoiceRanges(const PhaseTrials& trials, const Protocol& protocol, int al
     ranges.push_back(rangeOf("slots of a foil per participant" + phase, foilSlots));
 }
 
-/// ", Q1" or ", Q2-Q4"
+/// "Q1" or "Q2-Q4"
 std::string nameOf(const Phase& phase)
 {
     if (phase.questions.empty()) return "";
     const std::string first = phase.questions.front().id.value;
-    return ", " + (phase.questions.size() == 1 ? first : first + "-" + phase.questions.back().id.value);
+    return phase.questions.size() == 1 ? first : first + "-" + phase.questions.back().id.value;
+}
+
+/// With the pieces of catch trials, which the operator lays, too.
+std::optional<BalanceCertificate::Handling> handlingOf(const Design& design, int phase, const std::string& name)
+{
+    BalanceCertificate::Handling handling{name, 0, 0};
+    int changes = 0;
+    for (const auto& trials : design.participants)
+        for (std::size_t at = 1; at < trials.size(); ++at) {
+            if (trials[at].phase != phase || trials[at - 1].phase != phase) continue;
+            const auto& before = trials[at - 1].alternatives;
+            const auto& after = trials[at].alternatives;
+            ++changes;
+            for (std::size_t slot = 0; slot < after.size(); ++slot) {
+                const auto earlier = std::ranges::find(before, after[slot]);
+                handling.piecesPutOn += earlier == before.end();
+                handling.piecesMoved += earlier != before.end() && earlier - before.begin() != static_cast<std::ptrdiff_t>(slot);
+            }
+        }
+    if (changes == 0) return std::nullopt;
+    handling.piecesPutOn /= changes;
+    handling.piecesMoved /= changes;
+    return handling;
+}
+
+std::string twoDecimals(double value)
+{
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 2).ptr;
+    return {text.data(), end};
+}
+
+/// What was counted, and the count, in words.
+std::vector<std::pair<std::string, std::string>> linesOf(const BalanceCertificate& certificate)
+{
+    std::vector<std::pair<std::string, std::string>> lines;
+    for (const Range& range : certificate.ranges) {
+        const std::string least = std::to_string(range.min);
+        lines.emplace_back(range.what, range.min == range.max ? least : least + " to " + std::to_string(range.max));
+    }
+    for (const auto& handling : certificate.handling)
+        lines.emplace_back(
+            "pieces per presentation, " + handling.phase,
+            twoDecimals(handling.piecesPutOn) + " put on, " + twoDecimals(handling.piecesMoved) + " moved to another slot");
+    lines.emplace_back("immediate repeats of a condition or fabric", std::to_string(certificate.immediateRepeats));
+    lines.emplace_back("foil sets repeated within participant and true fabric", std::to_string(certificate.repeatedFoilPairs));
+    return lines;
 }
 
 }  // namespace
@@ -178,7 +228,9 @@ BalanceCertificate balanceOf(const Design& design, const Protocol& protocol)
     auto& ranges = certificate.ranges;
     for (std::size_t i = 0; i < protocol.phases.size(); ++i) {
         const PhaseTrials trials = trialsOf(design, static_cast<int>(i));
-        const std::string phase = nameOf(protocol.phases[i]);
+        const std::string name = nameOf(protocol.phases[i]);
+        const std::string phase = name.empty() ? "" : ", " + name;
+        if (auto handling = handlingOf(design, static_cast<int>(i), name)) certificate.handling.push_back(std::move(*handling));
         Counts renderings = emptyTable({static_cast<int>(design.participants.size()), labels, fabrics});
         forEach(trials, [&](int participant, const DesignTrial& t) { ++renderings[{participant, t.label, t.fabric}]; });
         ranges.push_back(rangeOf("presentations of a rendering per participant" + phase, renderings));
@@ -202,7 +254,11 @@ nlohmann::ordered_json jsonOf(const BalanceCertificate& certificate)
 {
     nlohmann::ordered_json ranges = nlohmann::ordered_json::array();
     for (const auto& range : certificate.ranges) ranges.push_back({{"what", range.what}, {"min", range.min}, {"max", range.max}});
+    nlohmann::ordered_json pieces = nlohmann::ordered_json::array();
+    for (const auto& handling : certificate.handling)
+        pieces.push_back({{"phase", handling.phase}, {"put_on", handling.piecesPutOn}, {"moved", handling.piecesMoved}});
     return {{"balance", ranges},
+            {"pieces_per_presentation", pieces},
             {"immediate_repeats", certificate.immediateRepeats},
             {"repeated_foil_pairs", certificate.repeatedFoilPairs}};
 }
@@ -210,12 +266,16 @@ nlohmann::ordered_json jsonOf(const BalanceCertificate& certificate)
 std::string describe(const BalanceCertificate& certificate)
 {
     std::string text;
-    for (const Range& range : certificate.ranges) {
-        const std::string least = std::to_string(range.min);
-        text += range.what + ": " + (range.min == range.max ? least : least + " to " + std::to_string(range.max)) + "\n";
-    }
-    text += "immediate repeats of a condition or fabric: " + std::to_string(certificate.immediateRepeats) + "\n";
-    text += "foil sets repeated within participant and true fabric: " + std::to_string(certificate.repeatedFoilPairs) + "\n";
+    for (const auto& [what, value] : linesOf(certificate)) text += what + ": " + value + "\n";
+    return text;
+}
+
+std::string describePrice(const BalanceCertificate& fewSwaps, const BalanceCertificate& evenSlots)
+{
+    const auto lines = linesOf(fewSwaps), others = linesOf(evenSlots);
+    std::string text;
+    for (std::size_t i = 0; i < lines.size() && i < others.size(); ++i)
+        if (lines[i] != others[i]) text += lines[i].first + ": " + lines[i].second + " (even slots: " + others[i].second + ")\n";
     return text;
 }
 

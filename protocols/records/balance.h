@@ -11,7 +11,7 @@
 
 namespace protocols {
 
-/// Catch trials are left out. The number of participants is the design's.
+/// Catch trials are left out, except from the handling of the pieces. The number of participants is the design's.
 struct BalanceCertificate {
     /// The least and the greatest count of something that should be even.
     struct Range {
@@ -20,19 +20,30 @@ struct BalanceCertificate {
         int max = 0;
         bool operator==(const Range&) const = default;
     };
+    /// What the operator does with the pieces from one tray to the next, as a mean over the presentations after the first.
+    struct Handling {
+        std::string phase;       ///< "Q1"
+        double piecesPutOn = 0;  ///< each in place of one that is taken off
+        double piecesMoved = 0;  ///< to another slot
+        bool operator==(const Handling&) const = default;
+    };
     std::vector<Range> ranges;
-    int immediateRepeats = 0;   ///< same label or same fabric twice in a row
-    int repeatedFoilPairs = 0;  ///< within participant x true fabric
+    std::vector<Handling> handling;  ///< of each phase; none where a participant has one presentation
+    int immediateRepeats = 0;        ///< same label or same fabric twice in a row
+    int repeatedFoilPairs = 0;       ///< within participant x true fabric
     bool operator==(const BalanceCertificate&) const = default;
 };
 
 /// Balance of a planned design, or of what was presented.
 BalanceCertificate balanceOf(const Design& design, const Protocol& protocol);
 
-/// "balance", "immediate_repeats" and "repeated_foil_pairs".
+/// "balance", "pieces_per_presentation", "immediate_repeats" and "repeated_foil_pairs".
 nlohmann::ordered_json jsonOf(const BalanceCertificate& certificate);
 
 /// The certificate in lines for people.
 std::string describe(const BalanceCertificate& certificate);
+
+/// The lines that differ between two designs of one protocol: "true slots per condition, Q1: 16 to 30 (even slots: 23 to 24)".
+std::string describePrice(const BalanceCertificate& fewSwaps, const BalanceCertificate& evenSlots);
 
 }  // namespace protocols

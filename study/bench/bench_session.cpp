@@ -137,7 +137,7 @@ std::vector<double> playThroughEngine(Session& session, int trials)
 {
     std::vector<double> ms;
     QElapsedTimer timer;
-    while (static_cast<int>(session.driver.state().paceNs.size()) < trials) {
+    while (static_cast<int>(session.driver.state().pace.size()) < trials) {
         const View view = session.driver.view();
         const auto event = nextEvent(view, session.driver.plan());
         if (!event) break;
@@ -208,7 +208,7 @@ std::vector<BenchRow> benchSession()
     playThroughEngine(session, presentations);
     const double before = megabytesInUse();
     const auto ms = playThroughEngine(session, phases * presentations);
-    const std::string trials = std::to_string(session.driver.state().paceNs.size());
+    const std::string trials = std::to_string(session.driver.state().pace.size());
     rows.push_back({"answer stored by the engine", "median", percentile(ms, 0.5), 0, "-", trials + " trials in one session"});
     rows.push_back({"answer stored by the engine", "99th", percentile(ms, 0.99), megabytesInUse() - before,
                     "MB more in use after " + trials + " trials than after 63", ""});

@@ -61,6 +61,8 @@ int makeNew(const making::NewStudy& request)
     if (!made.facts.familiarisation.empty())
         std::printf("  fabrics for familiarisation: %s\n", listOf(made.facts.familiarisation).c_str());
     std::printf("balance of the running orders:\n%s", describe(made.balance).c_str());
+    if (made.balanceWithEvenSlots)
+        std::printf("what few swaps change:\n%s", describePrice(made.balance, *made.balanceWithEvenSlots).c_str());
     std::printf("next: `vis2hap study sheets %s --out DIR` writes the labels of the fabric pieces and the card of the scale\n",
                 request.study.c_str());
     std::printf("next: `vis2hap study preregister %s` registers the plan before the first answer\n", request.study.c_str());

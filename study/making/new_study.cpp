@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "database/keys.h"
 #include "protocols/allocation.h"
@@ -122,6 +123,15 @@ void writeStudy(const NewStudy& request, const protocols::Allocation& allocation
     draft.putInPlace();
 }
 
+std::optional<protocols::BalanceCertificate> balanceWithEvenSlots(protocols::Protocol protocol, std::uint64_t designSeed)
+{
+    bool fewSwaps = false;
+    for (auto& phase : protocol.phases)
+        fewSwaps |= std::exchange(phase.trayAim, protocols::TrayAim::EvenSlots) == protocols::TrayAim::FewSwaps;
+    if (!fewSwaps) return std::nullopt;
+    return balanceOf(protocols::drawDesign(protocol, designSeed), protocol);
+}
+
 }  // namespace
 
 MadeStudy makeStudy(const NewStudy& request, const StudyProgress& progress)
@@ -137,8 +147,10 @@ MadeStudy makeStudy(const NewStudy& request, const StudyProgress& progress)
     const FamiliarisationImages familiarisation = familiarisationFor(request, material);
 
     const auto secret = request.keySeed ? protocols::SecretKey::ofSeed(*request.keySeed) : protocols::SecretKey::drawn();
-    const auto design = protocols::drawDesign(material.protocol, designSeedOf(secret, request.seed));
+    const auto designSeed = designSeedOf(secret, request.seed);
+    const auto design = protocols::drawDesign(material.protocol, designSeed);
     made.balance = balanceOf(design, material.protocol);
+    made.balanceWithEvenSlots = balanceWithEvenSlots(material.protocol, designSeed);
     made.facts.plannedBalance = jsonOf(made.balance).dump();
     const auto allocation =
         allocate(material.protocol, design, material.fabrics, secret, static_cast<int>(familiarisation.names.size()));

@@ -34,6 +34,8 @@ struct NewStudy {
 struct MadeStudy {
     database::StudyFacts facts;
     protocols::BalanceCertificate balance;
+    /// Of the same orders with even slots, where a phase has few swaps; shows what these cost.
+    std::optional<protocols::BalanceCertificate> balanceWithEvenSlots;
     std::vector<std::string> warnings;
     bool imagesReused = false;
 };

@@ -103,6 +103,7 @@ struct Transition {
         if (plan.protocol.confirmPieces)
             if (const auto fault = faultOfPieces(plan, tray.index, ready.pieces)) return Refusal{*fault};
         SessionStep step = moved(Presenting{tray.index, answersTo(state, tray.index), atNs, std::nullopt, TouchSource::Operator});
+        step.next.trayTookNs = atNs - state.trayAskedAtNs;
         step.effects.emplace_back(ShowStimulus{plan.trials[static_cast<std::size_t>(tray.index)].sealedCode});
         if (const auto next = sealedCodeAt(plan, state, state.position + 1)) step.effects.emplace_back(Prefetch{*next});
         return step;

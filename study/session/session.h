@@ -126,6 +126,15 @@ struct PlaceInOrder {
     bool operator==(const PlaceInOrder&) const = default;
 };
 
+/// How long a finished presentation took.
+struct Pace {
+    int phase = 0;
+    std::int64_t trayNs = 0;     ///< until its tray was confirmed
+    std::int64_t answersNs = 0;  ///< from there to its end
+    int pieces = 0;              ///< put on the tray or moved to another slot for it
+    bool operator==(const Pace&) const = default;
+};
+
 struct State {
     Stage stage = Enrolled{};
     bool paused = false;
@@ -137,11 +146,12 @@ struct State {
     int preparedSitting = 0;  ///< the sitting whose checklist was completed last
     bool sittingOverTold = false;
     std::int64_t sittingBeganAtNs = 0;
-    std::int64_t deadTimeNs = 0;                       ///< in this sitting; a bounced key confirms no tray within it
-    std::int64_t breakBeganAtNs = 0;                   ///< in this sitting
-    std::int64_t restedAtNs = 0;                       ///< end of the last break or pause, or start of the sitting
-    std::int64_t trayAskedAtNs = 0;                    ///< start of the present presentation, with its tray
-    std::vector<std::pair<int, std::int64_t>> paceNs;  ///< phase and duration of each finished presentation
+    std::int64_t deadTimeNs = 0;      ///< in this sitting; a bounced key confirms no tray within it
+    std::int64_t breakBeganAtNs = 0;  ///< in this sitting
+    std::int64_t restedAtNs = 0;      ///< end of the last break or pause, or start of the sitting
+    std::int64_t trayAskedAtNs = 0;   ///< start of the present presentation, with its tray
+    std::int64_t trayTookNs = 0;      ///< until the present tray was confirmed; 0 before
+    std::vector<Pace> pace;           ///< of the finished presentations
     bool operator==(const State&) const = default;
 };
 

@@ -159,6 +159,7 @@ std::string refusalOf(const State& state, const EventBody& body)
 
 void interrupt(State& state)
 {
+    state.trayTookNs = 0;
     if (const auto* presenting = std::get_if<Presenting>(&state.stage)) state.stage = PlacingTray{presenting->index};
     if (auto* familiarising = std::get_if<Familiarising>(&state.stage)) familiarising->shown.reset();
 }
@@ -187,6 +188,7 @@ void placeTray(const Plan& plan, SessionStep& step, std::int64_t atNs)
 {
     step.next.stage = PlacingTray{placeAt(step.next, step.next.position).index};
     step.next.trayAskedAtNs = atNs;
+    step.next.trayTookNs = 0;
     // Read the image while the operator fills the tray, so that it can be shown at once.
     step.effects.emplace_back(Prefetch{*sealedCodeAt(plan, step.next, step.next.position)});
 }
@@ -195,7 +197,8 @@ void endPresentation(const Plan& plan, SessionStep& step, std::int64_t atNs)
 {
     State& next = step.next;
     step.effects.emplace_back(ClearDisplay{});
-    next.paceNs.emplace_back(phaseIndexAt(plan, next, next.position), atNs - next.trayAskedAtNs);
+    next.pace.push_back({phaseIndexAt(plan, next, next.position), next.trayTookNs, atNs - next.trayAskedAtNs - next.trayTookNs,
+                         piecesToLay(plan, next, next.position)});
     const int position = ++next.position;
     if (position == static_cast<int>(next.order.size())) {
         next.stage = Debriefing{};
@@ -206,6 +209,19 @@ void endPresentation(const Plan& plan, SessionStep& step, std::int64_t atNs)
     } else {
         placeTray(plan, step, atNs);
     }
+}
+
+int piecesToLay(const Plan& plan, const State& state, int position)
+{
+    const auto trayAt = [&](int place) -> const std::vector<protocols::FabricId>& {
+        return plan.trials[static_cast<std::size_t>(placeAt(state, place).index)].alternatives;
+    };
+    const auto& tray = trayAt(position);
+    if (position == 0) return static_cast<int>(tray.size());
+    const auto& before = trayAt(position - 1);
+    int pieces = 0;
+    for (std::size_t slot = 0; slot < tray.size(); ++slot) pieces += slot >= before.size() || tray[slot] != before[slot];
+    return pieces;
 }
 
 void presentAgain(const Plan& plan, State& state, int index, int fromPosition)

@@ -65,6 +65,10 @@ void placeTray(const Plan& plan, SessionStep& step, std::int64_t atNs);
 /// Clears the display and enters the next presentation, a break, or the debriefing.
 void endPresentation(const Plan& plan, SessionStep& step, std::int64_t atNs);
 
+/// Number of pieces that the operator puts on the tray or moves for the presentation at this place of the order, if the tray of
+/// the presentation before it still lies there.
+int piecesToLay(const Plan& plan, const State& state, int position);
+
 /// Removes the answers to a trial and presents it again: at the end of its block. If that block is over, at the end of the next
 /// block of the same phase, or immediately if there is none.
 void presentAgain(const Plan& plan, State& state, int index, int fromPosition);

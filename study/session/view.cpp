@@ -64,28 +64,42 @@ int presentationsToBreak(const State& state)
 
 double median(std::vector<double> values)
 {
+    if (values.empty()) return 0;
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
-    return *middle;
+    return values.size() % 2 == 1 ? *middle : (*middle + *std::max_element(values.begin(), middle)) / 2;
 }
 
-/// Seconds for a presentation of this phase: the participant's median, or the protocol's value for the first ones.
-double paceOf(const Plan& plan, const State& state, int phase)
+/// Seconds of the presentations of a phase: from the tray on, for each piece that changes on a tray, for a tray where none does.
+struct PhasePace {
+    double perPresentation = 0, perPiece = 0, unchangedTray = 0;
+};
+
+/// Medians of this session, or the protocol's value for the first presentations.
+PhasePace paceOf(const Plan& plan, const State& state, int phase)
 {
-    std::vector<double> seconds;
-    for (const auto& [done, ns] : state.paceNs)
-        if (done == phase) seconds.push_back(static_cast<double>(ns) / 1e9);
-    return seconds.size() < enoughToKnowThePace ? plan.protocol.secondsPerPresentation : median(std::move(seconds));
+    std::vector<double> answers, perPiece, unchanged;
+    for (const Pace& done : state.pace) {
+        if (done.phase != phase) continue;
+        answers.push_back(static_cast<double>(done.answersNs) / 1e9);
+        (done.pieces > 0 ? perPiece : unchanged).push_back(static_cast<double>(done.trayNs) / 1e9 / std::max(1, done.pieces));
+    }
+    if (answers.size() < enoughToKnowThePace) return {plan.protocol.secondsPerPresentation, 0, 0};
+    return {median(std::move(answers)), median(std::move(perPiece)), median(std::move(unchanged))};
 }
 
 double minutesLeft(const Plan& plan, const State& state)
 {
-    std::vector<int> left(plan.protocol.phases.size());
-    for (std::size_t at = static_cast<std::size_t>(state.position); at < state.order.size(); ++at)
-        ++left[static_cast<std::size_t>(plan.trials[static_cast<std::size_t>(state.order[at].index)].phase)];
+    std::vector<PhasePace> paces;
+    for (std::size_t phase = 0; phase < plan.protocol.phases.size(); ++phase)
+        paces.push_back(paceOf(plan, state, static_cast<int>(phase)));
     double seconds = 0;
-    for (std::size_t phase = 0; phase < left.size(); ++phase)
-        if (left[phase] > 0) seconds += left[phase] * paceOf(plan, state, static_cast<int>(phase));
+    for (int at = state.position; at < static_cast<int>(state.order.size()); ++at) {
+        const int index = state.order[static_cast<std::size_t>(at)].index;
+        const PhasePace& pace = paces[static_cast<std::size_t>(plan.trials[static_cast<std::size_t>(index)].phase)];
+        const int pieces = piecesToLay(plan, state, at);
+        seconds += pace.perPresentation + (pieces > 0 ? pace.perPiece * pieces : pace.unchangedTray);
+    }
     return seconds / 60;
 }
 

@@ -21,7 +21,8 @@ struct View {
     std::optional<protocols::Question> question;  ///< the one now asked, or asked next in PlacingTray
     int presentation = 0, presentations = 0;      ///< progress, from 1; a voided presentation adds to the total
     int answersStored = 0, answersInAll = 0;
-    double minutesLeft = 0;     ///< by the protocol's seconds; after five presentations by this participant's median
+    double minutesLeft = 0;     ///< by the protocol's seconds; after five presentations of a phase by medians of this session
+                                ///< and by the pieces that the trays still need
     double sittingMinutes = 0;  ///< since this sitting began, at the last event
     int presentationsToBreak = 0;
     bool sittingIsPrepared = true;                 ///< false: the refresher and the checklist of this sitting are due

@@ -7,9 +7,10 @@
 //   fuzz READER --file FILE                     one input, such as one that an earlier run kept
 //
 // A reader may return or refuse with protocols::Error. A crash, a report of a sanitizer, any other exception, and an input that
-// takes longer than 5 s end the run with exit code 1. The input is kept, and its name is printed.
+// takes more than 5 s of the processor or 60 s in all end the run with exit code 1. The input is kept, and its name is printed.
 #include <fcntl.h>
 #include <sanitizer/common_interface_defs.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -34,7 +35,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr unsigned longestInputS = 5;
+// On a busy machine an input waits for its turn, which is no fault of the reader.
+constexpr unsigned longestWorkS = 5, longestInputS = 60;
 
 struct Call {
     std::string reader;
@@ -57,11 +59,21 @@ void keepPresent()
     present = nullptr;
 }
 
-void endSlowInput(int)
+void endSlowInput(int signal)
 {
-    std::fprintf(stderr, "fuzz: an input took longer than %u s\n", longestInputS);
+    const bool isWork = signal == SIGPROF;
+    std::fprintf(stderr, "fuzz: an input took longer than %u s%s\n", isWork ? longestWorkS : longestInputS,
+                 isWork ? " of the processor" : "");
     keepPresent();
     std::_Exit(1);
+}
+
+/// 0 for both: no limit.
+void limit(unsigned workS, unsigned inputS)
+{
+    const itimerval work{{0, 0}, {static_cast<time_t>(workS), 0}};
+    ::setitimer(ITIMER_PROF, &work, nullptr);
+    ::alarm(inputS);
 }
 
 enum class Outcome { Taken, Refused };
@@ -69,7 +81,7 @@ enum class Outcome { Taken, Refused };
 Outcome outcomeOf(const fuzz::Reader& reader, const std::string& bytes)
 {
     present = &bytes;
-    ::alarm(longestInputS);
+    limit(longestWorkS, longestInputS);
     Outcome outcome = Outcome::Taken;
     try {
         reader.read(bytes);
@@ -80,7 +92,7 @@ Outcome outcomeOf(const fuzz::Reader& reader, const std::string& bytes)
         keepPresent();
         std::_Exit(1);
     }
-    ::alarm(0);
+    limit(0, 0);
     present = nullptr;
     return outcome;
 }
@@ -220,6 +232,7 @@ int main(int argc, char** argv)
     }
     __sanitizer_set_death_callback(keepPresent);
     std::signal(SIGALRM, endSlowInput);
+    std::signal(SIGPROF, endSlowInput);
     if (call->isAll) return runAll(*call, argv[0]);
     if (!call->isList) return runReader(*call);
     for (const std::string& name : namesOfReaders()) std::puts(name.c_str());

@@ -232,6 +232,45 @@ private Q_SLOTS:
         QVERIFY2(std::abs(hits - 1050) < 45, qPrintable(QString("%1 hits, 1050 by chance").arg(hits)));
     }
 
+    void withFewSwapsPiecesStayWhereTheyLie()
+    {
+        Protocol protocol = choicesOfThePaper();
+        const Design even = drawDesign(protocol, 101);
+        protocol.phases[0].trayAim = TrayAim::FewSwaps;
+        const Design few = drawDesign(protocol, 101);
+        const auto certificate = balanceOf(few, protocol), evenCertificate = balanceOf(even, protocol);
+        // Nothing else of the order changes.
+        for (std::size_t p = 0; p < few.participants.size(); ++p)
+            for (std::size_t at = 0; at < few.participants[p].size(); ++at)
+                QVERIFY(few.participants[p][at].label == even.participants[p][at].label &&
+                        few.participants[p][at].fabric == even.participants[p][at].fabric);
+        QVERIFY(lies(certificate, "foil sets per true fabric, Q1", 6, 6));
+        QVERIFY(lies(certificate, "a fabric as foil per participant, Q1", 18, 18));
+        QCOMPARE(certificate.repeatedFoilPairs, 0);
+        // Even slots: 1.8 pieces are put on and 0.8 moved.
+        QCOMPARE(certificate.handling.size(), 1u);
+        QCOMPARE(certificate.handling[0].piecesMoved, 0.0);
+        QVERIFY(certificate.handling[0].piecesPutOn < 1.65);
+        QVERIFY(evenCertificate.handling[0].piecesPutOn + evenCertificate.handling[0].piecesMoved > 2.4);
+        const auto price = describePrice(certificate, evenCertificate);
+        QVERIFY2(price.find("true slots per participant and fabric, Q1: ") != std::string::npos, price.c_str());
+        QVERIFY2(price.find(" (even slots: 3)\n") != std::string::npos, price.c_str());
+        QVERIFY2(price.find("ordered pairs") == std::string::npos, price.c_str());
+    }
+
+    void withFewSwapsNothingNamesTheTrueSlot()
+    {
+        Protocol protocol = choicesOfThePaper();
+        protocol.phases[0].trayAim = TrayAim::FewSwaps;
+        std::vector<Design> designs;
+        for (std::uint64_t seed = 101; seed <= 105; ++seed) designs.push_back(drawDesign(protocol, seed));
+        for (const auto& [name, rule] : guessingRules()) {
+            double hits = 0;
+            for (const Design& design : designs) hits += hitsBy(rule, design);
+            QVERIFY2(std::abs(hits - 1050) < 90, qPrintable(QString("%1: %2 hits, 1050 by chance").arg(name).arg(hits)));
+        }
+    }
+
     void certificateSeesADesignThatIsNotBalanced()
     {
         const Protocol protocol = choicesOfThePaper();

@@ -96,7 +96,11 @@ private Q_SLOTS:
             QCOMPARE(rest, plain.participants[person]);
             QCOMPARE(caught.size(), 8u);
         }
-        QCOMPARE(balanceOf(with, withCatchTrials(4)), balanceOf(plain, withCatchTrials(0)));
+        BalanceCertificate balance = balanceOf(with, withCatchTrials(4)), plainBalance = balanceOf(plain, withCatchTrials(0));
+        // The operator lays the pieces of catch trials, too.
+        QVERIFY(balance.handling != plainBalance.handling);
+        balance.handling = plainBalance.handling;
+        QCOMPARE(balance, plainBalance);
     }
 
     void aCatchTrialLooksLikeAnyOther()

@@ -79,6 +79,9 @@ private Q_SLOTS:
         QCOMPARE(protocol.language, std::string("ja"));
         QCOMPARE(participantText(protocol, "break_title"), std::string("休憩"));
         QCOMPARE(participantText(protocol, "agree"), std::string("I agree"));
+        QCOMPARE(paper().phases[0].trayAim, TrayAim::EvenSlots);
+        const auto fewSwaps = smallProtocol("\"alternatives\": 3", "\"alternatives\": 3, \"few_swaps\": true").toStdString();
+        QCOMPARE(protocolFromJson(fewSwaps, "study.json").phases[0].trayAim, TrayAim::FewSwaps);
         QCOMPARE(paper().deadTimeSeconds, 0.7);
     }
 
@@ -170,6 +173,8 @@ private Q_SLOTS:
             "conditions[0]: unknown condition 'v_gray', expected one of v_grey, v_shape");
         row("doubled condition", "v_grey", "h_g&f_g", "conditions[1]: 'h_g&f_g' is named twice");
         row("too many alternatives", "\"alternatives\": 3", "\"alternatives\": 4", "phases[0].alternatives: 4 of 3 fabrics");
+        row("swaps of one piece", "\"max\": 10}", "\"max\": 10}, \"few_swaps\": true",
+            "phases[1].few_swaps: the tray has one piece, expected a phase with alternatives");
         row("no answers", ", \"alternatives\": 3", "", "phases[0]: has none of alternatives, scale and same_different");
         row("two kinds of answers", "\"alternatives\": 3", "\"alternatives\": 3, \"scale\": {\"min\": 0, \"max\": 1}",
             "phases[0]: has more than one of");

@@ -57,7 +57,25 @@ Repeated repeatedIn(const Design& design)
     return repeated;
 }
 
-Protocol paper() { return protocolFromJson(paperProtocolJson(), "paper"); }
+Protocol paper(TrayAim aim = TrayAim::EvenSlots)
+{
+    Protocol protocol = protocolFromJson(paperProtocolJson(), "paper");
+    protocol.phases[0].trayAim = aim;
+    return protocol;
+}
+
+void addTrayAims()
+{
+    QTest::addColumn<bool>("fewSwaps");
+    QTest::newRow("even slots") << false;
+    QTest::newRow("few swaps") << true;
+}
+
+TrayAim trayAim()
+{
+    QFETCH(const bool, fewSwaps);
+    return fewSwaps ? TrayAim::FewSwaps : TrayAim::EvenSlots;
+}
 
 quint64 designs() { return qEnvironmentVariableIsSet("VIS2HAP_ALL_SEEDS") ? 40 : 6; }
 
@@ -66,11 +84,13 @@ quint64 designs() { return qEnvironmentVariableIsSet("VIS2HAP_ALL_SEEDS") ? 40 :
 class TrayLeakTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    void aGuesserWhoKnowsTheOrdersStaysAtChance_data() { addTrayAims(); }
     void aGuesserWhoKnowsTheOrdersStaysAtChance()
     {
+        const Protocol protocol = paper(trayAim());
         Share share;
         for (quint64 seed = 1; seed <= designs(); ++seed) {
-            const Design design = drawDesign(paper(), seed);
+            const Design design = drawDesign(protocol, seed);
             share.hits += study::leaks::hitsOf(study::leaks::beliefOfChain(study::leaks::seenOf(design)), design);
             share.trials += presentations;
         }
@@ -78,12 +98,14 @@ private Q_SLOTS:
     }
 
     /// VIS2HAP_TRAY_MOVES=20000000 lets the sampler search longer.
+    void aGuesserWhoKnowsEveryRuleOfBalanceStaysAtChance_data() { addTrayAims(); }
     void aGuesserWhoKnowsEveryRuleOfBalanceStaysAtChance()
     {
+        const Protocol protocol = paper(trayAim());
         const auto moves = static_cast<std::int64_t>(qEnvironmentVariableIntValue("VIS2HAP_TRAY_MOVES"));
         Share share;
         for (quint64 seed = 1; seed <= 5; ++seed) {
-            const Design design = drawDesign(paper(), seed);
+            const Design design = drawDesign(protocol, seed);
             const auto trays = study::leaks::seenOf(design);
             Random random(seed);
             const auto belief = study::leaks::beliefOfSampler(trays, moves > 0 ? moves : 1'000'000, random);
@@ -93,10 +115,12 @@ private Q_SLOTS:
         QVERIFY(isAtChance(share, 3));
     }
 
+    void aFabricThatLiesInTwoTraysRunningIsTrueAsOftenAsAnother_data() { addTrayAims(); }
     void aFabricThatLiesInTwoTraysRunningIsTrueAsOftenAsAnother()
     {
+        const Protocol protocol = paper(trayAim());
         Repeated all;
-        for (quint64 seed = 1; seed <= designs(); ++seed) all += repeatedIn(drawDesign(paper(), seed));
+        for (quint64 seed = 1; seed <= designs(); ++seed) all += repeatedIn(drawDesign(protocol, seed));
         // Both directions from chance: "seldom true" reveals as much as "often true".
         QVERIFY(isAtChance(all.laterTrue, 3) && all.laterTrue.standardErrors() > -3);
         QVERIFY(isAtChance(all.earlierTrue, 3) && all.earlierTrue.standardErrors() > -3);

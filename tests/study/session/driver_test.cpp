@@ -382,13 +382,24 @@ private Q_SLOTS:
         session.playUntilAnswers(6);
         session.stepUntil("PlacingTray");
         QCOMPARE(session.driver->view().minutesLeft, 6 * 30.0 / 60);
-        session.playUntilAnswers(6 + 5 * 3);
-        const auto& pace = session.driver->state().paceNs;
+        for (int i = 1; i <= 5; ++i) {
+            session.stepUntil("PlacingTray");
+            session.clock.advanceSeconds(i);
+            session.playUntilAnswers(6 + i * 3);
+        }
+        const auto& pace = session.driver->state().pace;
         QCOMPARE(pace.size(), 11u);
-        std::vector<std::int64_t> own;
-        for (std::size_t i = 6; i < pace.size(); ++i) own.push_back(pace[i].second);
-        std::sort(own.begin(), own.end());
-        QCOMPARE(session.driver->view().minutesLeft, static_cast<double>(own[2]) / 6e10);
+        std::vector<double> answers, perPiece;
+        for (std::size_t i = 6; i < pace.size(); ++i) {
+            // One piece lies on the tray in this phase, and it changes every time.
+            QCOMPARE(pace[i].pieces, 1);
+            answers.push_back(static_cast<double>(pace[i].answersNs));
+            perPiece.push_back(static_cast<double>(pace[i].trayNs));
+        }
+        std::sort(answers.begin(), answers.end());
+        std::sort(perPiece.begin(), perPiece.end());
+        QCOMPARE(perPiece, (std::vector<double>{1e9, 2e9, 3e9, 4e9, 5e9}));
+        QCOMPARE(session.driver->view().minutesLeft, (answers[2] + perPiece[2]) / 6e10);
     }
 
     void aLogThatDoesNotHoldTogetherIsRefused()

@@ -105,8 +105,10 @@ public:
         m_lines << QString::fromStdString(lineOf(body, ns, std::get<SessionStep>(outcome).effects));
         if (m_state.order != before.order) m_lines << QString::fromStdString("  order" + writtenOrder(m_state));
         if (m_state.answers != before.answers) m_lines << QString::fromStdString("  answers" + writtenAnswers(m_state));
-        if (m_state.paceNs != before.paceNs)
-            m_lines << QString("  pace %1: %2").arg(m_state.paceNs.back().first).arg(m_state.paceNs.back().second);
+        if (m_state.pace != before.pace)
+            m_lines << QString("  pace %1: %2")
+                           .arg(m_state.pace.back().phase)
+                           .arg(m_state.pace.back().trayNs + m_state.pace.back().answersNs);
         return *this;
     }
 

@@ -257,19 +257,19 @@ Presenting Q1 COD4 501 502 Q1 | 4 of 9 | 3 of 11 | left 3 sitting 0.833333 break
 OnBreak Q1  | 5 of 9 | 4 of 11 | left 2.5 sitting 1 break in 3 | Q1: 502
 PlacingTray Q1 COD5 501 502 Q1 | 5 of 9 | 4 of 11 | left 2.5 sitting 1.16667 break in 3 | Q1: 502
 Presenting Q1 COD5 501 502 Q1 | 5 of 9 | 4 of 11 | left 2.5 sitting 1.25 break in 3 | Q1: 502
-PlacingTray Q1 COD6 501 502 Q1 | 6 of 9 | 5 of 11 | left 1.43333 sitting 1.45 break in 2 | Q1: 501
-Presenting Q1 COD6 501 502 Q1 | 6 of 9 | 5 of 11 | left 1.43333 sitting 1.46667 break in 2 | Q1: 501
-PlacingTray Q1 COD7 501 502 Q1 | 7 of 9 | 6 of 11 | left 1.25 sitting 2 break in 1 | Q1: 501
-PlacingTray Q1 COD7 501 502 Q1 | 7 of 10 | 6 of 12 | left 1.5 sitting 2.01667 break in 2 | Q1: 501
-Presenting Q1 COD7 501 502 Q1 | 7 of 10 | 6 of 12 | left 1.5 sitting 2.03333 break in 2 | Q1: 501
-PlacingTray (paused) Q1 COD7 501 502 Q1 | 7 of 10 | 6 of 12 | left 1.5 sitting 2.05 break in 2 | Q1: 501
-PlacingTray Q1 COD7 501 502 Q1 | 7 of 10 | 6 of 12 | left 1.5 sitting 2.06667 break in 2 | Q1: 501
-Presenting Q1 COD7 501 502 Q1 | 7 of 10 | 6 of 12 | left 1.5 sitting 2.08333 break in 2 | Q1: 501
-PlacingTray Q1 AYMP 501 502 Q1 | 8 of 10 | 7 of 12 | left 1.21667 sitting 2.1 break in 1 | Q1: 502
-PlacingTray Q1 AYMP 501 502 Q1 | 8 of 10 | 7 of 12 | left 1.21667 sitting 0 break in 1 unprepared | Q1: 502
-ScaleTraining Q1  | 8 of 10 | 7 of 12 | left 1.21667 sitting 0.0166667 break in 1 unprepared | Q1: 502
-PlacingTray Q1 AYMP 501 502 Q1 | 8 of 10 | 7 of 12 | left 1.21667 sitting 0.0333333 break in 1 | Q1: 502
-Presenting Q1 AYMP 501 502 Q1 | 8 of 10 | 7 of 12 | left 1.21667 sitting 0.166667 break in 1 | Q1: 502
+PlacingTray Q1 COD6 501 502 Q1 | 6 of 9 | 5 of 11 | left 1.46667 sitting 1.45 break in 2 | Q1: 501
+Presenting Q1 COD6 501 502 Q1 | 6 of 9 | 5 of 11 | left 1.46667 sitting 1.46667 break in 2 | Q1: 501
+PlacingTray Q1 COD7 501 502 Q1 | 7 of 9 | 6 of 11 | left 1.21667 sitting 2 break in 1 | Q1: 501
+PlacingTray Q1 COD7 501 502 Q1 | 7 of 10 | 6 of 12 | left 1.43333 sitting 2.01667 break in 2 | Q1: 501
+Presenting Q1 COD7 501 502 Q1 | 7 of 10 | 6 of 12 | left 1.43333 sitting 2.03333 break in 2 | Q1: 501
+PlacingTray (paused) Q1 COD7 501 502 Q1 | 7 of 10 | 6 of 12 | left 1.43333 sitting 2.05 break in 2 | Q1: 501
+PlacingTray Q1 COD7 501 502 Q1 | 7 of 10 | 6 of 12 | left 1.43333 sitting 2.06667 break in 2 | Q1: 501
+Presenting Q1 COD7 501 502 Q1 | 7 of 10 | 6 of 12 | left 1.43333 sitting 2.08333 break in 2 | Q1: 501
+PlacingTray Q1 AYMP 501 502 Q1 | 8 of 10 | 7 of 12 | left 1.2 sitting 2.1 break in 1 | Q1: 502
+PlacingTray Q1 AYMP 501 502 Q1 | 8 of 10 | 7 of 12 | left 1.2 sitting 0 break in 1 unprepared | Q1: 502
+ScaleTraining Q1  | 8 of 10 | 7 of 12 | left 1.2 sitting 0.0166667 break in 1 unprepared | Q1: 502
+PlacingTray Q1 AYMP 501 502 Q1 | 8 of 10 | 7 of 12 | left 1.2 sitting 0.0333333 break in 1 | Q1: 502
+Presenting Q1 AYMP 501 502 Q1 | 8 of 10 | 7 of 12 | left 1.2 sitting 0.166667 break in 1 | Q1: 502
 OnBreak Q2-Q3  | 9 of 10 | 8 of 12 | left 1 sitting 0.5 break in 2 | Q1: 501
 PlacingTray Q2-Q3 COD8 501 Q2 | 9 of 10 | 8 of 12 | left 1 sitting 0.833333 break in 2 | Q1: 501
 Presenting Q2-Q3 COD8 501 Q2 | 9 of 10 | 8 of 12 | left 1 sitting 1 break in 2 | Q1: 501

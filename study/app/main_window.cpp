@@ -17,6 +17,8 @@
 #include "study/app/pages/setup/keys_page.h"
 #include "study/app/pages/setup/latency_page.h"
 #include "study/app/pages/setup/participant_page.h"
+#include "study/app/pages/setup/rehearsal_page.h"
+#include "study/app/pages/setup/room_checks.h"
 #include "study/app/pages/stage_page.h"
 #include "study/app/pages/start_page.h"
 #include "study/app/pages/study_page.h"
@@ -55,6 +57,7 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
       m_keysPage(new KeysPage(options.settings, this)),
       m_participantSide(new ParticipantSide(this)),
       m_participantPage(new ParticipantPage(*m_participantSide, this)),
+      m_rehearsalPage(new RehearsalPage(this)),
       m_studyPage(new StudyPage(this)),
       m_toolsPage(new ToolsPage(options.useTool, this)),
       m_sessionPage(new SessionPage(this))
@@ -66,8 +69,8 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
     for (QWidget* page :
          {static_cast<QWidget*>(m_startPage), static_cast<QWidget*>(m_newStudyPage), static_cast<QWidget*>(m_dataPage),
           static_cast<QWidget*>(m_photographsPage), static_cast<QWidget*>(m_displayPage), static_cast<QWidget*>(m_keysPage),
-          static_cast<QWidget*>(m_latencyPage), static_cast<QWidget*>(m_participantPage), static_cast<QWidget*>(m_studyPage),
-          static_cast<QWidget*>(m_toolsPage), static_cast<QWidget*>(m_sessionPage)})
+          static_cast<QWidget*>(m_latencyPage), static_cast<QWidget*>(m_participantPage), static_cast<QWidget*>(m_rehearsalPage),
+          static_cast<QWidget*>(m_studyPage), static_cast<QWidget*>(m_toolsPage), static_cast<QWidget*>(m_sessionPage)})
         m_pages->addWidget(page);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -87,6 +90,7 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
     m_studyPage->offerTools(static_cast<bool>(options.useTool));
     connectTools();
     connectParticipantSide();
+    connectRehearsal();
     connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q), this), &QShortcut::activated, this, [this] { close(); });
     showStart();
 }
@@ -255,7 +259,9 @@ void MainWindow::showKeys()
 void MainWindow::leaveDisplay()
 {
     m_waiting.reset();
-    if (m_study)
+    if (m_isRehearsing)
+        showRehearsal();
+    else if (m_study)
         showStudy();
     else
         showStart();
@@ -270,6 +276,53 @@ void MainWindow::connectTools()
     });
     connect(m_toolsPage, &ToolsPage::backRequested, this, &MainWindow::showStudy);
     connect(m_toolsPage, &ToolsPage::monitorRequested, this, [this] { showingFaults(*m_toolsPage, [&] { openMonitor(); }); });
+}
+
+void MainWindow::connectRehearsal()
+{
+    m_studyPage->offerRehearsal(static_cast<bool>(m_options.makeRehearsal));
+    connect(m_studyPage, &StudyPage::rehearsalRequested, this, [this] {
+        m_isRehearsing = true;
+        m_rehearsalPage->begin(room());
+        showRehearsal();
+    });
+    connect(m_rehearsalPage, &RehearsalPage::checksRequested, this, [this] { m_rehearsalPage->refresh(room()); });
+    connect(m_rehearsalPage, &RehearsalPage::displayRequested, this, [this] { showDisplay(); });
+    connect(m_rehearsalPage, &RehearsalPage::sessionRequested, this,
+            [this] { showingFaults(*m_rehearsalPage, [&] { playRehearsal(); }); });
+    connect(m_rehearsalPage, &RehearsalPage::backRequested, this, [this] {
+        m_isRehearsing = false;
+        showStudy();
+    });
+}
+
+RehearsalPage::Room MainWindow::room()
+{
+    const StudyOverview overview = m_study->overview();
+    RehearsalPage::Room room{overview.nextParticipant, {}, m_study->codesOnPieces(), {}, {}};
+    showingFaults(*m_rehearsalPage, [&] {
+        const auto display = m_options.openDisplay(m_options.display);
+        if (display->isThere()) room.displayName = QString::fromStdString(display->name());
+    });
+    room.diskFault = faultOfDisk(m_study->store().folder().folder);
+    room.clockFault = faultOfClocks(m_study->lastWallTime());
+    return room;
+}
+
+void MainWindow::showRehearsal()
+{
+    m_rehearsalPage->refresh(room());
+    m_pages->setCurrentWidget(m_rehearsalPage);
+    m_rehearsalPage->focusFirst();
+}
+
+void MainWindow::playRehearsal()
+{
+    m_session.reset();
+    m_rehearsal.reset();
+    m_rehearsalFolder = m_options.makeRehearsal(m_study->store().folder().folder);
+    m_rehearsal = std::make_unique<OpenStudy>(*m_rehearsalFolder);
+    begin(*m_rehearsal, protocols::ParticipantId(rehearsalParticipant), m_options.openDisplay(m_options.display));
 }
 
 void MainWindow::openMonitor()
@@ -324,7 +377,7 @@ void MainWindow::closeStudy()
 void MainWindow::startSession(const protocols::ParticipantId& participant)
 {
     m_session.reset();  // A driver serves one connection at a time.
-    begin(participant, m_options.openDisplay(m_options.display));
+    begin(*m_study, participant, m_options.openDisplay(m_options.display));
 }
 
 void MainWindow::requestSession(const protocols::ParticipantId& participant)
@@ -332,25 +385,27 @@ void MainWindow::requestSession(const protocols::ParticipantId& participant)
     m_session.reset();
     auto display = m_options.openDisplay(m_options.display);
     if (display->isThere() || m_rehearses || m_options.kind != database::ParticipantKind::Human)
-        return begin(participant, std::move(display));
+        return begin(*m_study, participant, std::move(display));
     display.reset();
     showDisplay(tr("No display is connected, so %1 would feel nothing. Connect a display, or rehearse without one.")
                     .arg(QString::fromStdString(participant.value)));
     m_waiting = participant;
 }
 
-void MainWindow::begin(const protocols::ParticipantId& participant, std::unique_ptr<rendering::HapticDisplay> display)
+void MainWindow::begin(OpenStudy& study, const protocols::ParticipantId& participant,
+                       std::unique_ptr<rendering::HapticDisplay> display)
 {
-    m_session = std::make_unique<SessionController>(m_study->store(), participant, m_study->bank(), std::move(display),
-                                                    m_options.clock, m_options.kind, m_options.operatedBy, nullptr);
+    m_session = std::make_unique<SessionController>(study.store(), participant, study.bank(), std::move(display), m_options.clock,
+                                                    m_options.kind, m_options.operatedBy, nullptr);
     m_leavingWasRefused = false;
     connectSession();
     SessionFacts facts = m_session->facts();
+    facts.isRehearsal = &study == m_rehearsal.get();
     facts.keys = m_keysPage->keys();
     facts.mmPerPixel = rememberedScale(m_options.settings.get(), m_options.display);
     m_sessionPage->begin(facts);
     m_pages->setCurrentWidget(m_sessionPage);
-    setWindowTitle(tr("%1 – %2 – Vis2Hap").arg(QString::fromStdString(participant.value), m_study->name()));
+    setWindowTitle(tr("%1 – %2 – Vis2Hap").arg(QString::fromStdString(participant.value), study.name()));
     m_sessionPage->present(m_session->view(), m_session->canCorrect());
     m_participantSide->setWords(m_session->plan().protocol);
     tellParticipant();
@@ -391,8 +446,16 @@ bool MainWindow::pauseForLeaving()
 void MainWindow::leaveSession()
 {
     if (!m_session || !pauseForLeaving()) return;
+    const bool isFinished = std::holds_alternative<session::Finished>(m_session->view().state.stage);
     m_session.reset();
-    showStudy();
+    if (m_rehearsal) {
+        m_rehearsal.reset();
+        m_rehearsalFolder.reset();
+        m_rehearsalPage->sessionLeft(isFinished);
+        showRehearsal();
+    } else {
+        showStudy();
+    }
     tellParticipant();
 }
 

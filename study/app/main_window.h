@@ -1,11 +1,12 @@
-// The main window: a stack of pages (start, new study, data set, photographs, display, keys, latency, participant's screen,
-// study, tools, session), the open study and session, and the appearance. It decides nothing about a session; it connects the
-// pages to the controller.
+// The main window: a stack of pages (start, new study, data set, photographs, display, keys, latency, rehearsal,
+// participant's screen, study, tools, session), the open study and session, and the appearance. It decides nothing about a
+// session; it connects the pages to the controller.
 #pragma once
 
 #include <QWidget>
 #include <memory>
 
+#include "study/app/pages/setup/rehearsal_page.h"
 #include "study/app/pieces/appearance_keys.h"
 #include "study/app/state/app_options.h"
 #include "study/app/state/open_study.h"
@@ -64,7 +65,7 @@ private:
     void connectPages();
     void connectDisplayPage();
     void connectSession();
-    void begin(const protocols::ParticipantId& participant, std::unique_ptr<rendering::HapticDisplay> display);
+    void begin(OpenStudy& study, const protocols::ParticipantId& participant, std::unique_ptr<rendering::HapticDisplay> display);
     void useDisplay(const std::string& specification);
     void showDisplay(const QString& why = {});
     void showKeys();
@@ -79,6 +80,10 @@ private:
     /// Shows the participant what belongs to this moment.
     void tellParticipant();
     void takeAct(const participant::ParticipantAct& act);
+    void connectRehearsal();
+    RehearsalPage::Room room();
+    void showRehearsal();
+    void playRehearsal();
     void openMonitor();
     void refreshSession();
     void leaveSession();
@@ -90,6 +95,9 @@ private:
     AppearanceKeys* m_appearanceKeys;
     std::unique_ptr<OpenStudy> m_study;
     std::unique_ptr<SessionController> m_session;
+    std::shared_ptr<const std::filesystem::path> m_rehearsalFolder;
+    std::unique_ptr<OpenStudy> m_rehearsal;  ///< while a rehearsal is played; after its folder, so that it closes first
+    bool m_isRehearsing = false;             ///< the page of the rehearsal is in use
     bool m_leavingWasRefused = false;
     bool m_rehearses = false;                           ///< the operator chose to run sessions without a display
     std::optional<protocols::ParticipantId> m_waiting;  ///< whose session waits for a display
@@ -105,6 +113,7 @@ private:
     ParticipantSide* m_participantSide;
     ParticipantPage* m_participantPage;
     QWidget* m_beforeParticipantPage = nullptr;  ///< the page to go back to
+    RehearsalPage* m_rehearsalPage;
     StudyPage* m_studyPage;
     ToolsPage* m_toolsPage;
     SessionPage* m_sessionPage;

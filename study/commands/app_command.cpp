@@ -11,6 +11,7 @@
 #include "study/commands/text_checks.h"
 #include "study/looking/look_at_data.h"
 #include "study/making/new_study.h"
+#include "study/making/rehearsal.h"
 #include "study/photographs/photograph_steps.h"
 #include "study/records/stored_study.h"
 
@@ -71,6 +72,7 @@ app::AppOptions optionsOf(const AppCall& call)
     options.lookAtData = looking::lookAtData();
     options.photographs = photographs::photographSteps();
     options.readFlags = flagsOf;
+    options.makeRehearsal = making::makeRehearsal;
     options.useTool = studyTools(call.operatorName);
     options.operatedBy = session::operatedBy(call.operatorName, versionText());
     options.operatedBy.plainImages = app::leavesPlainImages(call.display);

@@ -45,6 +45,7 @@ StudyPage::StudyPage(QWidget* parent)
       m_screen(button("participantScreenButton", tr("Participant's screen… (F4)"), this)),
       m_close(plainButton("closeStudyButton", tr("Close the study (Esc)"), this)),
       m_tools(plainButton("toolsButton", tr("Tools… (F2)"), this)),
+      m_rehearsal(button("rehearsalButton", tr("Rehearse… (F8)"), this)),
       m_message(new MessageBar("studyMessage", this))
 {
     setObjectName("studyPage");
@@ -78,7 +79,7 @@ StudyPage::StudyPage(QWidget* parent)
     column->addWidget(m_message);
     column->addSpacing(10);
     column->addLayout(m_middle, 1);
-    column->addLayout(actionsRow({m_display, m_keys, m_screen, m_tools, m_close}));
+    column->addLayout(actionsRow({m_display, m_keys, m_screen, m_rehearsal, m_tools, m_close}));
     column->addWidget(appearanceHint(page));
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
@@ -90,7 +91,8 @@ StudyPage::StudyPage(QWidget* parent)
     setTabOrder(m_places, m_display);
     setTabOrder(m_display, m_keys);
     setTabOrder(m_keys, m_screen);
-    setTabOrder(m_screen, m_close);
+    setTabOrder(m_screen, m_rehearsal);
+    setTabOrder(m_rehearsal, m_close);
     setTabOrder(m_close, m_tools);
 
     connect(m_display, &QPushButton::clicked, this, &StudyPage::displayRequested);
@@ -105,6 +107,7 @@ StudyPage::StudyPage(QWidget* parent)
     connect(m_places, &QTreeWidget::currentItemChanged, this, &StudyPage::showChosen);
     connect(m_close, &QPushButton::clicked, this, &StudyPage::closeRequested);
     connect(m_tools, &QPushButton::clicked, this, &StudyPage::toolsRequested);
+    connect(m_rehearsal, &QPushButton::clicked, this, &StudyPage::rehearsalRequested);
 }
 
 QFrame* StudyPage::card(const char* objectName, const QString& caption, const QString& hint,
@@ -295,6 +298,8 @@ void StudyPage::enrol()
 
 void StudyPage::offerTools(bool isOffered) { m_tools->setVisible(isOffered); }
 
+void StudyPage::offerRehearsal(bool isOffered) { m_rehearsal->setVisible(isOffered); }
+
 void StudyPage::showFault(const QString& text) { m_message->showFault(text); }
 
 void StudyPage::focusFirst()
@@ -314,6 +319,8 @@ void StudyPage::keyPressEvent(QKeyEvent* event)
         Q_EMIT closeRequested();
     else if (event->key() == Qt::Key_F2 && m_tools->isVisible())
         m_tools->click();
+    else if (event->key() == Qt::Key_F8 && m_rehearsal->isVisible())
+        m_rehearsal->click();
     else if (isEnter(event->key()) && pressed)
         pressed->click();
     else if (isEnter(event->key()) && focusWidget() == m_participant)

@@ -28,6 +28,8 @@ public:
     void focusFirst();
     /// Shows the button of the tools.
     void offerTools(bool isOffered);
+    /// Shows the button of the rehearsal.
+    void offerRehearsal(bool isOffered);
 
 Q_SIGNALS:
     /// The operator enrols this participant, or continues the session if there is one.
@@ -37,6 +39,7 @@ Q_SIGNALS:
     void keysRequested();
     void participantRequested();
     void toolsRequested();
+    void rehearsalRequested();
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -73,6 +76,7 @@ private:
     QPushButton* m_screen;
     QPushButton* m_close;
     QPushButton* m_tools;
+    QPushButton* m_rehearsal;
     MessageBar* m_message;
 };
 

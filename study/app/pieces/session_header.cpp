@@ -53,6 +53,7 @@ SessionHeader::SessionHeader(QWidget* parent)
 void SessionHeader::begin(const SessionFacts& facts)
 {
     m_sittingMinutes = facts.sittingMinutes;
+    m_isRehearsal = facts.isRehearsal;
     m_displayName = facts.displayName;
     m_pattern.clear();
     setRole(*m_display, m_displayName.isEmpty() ? "fault" : "tag");
@@ -81,7 +82,8 @@ void SessionHeader::present(const session::View& view)
     const bool isOver = std::holds_alternative<session::Finished>(view.state.stage) ||
                         std::holds_alternative<session::Withdrawn>(view.state.stage);
     const bool isBetween = isOver || view.presentation <= 0 || std::holds_alternative<session::Debriefing>(view.state.stage);
-    m_participant->setText(tr("Participant %1").arg(QString::fromStdString(view.participant)));
+    m_participant->setText(m_isRehearsal ? tr("REHEARSAL: nothing becomes data")
+                                         : tr("Participant %1").arg(QString::fromStdString(view.participant)));
     m_part->setText(isBetween || view.phaseName.empty() ? QString() : QString::fromStdString(view.phaseName));
     m_presentations->setText(isBetween ? QString() : tr("Presentation %1 of %2").arg(view.presentation).arg(view.presentations));
     m_answers->setText(tr("Answers %1 of %2").arg(view.answersStored).arg(view.answersInAll));

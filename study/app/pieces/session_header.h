@@ -31,6 +31,7 @@ private:
     void arrange();
 
     int m_sittingMinutes = 60;
+    bool m_isRehearsal = false;
     QString m_displayName, m_pattern;
     QLabel* m_display;
     QLabel* m_participant;

@@ -15,6 +15,7 @@
 #include "study/app/state/data_look.h"
 #include "study/app/state/monitor.h"
 #include "study/app/state/photograph_steps.h"
+#include "study/app/state/rehearsal.h"
 #include "study/app/state/screen_cover.h"
 #include "study/app/state/study_tool.h"
 #include "study/session/clock.h"
@@ -54,6 +55,7 @@ struct AppOptions {
     LookAtData lookAtData;                  ///< empty: the window offers no data sets
     PhotographSteps photographs;            ///< empty: the window offers no data set from photographs
     UseTool useTool;                        ///< empty: the study page offers no tools
+    MakeRehearsal makeRehearsal;            ///< empty: the study page offers no rehearsal
     ReadFlags readFlags;                    ///< for the monitor; empty: no flags are shown
     database::ParticipantKind kind = database::ParticipantKind::Human;
     session::OperatedBy operatedBy;  ///< recorded with every sitting

@@ -54,6 +54,33 @@ StudyOverview OpenStudy::overview() const
     return seen;
 }
 
+QStringList OpenStudy::codesOnPieces() const
+{
+    const auto slots = m_store.slots();
+    const auto free =
+        std::find_if(slots.begin(), slots.end(), [](const auto& s) { return s.state == database::SlotState::Free; });
+    const auto place = static_cast<std::size_t>((free == slots.end() ? slots.back() : *free).number) - 1;
+    QStringList codes;
+    for (const auto& fabric : m_facts.fabrics)
+        codes << QString::fromStdString(m_facts.swatches.empty() ? m_facts.fabricNames.at(fabric)
+                                                                 : m_facts.swatches.at(place).at(fabric));
+    codes.sort();  // the order of the fabrics says nothing
+    return codes;
+}
+
+std::string OpenStudy::lastWallTime() const
+{
+    std::int64_t last = 0;
+    std::string time = m_facts.createdAt;
+    for (const auto& enrolment : m_store.enrolments()) {
+        const auto events = m_store.events(enrolment.participant);
+        if (events.empty() || events.back().sequence < last) continue;
+        last = events.back().sequence;
+        time = events.back().wallTime;
+    }
+    return time;
+}
+
 QString OpenStudy::protocolFault() const
 {
     try {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -51,6 +52,10 @@ public:
     void storeLatency(const database::OperatorLatency& run) const { recordOperatorLatency(m_store, run); }
     /// Message if protocol.json was changed, so that no session can run, with the next step; otherwise empty.
     QString protocolFault() const;
+    /// Codes on the fabric pieces of the next participant; names of the fabrics where pieces have no codes.
+    QStringList codesOnPieces() const;
+    /// The time of the last entry of the log, or of the making of the study, ISO 8601.
+    std::string lastWallTime() const;
 
 private:
     database::StudyStore m_store;

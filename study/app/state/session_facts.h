@@ -22,6 +22,7 @@ struct SessionFacts {
     bool secondEntry = false;                     ///< every answer is entered twice and must agree
     bool confirmPieces = false;                   ///< every piece on the tray is confirmed by its code
     bool displayReportsTouches = false;
+    bool isRehearsal = false;               ///< nothing of this session becomes data
     QString displayName;                    ///< empty: the session runs without a display
     KeyBindings keys = {};                  ///< extra keys of the operator's acts
     std::optional<double> mmPerPixel = {};  ///< scale of the display, mm per pixel, if the operator measured it

@@ -145,6 +145,7 @@ private:
     void visitPanels(OpenWindow& open, const Look& look);
     void visitAround(OpenWindow& open, const Look& look);
     void visitPhotographs(OpenWindow& open, const Look& look);
+    static void visitRehearsal(OpenWindow& open, const Look& look);
     void visitMonitor(OpenWindow& open, const Look& look);
     QFont m_font = QApplication::font();
 
@@ -173,6 +174,9 @@ void AppLooksTest::visitPages(const Look& look)
     options.photographs = somePhotographs();
     options.useTool = [](StudyTool, const std::filesystem::path&, const std::filesystem::path&, const ToolProgress&) {
         return ToolOutcome{};
+    };
+    options.makeRehearsal = [](const std::filesystem::path&) -> std::shared_ptr<const std::filesystem::path> {
+        throw protocols::workFailed({"the station key is missing", "station-key.json", "the file of the study", "restore it"});
     };
     options.settings = std::make_shared<QSettings>(filePath("pages.ini"), QSettings::IniFormat);
     OpenWindow open(newStudy(tests::support::wholeStudy()), options);
@@ -318,6 +322,7 @@ void AppLooksTest::visitAround(OpenWindow& open, const Look& look)
     look(open.window(), "latency");
     open.gui().pressKey(Qt::Key_Escape);
     open.gui().pressKey(Qt::Key_Escape);
+    visitRehearsal(open, look);
     open.widget<QLineEdit>("participantField").setText("not allowed!");
     open.gui().click("enrolButton");
     look(open.window(), "study-hint");
@@ -349,6 +354,19 @@ void AppLooksTest::visitAround(OpenWindow& open, const Look& look)
     open.gui().click("connectDisplayButton");
     open.gui().click("pattern2Button");
     look(open.window(), "display-pattern");
+}
+
+void AppLooksTest::visitRehearsal(OpenWindow& open, const Look& look)
+{
+    open.gui().click("rehearsalButton");
+    look(open.window(), "rehearsal");
+    auto& field = open.widget<QLineEdit>("rehearsalPieceField");
+    field.setText("000");
+    QTest::keyClick(&field, Qt::Key_Return);
+    look(open.window(), "rehearsal-wrong-piece");
+    open.gui().pressKey(Qt::Key_F5);
+    look(open.window(), "rehearsal-fault");
+    open.gui().pressKey(Qt::Key_Escape);
 }
 
 void AppLooksTest::visitPhotographs(OpenWindow& open, const Look& look)

@@ -1,5 +1,6 @@
 // Every kind of answer through the real widgets: typed, entered twice, corrected and flagged. Also the source of the first
 // touch, and the names of the pieces of fabric.
+#include <QApplication>
 #include <QLabel>
 #include <QPushButton>
 #include <QTest>
@@ -44,6 +45,7 @@ private Q_SLOTS:
     void touchIsStampedByTheDisplay();
     void keyStampsTheTouchThatTheDisplayMissed();
     void touchDuringANoteKeepsTheNote();
+    void aPresentationNeedsFewKeys();
     void pagesNamePiecesByTheirCodesOnly();
 };
 
@@ -244,6 +246,40 @@ void AppAnswersTest::touchDuringANoteKeepsTheNote()
     pressKey(open, Qt::Key_Return);
     const auto last = open.window().study()->store().events(ParticipantId("P01")).back();
     QCOMPARE(last.payloadJson, payloadJson(Noted{"hands are cold", false}));
+}
+
+/// From the confirmed tray to the next page, where the display stamps the touches: 3 keys for a choice, 13 for three ratings.
+void AppAnswersTest::aPresentationNeedsFewKeys()
+{
+    struct KeyCounter : QObject {
+        int presses = 0;
+        bool eventFilter(QObject* watched, QEvent* event) override
+        {
+            presses += event->type() == QEvent::KeyPress && watched == QApplication::focusWidget();
+            return false;
+        }
+    } counter;
+    OpenWindow open(newStudy(), {}, {.calls = {}, .fault = {}, .reportsTouches = true, .touch = {}});
+    open.enrolAndBegin();
+    qApp->installEventFilter(&counter);
+    std::map<std::string, int> most;
+    while (open.view().answersStored < open.view().answersInAll) {
+        open.playTo("PlacingTray");
+        open.perform(TrayReady{});
+        const std::string phase = open.view().phaseName;
+        counter.presses = 0;
+        while (nameOf(open.view().state) == "Presenting") {
+            open.display().touch();
+            if (phase == "Q1")
+                enterByKeys(open, responseTo(open.view()));
+            else
+                typeText(open, "5.4");
+            pressKey(open, Qt::Key_Return);
+        }
+        most[phase] = std::max(most[phase], counter.presses);
+    }
+    QVERIFY2(most["Q1"] >= 1 && most["Q1"] <= 3, qPrintable(QString::number(most["Q1"])));
+    QVERIFY2(most["Q2-Q4"] >= 3 && most["Q2-Q4"] <= 13, qPrintable(QString::number(most["Q2-Q4"])));
 }
 
 void AppAnswersTest::pagesNamePiecesByTheirCodesOnly()

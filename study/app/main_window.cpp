@@ -115,8 +115,8 @@ void MainWindow::connectPages()
         m_photographsPage->focusFirst();
     });
     connect(m_photographsPage, &PhotographsPage::backRequested, this, &MainWindow::showStart);
-    connect(m_photographsPage, &PhotographsPage::studyRequested, this, [this](const QString& dataset) {
-        m_newStudyPage->fillDataset(dataset);
+    connect(m_photographsPage, &PhotographsPage::studyRequested, this, [this](const QString& dataset, const QString& protocol) {
+        m_newStudyPage->fill(dataset, protocol);
         m_pages->setCurrentWidget(m_newStudyPage);
         m_newStudyPage->focusFirst();
     });

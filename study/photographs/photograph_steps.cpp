@@ -18,6 +18,7 @@
 #include "study/looking/open_study.h"
 #include "study/looking/picture_decoder.h"
 #include "study/photographs/friction_pictures.h"
+#include "study/photographs/photograph_protocol.h"
 
 namespace study::photographs {
 
@@ -131,6 +132,6 @@ QImage draw(const app::FrictionPictureRequest& request, const app::ToolProgress&
 
 }  // namespace
 
-app::PhotographSteps photographSteps() { return {find, see, check, write, draw}; }
+app::PhotographSteps photographSteps() { return {find, see, check, write, draw, writePhotographProtocol}; }
 
 }  // namespace study::photographs

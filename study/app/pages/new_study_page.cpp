@@ -249,7 +249,11 @@ void NewStudyPage::goBack()
     m_doing->setText(tr("The program stops this work."));
 }
 
-void NewStudyPage::fillDataset(const QString& folder) { m_dataset->setText(folder); }
+void NewStudyPage::fill(const QString& dataset, const QString& protocol)
+{
+    m_dataset->setText(dataset);
+    m_protocol->setText(protocol);
+}
 
 void NewStudyPage::focusFirst() { m_study->setFocus(); }
 

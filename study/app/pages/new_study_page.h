@@ -26,8 +26,8 @@ public:
     ~NewStudyPage() override;
 
     void focusFirst();
-    /// Enters this data set.
-    void fillDataset(const QString& folder);
+    /// Enters this data set and this protocol.
+    void fill(const QString& dataset, const QString& protocol);
     bool isMaking() const { return m_making != nullptr; }
 
 Q_SIGNALS:

@@ -13,6 +13,7 @@
 #include <QScrollBar>
 #include <QTest>
 
+#include "protocols/files/errors.h"
 #include "study/app/pages/data_page.h"
 #include "study/app/pages/monitor_window.h"
 #include "study/app/pages/photographs/photographs_page.h"
@@ -91,6 +92,10 @@ PhotographSteps somePhotographs()
         QImage picture(request.widthPx, 500, QImage::Format_RGB32);
         picture.fill(Qt::gray);
         return picture;
+    };
+    steps.plan = [](const std::filesystem::path&, const std::vector<std::string>&) -> std::filesystem::path {
+        throw protocols::badInput({"the data set has too few fabrics for the paper's questions", "2 fabrics", "3 or more",
+                                   "add photographs, or make a new study with a protocol of your own"});
     };
     return steps;
 }
@@ -393,6 +398,9 @@ void AppLooksTest::visitPhotographs(OpenWindow& open, const Look& look)
     open.gui().click("drawFrictionImagesButton");
     QTRY_VERIFY(!page.isBusy());
     look(open.window(), "photographs-rendered");
+    open.gui().click("photographsToStudyButton");
+    QTRY_VERIFY(!page.isBusy());
+    look(open.window(), "photographs-too-few");
     open.gui().pressKey(Qt::Key_Escape);
 }
 

@@ -15,6 +15,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "protocols/files/errors.h"
+#include "protocols/protocol_json.h"
 #include "rendering/fabrics/dataset_check.h"
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
 #include "rendering/images/image_png.h"
@@ -134,6 +135,7 @@ class AppPhotographsTest : public tests::support::WindowTest {
 private Q_SLOTS:
     void wholeWayByKeysAlone();
     void wholeWayByMouseAlone();
+    void theProtocolMakesAStudy();
     void foldersAreFabrics();
     void badFilesAreNamedAndTheOthersStay();
     void badNamesAreRefused_data();
@@ -193,8 +195,12 @@ void AppPhotographsTest::wholeWayByKeysAlone()
     QVERIFY(before.size() == after.size() && cv::norm(before, after, cv::NORM_INF) == 0);
     tabTo(shown, "photographsToStudyButton");
     press(shown, Qt::Key_Return);
-    QCOMPARE(shown.window.currentPage()->objectName(), QString("newStudyPage"));
+    QTRY_COMPARE(shown.window.currentPage()->objectName(), QString("newStudyPage"));
     QCOMPARE(shown.window.currentPage()->findChild<QLineEdit*>("datasetField")->text(), QString::fromStdString(folder.string()));
+    const QString protocol = shown.window.currentPage()->findChild<QLineEdit*>("protocolField")->text();
+    QCOMPARE(protocol, QString::fromStdString(folder.string() + "-protocol.json"));
+    const auto planned = protocols::readProtocol(pathOf(protocol));
+    QCOMPARE(planned.conditions, std::vector<protocols::ConditionId>{protocols::ConditionId("h_g&f_g")});
 }
 
 void AppPhotographsTest::wholeWayByMouseAlone()
@@ -231,7 +237,41 @@ void AppPhotographsTest::wholeWayByMouseAlone()
     shown.window.resize(800, 600);
     QTRY_COMPARE(page.findChild<QScrollArea*>("photographsArea")->horizontalScrollBar()->maximum(), 0);
     shown.gui.click("photographsToStudyButton");
-    QCOMPARE(shown.window.currentPage()->objectName(), QString("newStudyPage"));
+    QTRY_COMPARE(shown.window.currentPage()->objectName(), QString("newStudyPage"));
+}
+
+void AppPhotographsTest::theProtocolMakesAStudy()
+{
+    const fs::path place = photographs("planned"), set = pathOf(filePath("study-set"));
+    ShownWindow shown(photographOptions());
+    auto& page = openWith(shown, place);
+    QVERIFY(writesDataset(shown, page, set));
+    shown.gui.click("conditionButton5");
+    shown.gui.click("photographsToStudyButton");
+    QVERIFY(message(page, "frictionImagesMessage").contains("No condition is chosen"));
+    for (int number = 1; number <= 5; ++number) shown.gui.click(QStringLiteral("conditionButton%1").arg(number));
+    const fs::path other = set.string() + "-protocol.json";
+    std::ofstream(other) << "mine";
+    shown.gui.click("photographsToStudyButton");
+    QTRY_COMPARE(shown.window.currentPage()->objectName(), QString("newStudyPage"));
+    const QString protocol = shown.window.currentPage()->findChild<QLineEdit*>("protocolField")->text();
+    QCOMPARE(protocol, QString::fromStdString(set.string() + "-protocol-2.json"));
+    QCOMPARE(fs::file_size(other), std::uintmax_t(4));  // a file that is there stays
+    support::mustRun({"study", "new", filePath("study"), "--dataset", QString::fromStdString(set.string()), "--protocol",
+                      protocol, "--participants", "2", "--no-passphrase"});
+    support::mustRun({"verify", filePath("study")});
+
+    // Two fabrics are too few for three alternatives; the page says so and stays.
+    shown.gui.pressKey(Qt::Key_Escape);
+    shown.gui.click("photographsButton");
+    shown.gui.click("removePhotographButton");
+    QVERIFY(writesDataset(shown, page, pathOf(filePath("two"))));
+    shown.gui.click("photographsToStudyButton");
+    QTRY_VERIFY(!page.isBusy());
+    QVERIFY2(message(page, "photographsStudyMessage").contains("expected 3 or more"),
+             qPrintable(message(page, "photographsStudyMessage")));
+    QCOMPARE(shown.window.currentPage()->objectName(), QString("photographsPage"));
+    QVERIFY(!fs::exists(filePath("two-protocol.json").toStdString()));
 }
 
 void AppPhotographsTest::foldersAreFabrics()

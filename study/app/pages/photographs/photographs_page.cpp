@@ -86,6 +86,7 @@ PhotographsPage::PhotographsPage(PhotographSteps steps, QWidget* parent)
       m_drawMessage(new MessageBar("frictionImagesMessage", this)),
       m_picture(new QLabel(this)),
       m_study(mainButton("photographsToStudyButton", tr("Go on to the new study"), this)),
+      m_studyMessage(new MessageBar("photographsStudyMessage", this)),
       m_back(button("photographsBackButton", tr("Back (Esc)"), this))
 {
     setObjectName("photographsPage");
@@ -128,6 +129,7 @@ void PhotographsPage::build()
     buildPhotographs(*column);
     buildResults(*column);
     column->addLayout(actionsRow({m_study}));
+    column->addWidget(m_studyMessage);
     column->addStretch(1);
     column->addWidget(appearanceHint(page));
     auto* outer = new QVBoxLayout(this);
@@ -205,16 +207,19 @@ void PhotographsPage::buildResults(QVBoxLayout& column)
     column.addLayout(row);
     column.addWidget(m_targetMessage);
     column.addLayout(actionsRow({m_write}));
-    addStep(column, "stepImages", tr("5  Friction images"),
-            tr("If you wish, look at the images that participants will feel. Bright places have high friction."));
+    addStep(
+        column, "stepImages", tr("5  Conditions and friction images"),
+        tr("Choose the conditions. If you wish, look at the images that participants will feel: bright means high friction."));
     auto* conditions = new FlowLayout(10, 8);
     for (QPushButton* condition : m_conditions) conditions->addWidget(condition);
     column.addLayout(conditions);
     column.addLayout(actionsRow({m_draw}));
     column.addWidget(m_drawMessage);
     column.addWidget(m_picture);
-    addStep(column, "stepStudy", tr("6  Study"),
-            tr("The next page asks for a protocol. It may name the five conditions above; others need recordings of touch."));
+    addStep(
+        column, "stepStudy", tr("6  Study"),
+        tr("The program writes a protocol beside the data set: the questions of the paper under the chosen conditions. You may "
+           "edit it."));
 }
 
 void PhotographsPage::connectSteps()
@@ -233,8 +238,9 @@ void PhotographsPage::connectSteps()
     connect(m_write, &QPushButton::clicked, this, &PhotographsPage::write);
     connect(m_draw, &QPushButton::clicked, this, &PhotographsPage::draw);
     for (QPushButton* condition : m_conditions)
-        connect(condition, &QPushButton::clicked, m_drawMessage, &MessageBar::clearMessage);
-    connect(m_study, &QPushButton::clicked, this, [this] { Q_EMIT studyRequested(textOf(m_dataset)); });
+        for (MessageBar* message : {m_drawMessage, m_studyMessage})
+            connect(condition, &QPushButton::clicked, message, &MessageBar::clearMessage);
+    connect(m_study, &QPushButton::clicked, this, &PhotographsPage::plan);
     connect(m_back, &QPushButton::clicked, this, &PhotographsPage::goBack);
 }
 
@@ -429,18 +435,37 @@ void PhotographsPage::write()
         });
 }
 
+std::vector<std::string> PhotographsPage::chosenConditions()
+{
+    std::vector<std::string> conditions;
+    for (std::size_t i = 0; i < m_conditions.size(); ++i)
+        if (m_conditions[i]->isChecked()) conditions.emplace_back(offeredConditions[i].id);
+    if (conditions.empty()) {
+        m_conditions.front()->setFocus();
+        m_drawMessage->showHint(tr("No condition is chosen. Choose one or more of the five."));
+    }
+    return conditions;
+}
+
+void PhotographsPage::plan()
+{
+    const auto conditions = chosenConditions();
+    if (conditions.empty()) return;
+    run(*m_studyMessage, tr("The program writes the protocol."),
+        [this, conditions, dataset = m_dataset, plan = m_steps.plan](const ToolProgress&) -> InBackground::Then {
+            return [this, dataset, protocol = plan(dataset, conditions)] {
+                m_studyMessage->clearMessage();
+                Q_EMIT studyRequested(textOf(dataset), textOf(protocol));
+            };
+        });
+}
+
 void PhotographsPage::draw()
 {
-    FrictionPictureRequest request{.dataset = m_dataset, .conditions = {}, .captions = {}};
-    for (std::size_t i = 0; i < m_conditions.size(); ++i) {
-        if (!m_conditions[i]->isChecked()) continue;
-        request.conditions.emplace_back(offeredConditions[i].id);
-        request.captions << m_conditions[i]->text();
-    }
-    if (request.conditions.empty()) {
-        m_conditions.front()->setFocus();
-        return m_drawMessage->showHint(tr("No condition is chosen. Choose one or more of the five."));
-    }
+    FrictionPictureRequest request{.dataset = m_dataset, .conditions = chosenConditions(), .captions = {}};
+    if (request.conditions.empty()) return;
+    for (const QPushButton* condition : m_conditions)
+        if (condition->isChecked()) request.captions << condition->text();
     request.theme = isDarkNow() ? Theme::DarkRoom : Theme::Light;
     request.widthPx = m_target->parentWidget()->width();
     request.fontPx = QFontInfo(QApplication::font()).pixelSize() * factorOf(Type::Plain);
@@ -478,6 +503,7 @@ void PhotographsPage::changed()
     m_targetMessage->clearMessage();
     m_checkMessage->clearMessage();
     m_drawMessage->clearMessage();
+    m_studyMessage->clearMessage();
     m_warnings->hide();
     m_picture->hide();
     m_list->showWarnings({});

@@ -34,8 +34,8 @@ public:
 
 Q_SIGNALS:
     void backRequested();
-    /// The operator goes on to a new study with this data set.
-    void studyRequested(const QString& dataset);
+    /// The operator goes on to a new study with this data set and this protocol.
+    void studyRequested(const QString& dataset, const QString& protocol);
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -56,6 +56,9 @@ private:
     void showWarnings(const std::vector<QStringList>& warnings);
     void write();
     void draw();
+    void plan();
+    /// Ids of the chosen conditions. If there is none, shows a hint beside them.
+    std::vector<std::string> chosenConditions();
     /// Fits the friction images to the width of the page.
     void showPicture();
     void changed();
@@ -92,6 +95,7 @@ private:
     MessageBar* m_drawMessage;
     QLabel* m_picture;
     QPushButton* m_study;
+    MessageBar* m_studyMessage;
     QPushButton* m_back;
     InBackground m_work, m_viewing;
 };

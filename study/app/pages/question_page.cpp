@@ -117,7 +117,10 @@ void QuestionPage::store()
         return;
     }
     m_entry->firstFocus().setFocus();
-    Q_EMIT hinted(std::get<NoAnswer>(given).why);
+    const QString why = std::get<NoAnswer>(given).why;
+    // The message says it already; the read-back returns with the next change.
+    if (m_entry->readBack().text == why) m_readBack->setText(m_firstEntry ? tr("Second entry.") : QString());
+    Q_EMIT hinted(why);
 }
 
 void QuestionPage::takeEntry(const GivenAnswer& response)

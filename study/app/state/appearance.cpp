@@ -133,6 +133,7 @@ QPushButton:disabled { color: %12; border-color: %5; background: %1; }
 QPushButton[role="stamp"]:disabled { color: %4; }
 QPushButton:checked { background: %6; color: %7; border-color: %6; }
 QPushButton:checked:focus { border-color: %3; }
+QPushButton:checked:disabled { background: %5; color: %3; border-color: %5; }
 QPushButton[role="main"] { background: %6; color: %7; border: 2px solid %6; padding: 10px 26px; }
 QPushButton[role="main"]:focus { border-color: %3; }
 QPushButton[role="main"]:disabled { background: %5; color: %3; border-color: %5; }

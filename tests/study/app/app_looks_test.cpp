@@ -654,8 +654,14 @@ void AppLooksTest::messagesStandBesideTheirFieldAndGo()
     auto& rating = open.widget<QLineEdit>("ratingField");
     QTRY_VERIFY(!open.message().isEmpty() && tightBarsIn(open.window()).isEmpty());
     QTRY_VERIFY(distance("sessionMessage", open.widget<ScaleLine>("scaleLine")) < 40);
+    const QString said = open.message();
+    int times = 0;
+    for (const auto* text : open.window().currentPage()->findChildren<QLabel*>())
+        times += text->isVisible() && text->text().contains(said) ? 1 : 0;
+    QCOMPARE(times, 1);
     rating.setText("9");
     QVERIFY(open.message().isEmpty());
+    QVERIFY(open.widget<QLabel>("readBack").text().contains("9"));
     rating.clear();
     // a reason
     open.playTo("PlacingTray");

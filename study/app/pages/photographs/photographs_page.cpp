@@ -10,6 +10,7 @@
 #include <QScrollBar>
 #include <QShortcut>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <stdexcept>
 
 #include "study/app/pages/photographs/photograph_list.h"
@@ -402,7 +403,7 @@ void PhotographsPage::showWarnings(const std::vector<QStringList>& warnings)
     }
     m_warnings->setPlainText(lines.join(QLatin1Char('\n')));
     m_warnings->setVisible(!lines.isEmpty());
-    m_warnings->setFixedHeight(m_warnings->fontMetrics().height() * 7);
+    m_warnings->setFixedHeight(m_warnings->fontMetrics().height() * std::clamp(3 + 2 * concerned, 4, 9));
     if (lines.isEmpty())
         m_checkMessage->showDone(tr("No warnings. The photographs resemble those that the networks learned from."));
     else

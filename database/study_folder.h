@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace database {
 
@@ -11,6 +12,9 @@ struct StudyFolder {
     std::filesystem::path database() const { return folder / "study.db"; }
     std::filesystem::path protocol() const { return folder / "protocol.json"; }
     std::filesystem::path stimuli() const { return folder / "stimuli"; }
+    std::filesystem::path prompts() const { return folder / "prompts"; }
+    /// The recording of a prompt, by its key in the protocol.
+    std::filesystem::path prompt(const std::string& key) const { return prompts() / (key + ".wav"); }
     std::filesystem::path allocationKey() const { return folder / "allocation-key.json"; }
     std::filesystem::path sealedAllocationKey() const { return folder / "allocation-key.sealed"; }
     std::filesystem::path stationKey() const { return folder / "station-key.json"; }

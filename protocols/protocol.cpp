@@ -213,6 +213,20 @@ std::string participantText(const Protocol& protocol, std::string_view key)
     return own != protocol.participantTexts.end() ? own->second : usualParticipantTexts().find(key)->second;
 }
 
+bool isPromptKey(const Protocol& protocol, std::string_view key)
+{
+    static const std::set<std::string_view> plain{"wait", "feel", "break", "end", "same", "different", "point"};
+    if (plain.contains(key)) return true;
+    const std::size_t line = key.find('_');
+    if (line == std::string_view::npos) return false;
+    const std::string_view kind = key.substr(0, line), rest = key.substr(line + 1);
+    if (kind == "question") return questionWith(protocol, QuestionId(std::string(rest))) != nullptr;
+    if (kind == "answer") return rest.size() == 1 && rest[0] >= 'A' && rest[0] <= 'Z';
+    const bool isPlainNumber =
+        !rest.empty() && rest.size() <= 3 && rest.find_first_not_of("0123456789") == std::string_view::npos;
+    return kind == "number" && isPlainNumber && (rest.size() == 1 || rest[0] != '0');
+}
+
 std::vector<std::string> fixedPartsChanged(const Protocol& kept, const Protocol& changed)
 {
     std::vector<std::string> parts;
@@ -221,6 +235,7 @@ std::vector<std::string> fixedPartsChanged(const Protocol& kept, const Protocol&
     if (kept.conditions != changed.conditions) parts.emplace_back("conditions");
     if (fixedPhasesOf(kept) != fixedPhasesOf(changed)) parts.emplace_back("phases");
     if (kept.swatchCodes != changed.swatchCodes) parts.emplace_back("swatches");
+    if (kept.prompts != changed.prompts) parts.emplace_back("prompts");  // the study holds the recordings of its first protocol
     if (kept.familiarisationFabrics != changed.familiarisationFabrics) parts.emplace_back("familiarisation_fabrics");
     return parts;
 }
@@ -235,6 +250,11 @@ std::vector<std::string> faultsOf(const Protocol& protocol)
     checkPrimary(protocol, faults);
     checkNumbers(protocol, faults);
     checkParticipantTexts(protocol, faults);
+    for (const auto& [key, file] : protocol.prompts)
+        if (!isPromptKey(protocol, key))
+            faults.push_back("prompts: '" + key +
+                             "' is no prompt, expected wait, feel, break, end, same, different, point, "
+                             "question_ID, answer_A or number_5");
     return faults;
 }
 

@@ -71,6 +71,8 @@ struct Protocol {
     std::string language = "en";     ///< BCP 47 tag of what the participant reads and hears
     /// Sentences for the participant by key (usualParticipantTexts()); a missing one is the usual text.
     std::map<std::string, std::string> participantTexts;
+    /// Recordings for the headphones by key (isPromptKey()): names of WAV files beside the protocol.
+    std::map<std::string, std::string> prompts;
 
     /// Conditions x fabrics, without catch trials.
     int presentationsPerPhase() const { return fabricCount * static_cast<int>(conditions.size()); }
@@ -95,6 +97,10 @@ const RatingScale* memorisedScaleOf(const Protocol& protocol);
 
 /// The sentence for the participant with this key: the protocol's, or the usual one. `key` is one of usualParticipantTexts().
 std::string participantText(const Protocol& protocol, std::string_view key);
+
+/// Whether a recording can have this key: "wait", "feel", "break", "end", "same", "different", "point"; "question_ID" for a
+/// question of the protocol; "answer_A" to "answer_Z"; "number_0" to "number_999".
+bool isPromptKey(const Protocol& protocol, std::string_view key);
 
 /// The parts that `changed` changes although participants have trials that follow `kept`: "phases", "conditions", ... Empty if
 /// only texts, times, bounds, contrasts, checklist and facts differ.

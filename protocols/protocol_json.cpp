@@ -132,12 +132,12 @@ void readAnalysis(const ProtocolPart& document, Protocol& protocol)
     if (document.has("primary")) protocol.primary = contrastFrom(document.raw("primary"));
 }
 
-void readParticipantTexts(const ProtocolPart& document, Protocol& protocol)
+void readTextsByKey(const ProtocolPart& document, const std::string& key, std::map<std::string, std::string>& into)
 {
-    const json& texts = document.raw("participant_texts");
+    const json& texts = document.raw(key);
     if (!texts.is_object()) return;
-    const ProtocolPart part = document.part("participant_texts");
-    for (const auto& [key, text] : texts.items()) protocol.participantTexts[key] = part.text(key, "?");
+    const ProtocolPart part = document.part(key);
+    for (const auto& [name, text] : texts.items()) into[name] = part.text(name, "?");
 }
 
 void readCourse(const ProtocolPart& document, Protocol& protocol, ProtocolEdition edition)
@@ -154,7 +154,8 @@ void readCourse(const ProtocolPart& document, Protocol& protocol, ProtocolEditio
     protocol.deadTimeSeconds = document.number("dead_time_seconds", protocol.deadTimeSeconds);
     protocol.confirmPieces = document.yesOrNo("confirm_pieces", protocol.confirmPieces);
     protocol.language = document.text("language", protocol.language);
-    readParticipantTexts(document, protocol);
+    readTextsByKey(document, "participant_texts", protocol.participantTexts);
+    readTextsByKey(document, "prompts", protocol.prompts);
     protocol.checklist = document.texts("checklist");
     protocol.readings = document.texts("readings");
     protocol.facts = document.texts("facts");

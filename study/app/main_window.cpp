@@ -26,6 +26,7 @@
 #include "study/app/pieces/pieces.h"
 #include "study/app/state/recent_studies.h"
 #include "study/participant/session/present_instruction.h"
+#include "study/participant/session/prompts.h"
 
 namespace study::app {
 
@@ -56,7 +57,8 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
       m_displayPage(new DisplayPage(options, this)),
       m_keysPage(new KeysPage(options.settings, this)),
       m_participantSide(new ParticipantSide(this)),
-      m_participantPage(new ParticipantPage(*m_participantSide, this)),
+      m_participantSound(new ParticipantSound(this)),
+      m_participantPage(new ParticipantPage(*m_participantSide, *m_participantSound, this)),
       m_rehearsalPage(new RehearsalPage(this)),
       m_studyPage(new StudyPage(this)),
       m_toolsPage(new ToolsPage(options.useTool, this)),
@@ -229,10 +231,14 @@ void MainWindow::leaveParticipantSide()
 void MainWindow::tellParticipant()
 {
     const auto& protocol = m_study ? m_study->protocol() : protocols::Protocol{};
-    if (m_session)
-        m_participantSide->show(participant::instructionFor(m_session->view(), m_session->plan().protocol));
-    else
-        m_participantSide->show(participant::waiting(protocol));
+    std::map<std::string, std::string> recordings;
+    if (m_study)
+        for (const auto& [key, file] : protocol.prompts) recordings[key] = m_study->store().folder().prompt(key).string();
+    m_participantSound->setRecordings(std::move(recordings));
+    if (!m_session) return m_participantSide->show(participant::waiting(protocol));
+    m_participantSide->show(participant::instructionFor(m_session->view(), m_session->plan().protocol));
+    m_participantSound->say(participant::promptsBetween(m_told, m_session->view()));
+    m_told = m_session->view();
 }
 
 void MainWindow::takeAct(const participant::ParticipantAct& act)
@@ -408,6 +414,7 @@ void MainWindow::begin(OpenStudy& study, const protocols::ParticipantId& partici
     setWindowTitle(tr("%1 – %2 – Vis2Hap").arg(QString::fromStdString(participant.value), study.name()));
     m_sessionPage->present(m_session->view(), m_session->canCorrect());
     m_participantSide->setWords(m_session->plan().protocol);
+    m_told = m_session->view();
     tellParticipant();
 }
 

@@ -28,6 +28,7 @@ class MonitorWindow;
 class NewStudyPage;
 class ParticipantPage;
 class ParticipantSide;
+class ParticipantSound;
 class PhotographsPage;
 class SessionPage;
 class StartPage;
@@ -55,6 +56,7 @@ public:
 
     StartPage& startPage() const { return *m_startPage; }
     ParticipantSide& participantSide() const { return *m_participantSide; }
+    ParticipantSound& participantSound() const { return *m_participantSound; }
     void setAppearance(const Appearance& appearance) { m_appearanceKeys->set(appearance); }
 
 protected:
@@ -111,6 +113,8 @@ private:
     KeysPage* m_keysPage;
     LatencyPage* m_latencyPage;
     ParticipantSide* m_participantSide;
+    ParticipantSound* m_participantSound;
+    session::View m_told;  ///< the moment of the session that the participant was told about last
     ParticipantPage* m_participantPage;
     QWidget* m_beforeParticipantPage = nullptr;  ///< the page to go back to
     RehearsalPage* m_rehearsalPage;

@@ -5,6 +5,7 @@
 #include <opencv2/core/version.hpp>
 
 #include "database/sqlite_connection.h"
+#include "protocols/files/sha256.h"
 #include "protocols/secrets/sealing.h"
 
 namespace study::making {
@@ -17,7 +18,7 @@ ordered_json textOrNull(const std::string& text) { return text.empty() ? ordered
 
 }  // namespace
 
-std::string madeWith(const NewStudy& request, const std::string& weightsSha256)
+std::string madeWith(const NewStudy& request, const std::string& weightsSha256, const std::map<std::string, std::string>& prompts)
 {
     ordered_json made{{"program", request.programVersion}, {"commit", textOrNull(request.programCommit)}};
     made["compiler"] = "GCC " __VERSION__;
@@ -29,6 +30,7 @@ std::string madeWith(const NewStudy& request, const std::string& weightsSha256)
     made["settings"] = {{"seed", request.seed},
                         {"key_seed_given", request.keySeed.has_value()},  // the seed itself would open the key
                         {"allow_training_samples", request.allowTrainingSamples}};
+    for (const auto& [key, bytes] : prompts) made["prompts_sha256"][key] = protocols::sha256(bytes);
     return made.dump();
 }
 

@@ -8,6 +8,8 @@
 namespace study::making {
 
 /// A JSON object for StudyFacts::madeWith. A commit that the build did not know, and weights that no condition needs, are null.
-std::string madeWith(const NewStudy& request, const std::string& weightsSha256);
+/// `prompts`: bytes of the recordings by key, whose hashes are kept.
+std::string madeWith(const NewStudy& request, const std::string& weightsSha256,
+                     const std::map<std::string, std::string>& prompts = {});
 
 }  // namespace study::making

@@ -13,6 +13,7 @@
 #include "rendering/display/stimulus_bank.h"
 #include "study/analyse/power/planned_power.h"
 #include "study/making/made_with.h"
+#include "study/making/prompt_files.h"
 #include "study/making/study_images.h"
 #include "study/making/study_material.h"
 #include "study/session/clock.h"
@@ -46,7 +47,8 @@ void requireFreePlace(const NewStudy& request)
 }
 
 /// The facts that are known before the images are made.
-database::StudyFacts factsOf(const NewStudy& request, const StudyMaterial& material)
+database::StudyFacts factsOf(const NewStudy& request, const StudyMaterial& material,
+                             const std::map<std::string, std::string>& prompts)
 {
     database::StudyFacts facts;
     facts.name = material.protocol.name;
@@ -62,7 +64,7 @@ database::StudyFacts factsOf(const NewStudy& request, const StudyMaterial& mater
     for (const auto& fabric : facts.fabrics) facts.fabricNames[fabric] = material.dataset.fabric(fabric).name;
     facts.createdAt = session::SystemClock().wallTime();
     facts.programVersion = request.programVersion;
-    facts.madeWith = madeWith(request, facts.modelSha256);
+    facts.madeWith = madeWith(request, facts.modelSha256, prompts);
     facts.hasPassphrase = request.passphrase.has_value();
     if (!facts.hasPassphrase) facts.stamps.emplace_back(database::noPassphraseStamp);
     return facts;
@@ -108,7 +110,8 @@ std::map<protocols::FileCode, std::string> writeStimuli(const fs::path& folder, 
 
 /// The whole folder or nothing. Adds the hashes of the keys to the facts.
 void writeStudy(const NewStudy& request, const protocols::Allocation& allocation, const StudyImages& images,
-                const FamiliarisationImages& familiarisation, database::StudyFacts& facts)
+                const FamiliarisationImages& familiarisation, const std::map<std::string, std::string>& prompts,
+                database::StudyFacts& facts)
 {
     const auto earlier = request.replaceSimulated ? protocols::Earlier::Replaced : protocols::Earlier::Refused;
     protocols::FolderDraft draft(request.study, earlier);
@@ -118,6 +121,7 @@ void writeStudy(const NewStudy& request, const protocols::Allocation& allocation
     const auto keys = database::writeKeys(folder, allocation.key, request.passphrase);
     facts.keySha256 = keys.allocation;
     facts.stationKeySha256 = keys.station;
+    writePrompts(folder, prompts);
     protocols::writeWholeFile(folder.protocol(), facts.protocolJson, protocols::Sync::Later);
     database::StudyStore::create(folder, facts, allocation.participants, hashes);
     draft.putInPlace();
@@ -138,8 +142,9 @@ MadeStudy makeStudy(const NewStudy& request, const StudyProgress& progress)
 {
     requireFreePlace(request);
     const StudyMaterial material = materialFor(request);
+    const auto prompts = readPrompts(material.protocol, request.protocol);
     MadeStudy made;
-    made.facts = factsOf(request, material);
+    made.facts = factsOf(request, material, prompts);
     const StudyImages images = imagesFor(request, material, made.facts, progress);
     noteImages(images, made);
     if (std::string warning = analyse::boundsWarning(material.protocol); !warning.empty())
@@ -155,7 +160,7 @@ MadeStudy makeStudy(const NewStudy& request, const StudyProgress& progress)
     const auto allocation =
         allocate(material.protocol, design, material.fabrics, secret, static_cast<int>(familiarisation.names.size()));
     noteAllocation(allocation, familiarisation, made.facts);
-    writeStudy(request, allocation, images, familiarisation, made.facts);
+    writeStudy(request, allocation, images, familiarisation, prompts, made.facts);
     return made;
 }
 

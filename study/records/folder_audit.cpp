@@ -5,11 +5,15 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <string_view>
 
 #include "database/preregistrations.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/sha256.h"
+#include "protocols/files/whole_file.h"
 
 namespace study::records {
 
@@ -19,7 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* knownFiles[] = {"study.db",      "study.db-wal",        "study.db-shm",          ".lock",
                                       "protocol.json", "allocation-key.json", "allocation-key.sealed", "station-key.json"};
-constexpr const char* knownFolders[] = {"stimuli", "erasures"};
+constexpr const char* knownFolders[] = {"stimuli", "erasures", "prompts"};
 
 /// True for PREFIX, a number and ENDING.
 bool isNumbered(std::string_view name, std::string_view prefix, std::string_view ending)
@@ -111,6 +115,28 @@ bool isOneOf(const char* const (&names)[count], const std::string& name)
     return std::ranges::find(names, name) != std::end(names);
 }
 
+/// The hashes of the recordings by key, as the making of the study kept them.
+std::map<std::string, std::string> promptHashes(const database::StudyStore& store)
+{
+    const auto made = nlohmann::json::parse(store.facts().madeWith, nullptr, false);
+    std::map<std::string, std::string> hashes;
+    if (!made.is_object() || !made.contains("prompts_sha256") || !made.at("prompts_sha256").is_object()) return hashes;
+    for (const auto& [key, hash] : made.at("prompts_sha256").items())
+        if (hash.is_string()) hashes[key] = hash.get<std::string>();
+    return hashes;
+}
+
+/// A session plays these files, so that an altered one would reach the participant.
+void checkPrompts(const database::StudyStore& store, const std::map<std::string, std::string>& hashes, FolderFindings& findings)
+{
+    for (const auto& [key, hash] : hashes) {
+        const auto bytes = protocols::readIfPossible(store.folder().prompt(key));
+        if (!bytes || protocols::sha256(*bytes) != hash)
+            findings.faults.push_back("prompts/" + key + ".wav: " + (bytes ? "was altered" : "is missing") +
+                                      ": put the recording of the first protocol back");
+    }
+}
+
 }  // namespace
 
 FolderFindings findingsInFolder(const database::StudyStore& store)
@@ -138,6 +164,13 @@ FolderFindings findingsInFolder(const database::StudyStore& store)
     if (fs::is_directory(folder.stimuli()))
         search.look(
             folder.stimuli(), [&](const std::string& name) { return stimuli.contains(name); }, none);
+    const auto prompts = promptHashes(store);
+    if (fs::is_directory(folder.prompts()))
+        search.look(
+            folder.prompts(),
+            [&](const std::string& name) { return name.ends_with(".wav") && prompts.contains(name.substr(0, name.size() - 4)); },
+            none);
+    if (findings.isReadable) checkPrompts(store, prompts, findings);
     if (const fs::path erasures = folder.folder / "erasures"; fs::is_directory(erasures))
         search.look(
             erasures, [](const std::string& name) { return isNumbered(name, "erasure-", ".txt"); }, none);

@@ -5,6 +5,8 @@
 
 #include "protocols/files/errors.h"
 #include "study/participant/page_room.h"
+#include "study/participant/sound/sound_lines.h"
+#include "study/participant/sound/wav_sound.h"
 
 namespace fuzz {
 
@@ -93,7 +95,17 @@ std::vector<Reader> pageReaders()
               lineOf(ParticipantAct{7, PlaceTapped{{32}}}), lineOf(Listening{8577}),
               lineOf(DeviceEntered{"::1", std::string(64, 'a')}), lineOf(WrongCodeEntered{"::1", 3, true}),
               lineOf(DeviceRefused{"::1"})},
-             readFromPage}};
+             readFromPage},
+            {"sound-input",
+             {lineOf(LineToSound(NoiseLevel{0.08})), lineOf(LineToSound(PlayFiles{{"/a.wav", "/b.wav"}}))},
+             [](const std::string& bytes) {
+                 const LineToSound line = lineToSound(bytes);
+                 if (lineToSound(lineOf(line)) != line) throw std::runtime_error("a line changed");
+             }},
+            {"wav", {wavOf({0, 0.5F, -0.5F, 1}), wavOf(std::vector<float>(50, 0.25F))}, [](const std::string& bytes) {
+                 for (const float sample : soundFromWav(bytes, "a.wav"))
+                     if (!(sample >= -1 && sample <= 1)) throw std::runtime_error("a sample lies beyond full scale");
+             }}};
 }
 
 }  // namespace fuzz

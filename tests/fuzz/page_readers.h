@@ -1,4 +1,4 @@
-// Readers of the participant's page for the fuzzing program: requests of browsers, and the lines between app and page.
+// Readers of the participant's page and sound for the fuzzing program: requests of browsers, lines between programs, recordings.
 #pragma once
 
 #include "tests/fuzz/readers.h"

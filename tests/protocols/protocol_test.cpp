@@ -76,6 +76,9 @@ private Q_SLOTS:
         QVERIFY(protocol.secondEntry);
         QCOMPARE(protocol.deadTimeSeconds, 1.5);
         QVERIFY(protocol.confirmPieces);
+        QVERIFY(isPromptKey(protocol, "question_S1") && isPromptKey(protocol, "number_10") && isPromptKey(protocol, "answer_C"));
+        for (const char* key : {"question_Q1", "number_05", "number_1000", "number_", "answer_AB", "answer_c", "_", "wait_"})
+            QVERIFY2(!isPromptKey(protocol, key), key);
         QCOMPARE(protocol.language, std::string("ja"));
         QCOMPARE(participantText(protocol, "break_title"), std::string("休憩"));
         QCOMPARE(participantText(protocol, "agree"), std::string("I agree"));
@@ -184,6 +187,10 @@ private Q_SLOTS:
             "participant_texts: 'hello' is no text of the participant's page");
         row("text without its value", "\"name\"", "\"participant_texts\": {\"scale_tap\": \"Tap.\"}, \"name\"",
             "participant_texts.scale_tap: has no braces, expected {number}");
+        row("unknown prompt", "\"name\"", "\"prompts\": {\"hello\": \"a.wav\"}, \"name\"", "prompts: 'hello' is no prompt");
+        row("prompt of an unknown question", "\"name\"", "\"prompts\": {\"question_Q7\": \"a.wav\"}, \"name\"",
+            "prompts: 'question_Q7' is no prompt");
+        row("recording elsewhere", "\"name\"", "\"prompts\": {\"wait\": \"../a.wav\"}, \"name\"", "prompts.wait: \"../a.wav\"");
         row("no language", "\"name\"", "\"language\": \"Deutsch!\", \"name\"", "language: \"Deutsch!\", expected a language tag");
         row("words without question", "\"name\"", "\"question_texts\": {\"Q7\": \"Is it warm?\"}, \"name\"",
             "'Q7' is asked in no phase");

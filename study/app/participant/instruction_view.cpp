@@ -115,7 +115,8 @@ void InstructionView::grow()
     // Long texts get smaller letters, so that nothing lies outside the screen.
     constexpr int charactersOfAFullScreen = 420;
     const auto length = m_lines->text().size() + m_statement->text().size();
-    const double room = std::min(1.0, double(charactersOfAFullScreen) / std::max<double>(1, double(length)));
+    double room = std::min(1.0, double(charactersOfAFullScreen) / std::max<double>(1, double(length)));
+    if (m_scale->isVisibleTo(this)) room = std::min(room, 0.7);  // the line and its texts stand below each other
     const double base = std::max(11.0, std::min(width() / 32.0, height() / 18.0) * std::max(0.45, room));
     setStyleSheet(QStringLiteral("QLabel { font-size: %1px; } #participantTitle { font-size: %2px; font-weight: bold; }"
                                  " #participantQuestion, #participantClock { font-size: %3px; font-weight: bold; }"

@@ -30,13 +30,13 @@ QString pageAddress(const QString& address, int port)
 
 }  // namespace
 
-ParticipantSide::ParticipantSide(QObject* parent) : QObject(parent), m_process(new PageProcess(this)), m_again(new QTimer(this))
+ParticipantSide::ParticipantSide(QObject* parent) : QObject(parent), m_process(new LineProcess(this)), m_again(new QTimer(this))
 {
     m_sinceShown.start();
     m_again->setSingleShot(true);
     connect(m_again, &QTimer::timeout, this, &ParticipantSide::launch);
-    connect(m_process, &PageProcess::lineRead, this, &ParticipantSide::hear);
-    connect(m_process, &PageProcess::ended, this, &ParticipantSide::recover);
+    connect(m_process, &LineProcess::lineRead, this, &ParticipantSide::hear);
+    connect(m_process, &LineProcess::ended, this, &ParticipantSide::recover);
     setWords({});
 }
 
@@ -44,7 +44,7 @@ void ParticipantSide::setWords(const protocols::Protocol& protocol)
 {
     m_texts = {protocol.language, {}};
     for (const auto& [key, text] : protocols::usualParticipantTexts()) m_texts.texts[key] = participantText(protocol, key);
-    m_process->send(m_texts);
+    tell(m_texts);
 }
 
 void ParticipantSide::show(const Instruction& instruction)
@@ -52,7 +52,7 @@ void ParticipantSide::show(const Instruction& instruction)
     if (isSameApartFromTheClock(instruction, m_shown.instruction) && m_shown.number > 0) return;
     m_shown = {m_shown.number + 1, instruction};
     m_sinceShown.start();
-    m_process->send(m_shown);
+    tell(m_shown);
     Q_EMIT instructionChanged();
 }
 
@@ -87,9 +87,10 @@ void ParticipantSide::drawCode()
     if (!m_state.isOn) return;
     m_sessionHash.clear();
     m_state.device.clear();
+    m_state.refused.clear();
     m_state.wrongCodes = 0;
     m_state.code = drawnCode();
-    m_process->send(NewCode{m_state.code.toStdString()});
+    tell(NewCode{m_state.code.toStdString()});
     Q_EMIT stateChanged();
 }
 
@@ -97,23 +98,38 @@ void ParticipantSide::launch()
 {
     m_sinceLaunch.start();
     try {
-        m_process->start(m_listenAddress, m_port == 0 ? usualPort : m_port);
+        const QString port = QString::number(m_port == 0 ? usualPort : m_port);
+        // Nothing of this program's surroundings concerns a page that strangers can reach.
+        m_process->start(QStringLiteral("vis2hap-page"),
+                         {QStringLiteral("--address"), m_listenAddress, QStringLiteral("--port"), port},
+                         ProgramSurroundings::None);
         m_state.fault.clear();
     } catch (const protocols::Error& fault) {
         m_state.fault = QString::fromUtf8(fault.what());
         Q_EMIT stateChanged();
         return;
     }
-    m_process->send(m_texts);
-    if (!m_state.code.isEmpty()) m_process->send(NewCode{m_state.code.toStdString()});
-    if (!m_sessionHash.empty()) m_process->send(KnownDevice{m_sessionHash});
+    tell(m_texts);
+    if (!m_state.code.isEmpty()) tell(NewCode{m_state.code.toStdString()});
+    if (!m_sessionHash.empty()) tell(KnownDevice{m_sessionHash});
     NumberedInstruction present = m_shown;
     if (present.instruction.breakSeconds) present.instruction.breakSeconds = breakSeconds();
-    m_process->send(present);
+    tell(present);
     Q_EMIT stateChanged();
 }
 
-void ParticipantSide::hear(const LineFromPage& line)
+void ParticipantSide::tell(const LineToPage& line) { m_process->send(lineOf(line)); }
+
+void ParticipantSide::hear(const std::string& text)
+{
+    try {
+        take(lineFromPage(text));
+    } catch (const protocols::Error& fault) {
+        m_process->fail(QString::fromUtf8(fault.what()));
+    }
+}
+
+void ParticipantSide::take(const LineFromPage& line)
 {
     if (const auto* act = std::get_if<ParticipantAct>(&line)) {
         // A second tap on the same button arrives when the page shows the next instruction.
@@ -130,6 +146,8 @@ void ParticipantSide::hear(const LineFromPage& line)
     } else if (const auto* wrong = std::get_if<WrongCodeEntered>(&line)) {
         m_state.wrongCodes = wrong->tries;
         if (wrong->isVoid) m_state.code.clear();
+    } else if (const auto* refused = std::get_if<DeviceRefused>(&line)) {
+        m_state.refused = QString::fromStdString(refused->from);
     }
     Q_EMIT stateChanged();
 }

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "protocols/protocol.h"
-#include "study/app/participant/page_process.h"
+#include "study/app/participant/line_process.h"
 
 namespace study::app {
 
@@ -20,6 +20,7 @@ struct PageState {
     QString address;    ///< "http://192.168.1.5:8577"; empty until the page listens
     QString code;       ///< for the first browser; empty if a browser is in, or the code is void
     QString device;     ///< address of the browser that is in
+    QString refused;    ///< address of the last other browser that tried to enter while one is in
     int wrongCodes = 0;
     QString fault;  ///< why the page does not run, with the next step
     bool operator==(const PageState&) const = default;
@@ -54,14 +55,16 @@ Q_SIGNALS:
 
 private:
     void launch();
-    void hear(const participant::LineFromPage& line);
+    void tell(const participant::LineToPage& line);
+    void hear(const std::string& text);
+    void take(const participant::LineFromPage& line);
     void recover(const QString& why);
 
     participant::NumberedInstruction m_shown;
     QElapsedTimer m_sinceShown;
     participant::PageTexts m_texts;
     PageState m_state;
-    PageProcess* m_process;
+    LineProcess* m_process;
     QTimer* m_again;
     QString m_listenAddress;
     int m_port = 0;  ///< 0 until the page has listened once

@@ -175,6 +175,7 @@ constexpr NamedFile allFileWords[] = {
      "encrypted with the owner's passphrase (Argon2id, XChaCha20-Poly1305)"},
     {"allocation-key.json", "", "who is shown which fabric and condition", "open: not encrypted"},
     {"stimuli", "", "friction images; nothing about people", "encrypted with the station key (XChaCha20-Poly1305)"},
+    {"prompts", "", "recordings for the headphones; nothing about the participants", "not encrypted"},
     {"erasures", "", "certificates of erasure, with the codes of the participants", "not encrypted"},
     {"preregistration", "", "the registered plan; nothing about people", "not encrypted"},
     {"rescue-", ".db", "rescued answers: a copy of the database", asDatabase},

@@ -7,6 +7,7 @@
 #include <csignal>
 
 #include "study/app/participant/participant_side.h"
+#include "study/app/participant/participant_sound.h"
 #include "study/app/pieces/scale_line.h"
 #include "study/app/state/rating_text.h"
 #include "tests/support/browser.h"
@@ -72,6 +73,8 @@ private Q_SLOTS:
     void thePageNamesAddressCodeAndGuests();
     void theSecondScreenShowsTheSame();
     void f4LeadsThereAndBack();
+    void promptsAreDueAtTheirMoments();
+    void withoutSoundThePageSaysSo();
 };
 
 void AppParticipantTest::aParticipantAgreesAnswersAndLearnsTheScaleOnATablet()
@@ -243,19 +246,39 @@ void AppParticipantTest::theSecondScreenShowsTheSame()
     };
     QVERIFY(window());
     const auto text = [&](const char* name) { return window()->findChild<QLabel*>(name)->text(); };
+    const QString pictures = qEnvironmentVariable("VIS2HAP_SCREENSHOTS");
+    const auto look = [&](const char* page) {
+        window()->resize(1280, 800);
+        QTest::qWait(20);
+        const auto cut = [&] {
+            QStringList names;
+            for (const QLabel* label : window()->findChildren<QLabel*>())
+                if (label->isVisible() && label->height() < label->heightForWidth(label->width())) names << label->objectName();
+            return names.join(' ');
+        };
+        QTRY_VERIFY2_WITH_TIMEOUT(cut().isEmpty(), qPrintable(page + QString(": ") + cut()), 1000);
+        if (!pictures.isEmpty()) window()->grab().save(pictures + "/second-screen-" + page + ".png");
+    };
     open.window().startSession(ParticipantId("P01"));
+    look("welcome");
     open.perform(Begun{});
+    look("consent");
     QVERIFY(text("participantStatement").contains("They have agreed to take part."));
+    open.playTo("AskingFacts");
+    look("facts");
     open.playTo("ScaleTraining");
     const auto* line = window()->findChild<study::app::ScaleLine*>();
     QVERIFY(line->isVisible() && line->rating() == open.view().placeToName);
     QCOMPARE(text("participantQuestion"), QString("Which number belongs to the mark? Say it."));
     open.perform(ScalePlaced{*open.view().placeToName, *open.view().placeToName});
     QCOMPARE(text("participantCount"), QString("1 of 3 right in a row"));
+    look("scale");
     open.playTo("Presenting");
     QCOMPARE(text("participantTitle"), QString("Feel the display"));
     QVERIFY(!line->isVisible());
+    look("feel");
     open.playTo("OnBreak");
+    look("break");
     QVERIFY2(text("participantClock").startsWith("The break has lasted 0:0"), qPrintable(text("participantClock")));
     open.window().close();
     QVERIFY(!window());
@@ -276,6 +299,37 @@ void AppParticipantTest::f4LeadsThereAndBack()
     QCOMPARE(open.window().currentPage()->objectName(), QString("sessionPage"));
     QCOMPARE(nameOf(open.view().state), std::string("PlacingTray"));  // Esc paused nothing
     open.perform(open.nextEvent());
+}
+
+void AppParticipantTest::promptsAreDueAtTheirMoments()
+{
+    OpenWindow open(newStudy(tests::support::wholeStudy()));
+    std::vector<std::string> due;
+    connect(&open.window().participantSound(), &study::app::ParticipantSound::due, this,
+            [&](const std::vector<std::string>& keys) { due = keys; });
+    open.enrolAndBegin();
+    QVERIFY(due.empty());
+    open.perform(open.nextEvent());
+    QVERIFY(due == (std::vector<std::string>{"feel", "question_Q1"}));
+    open.perform(Touched{});
+    open.perform(Answered{open.view().trayIds[1]});
+    QVERIFY(due == (std::vector<std::string>{"answer_B", "question_W1"}));
+}
+
+void AppParticipantTest::withoutSoundThePageSaysSo()
+{
+    OpenWindow open(newStudy());
+    QVERIFY(QTest::qWaitForWindowActive(&open.window()));
+    open.gui().pressKey(Qt::Key_F4);
+    const auto text = [&] { return open.widget<QLabel>("soundState").text(); };
+    QVERIFY2(text().contains("names no recordings"), qPrintable(text()));
+    open.gui().click("startSoundButton");
+    // A computer with an output plays; one without says what is missing. Neither holds the session up.
+    QTRY_VERIFY2(text().startsWith("Playing on") || open.message("participantMessage").contains("no output for sound"),
+                 qPrintable(open.message("participantMessage")));
+    open.gui().pressKey(Qt::Key_Escape);
+    open.enrolAndBegin();
+    open.playToEnd();
 }
 
 QTEST_MAIN(AppParticipantTest)

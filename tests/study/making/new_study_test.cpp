@@ -9,6 +9,8 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
+#include "study/participant/sound/wav_sound.h"
+#include "study/records/folder_audit.h"
 #include "tests/support/observed_disk.h"
 
 using tests::support::DiskCall;
@@ -105,6 +107,38 @@ private Q_SLOTS:
             }
             QCOMPARE(filesIn(at("studies")), before);
         }
+    }
+
+    void recordingsAreCopiedIntoTheStudyAndChecked()
+    {
+        const std::string start = R"({"prompts":{"wait":"warten.wav","question_Q1":"welches.wav"},)";
+        fs::create_directories(at("spoken"));
+        protocols::writeWholeFile(at("spoken") / "protocol.json", start + std::string(protocolText).substr(1));
+        auto request = requested();
+        request.protocol = at("spoken") / "protocol.json";
+        QVERIFY_EXCEPTION_THROWN(makeStudy(request), protocols::Error);  // the recordings are missing
+        const std::string wait = study::participant::wavOf({0.5F, 0}), which = study::participant::wavOf({0.25F, 0, 0});
+        protocols::writeWholeFile(at("spoken") / "warten.wav", "no sound");
+        protocols::writeWholeFile(at("spoken") / "welches.wav", which);
+        QVERIFY_EXCEPTION_THROWN(makeStudy(request), protocols::Error);
+        QVERIFY(!fs::exists(request.study));
+        protocols::writeWholeFile(at("spoken") / "warten.wav", wait);
+        makeStudy(request);
+        const database::StudyFolder folder{request.study};
+        QCOMPARE(protocols::readWholeFile(folder.prompt("wait")), wait);
+        QCOMPARE(protocols::readWholeFile(folder.prompt("question_Q1")), which);
+        const auto faults = [&] {
+            return study::records::findingsInFolder(database::StudyStore(folder, database::StudyStore::Access::Read)).faults;
+        };
+        QVERIFY(faults().empty());
+        protocols::writeWholeFile(folder.prompt("wait"), which);
+        QCOMPARE(faults().size(), std::size_t(1));
+        QVERIFY2(faults().front().starts_with("prompts/wait.wav: was altered"), faults().front().c_str());
+        fs::remove(folder.prompt("wait"));
+        QVERIFY2(faults().front().starts_with("prompts/wait.wav: is missing"), faults().front().c_str());
+        protocols::writeWholeFile(folder.prompt("wait"), wait);
+        protocols::writeWholeFile(folder.prompts() / "more.wav", wait);
+        QVERIFY2(faults().front().starts_with("prompts/more.wav: does not belong"), faults().front().c_str());
     }
 
     void studyOfSimulatedParticipantsIsReplacedAsAWhole()

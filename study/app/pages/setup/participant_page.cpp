@@ -21,9 +21,10 @@ QString inThrees(const QString& code) { return code.left(3) + QLatin1Char(' ') +
 
 }  // namespace
 
-ParticipantPage::ParticipantPage(ParticipantSide& side, QWidget* parent)
+ParticipantPage::ParticipantPage(ParticipantSide& side, ParticipantSound& sound, QWidget* parent)
     : QWidget(parent),
       m_side(side),
+      m_sound(sound),
       m_screen(new QComboBox(this)),
       m_open(mainButton("openWindowButton", tr("Show on this screen (Enter)"), this)),
       m_screenState(label("participantScreenState", Type::Body, this, Weight::Bold)),
@@ -34,6 +35,10 @@ ParticipantPage::ParticipantPage(ParticipantSide& side, QWidget* parent)
       m_address(label("pageAddress", Type::Title, this, Weight::Bold)),
       m_code(label("pageCode", Type::Title, this, Weight::Bold)),
       m_state(label("pageState", Type::Body, this, Weight::Bold)),
+      m_noise(new QComboBox(this)),
+      m_startSound(button("startSoundButton", tr("Start the sound"), this)),
+      m_try(button("tryRecordingButton", tr("Play a recording"), this)),
+      m_soundState(label("soundState", Type::Body, this, Weight::Bold)),
       m_message(new MessageBar("participantMessage", this))
 {
     setObjectName("participantPage");
@@ -41,13 +46,24 @@ ParticipantPage::ParticipantPage(ParticipantSide& side, QWidget* parent)
     name(*m_screen->view(), "screens", tr("Screens"));
     name(*m_network, "networkChoice", tr("Network of the page"));
     name(*m_network->view(), "networks", tr("Networks"));
+    name(*m_noise, "noiseChoice", tr("Masking noise"));
+    name(*m_noise->view(), "noises", tr("Levels of the masking noise"));
+    m_noise->addItem(tr("No noise"), 0.0);
+    m_noise->addItem(tr("Quiet noise"), 0.03);
+    m_noise->addItem(tr("Medium noise"), 0.08);
+    m_noise->addItem(tr("Loud noise"), 0.2);
+    m_noise->setCurrentIndex(2);
     m_address->setTextInteractionFlags(Qt::TextSelectableByMouse);
     build();
     connect(m_open, &QPushButton::clicked, this, &ParticipantPage::toggleWindow);
     connect(m_start, &QPushButton::clicked, this, &ParticipantPage::togglePage);
     connect(m_newCode, &QPushButton::clicked, &m_side, &ParticipantSide::drawCode);
     connect(m_back, &QPushButton::clicked, this, &ParticipantPage::backRequested);
+    connect(m_startSound, &QPushButton::clicked, this, &ParticipantPage::toggleSound);
+    connect(m_try, &QPushButton::clicked, this, [this] { m_sound.say({m_sound.someKey()}); });
+    connect(m_noise, &QComboBox::currentIndexChanged, this, [this] { m_sound.setNoise(noise()); });
     connect(&m_side, &ParticipantSide::stateChanged, this, &ParticipantPage::showState);
+    connect(&m_sound, &ParticipantSound::stateChanged, this, &ParticipantPage::showState);
     showState();
 }
 
@@ -55,7 +71,7 @@ ParticipantPage::~ParticipantPage() = default;
 
 void ParticipantPage::build()
 {
-    for (QComboBox* choice : {m_screen, m_network}) setType(*choice, Type::Body);
+    for (QComboBox* choice : {m_screen, m_network, m_noise}) setType(*choice, Type::Body);
     auto* page = new QWidget(this);
     auto* head = new PageHead(page);
     head->setTexts(tr("Participant's screen"),
@@ -85,11 +101,17 @@ void ParticipantPage::build()
         caption("networkCaption", tr("The tablet's browser opens the address and enters the code. The connection is plain "
                                      "HTTP: everybody in the chosen network can read it. Choose a network of your own.")));
     column->addWidget(m_network);
-    column->addLayout(actionsRow({m_start, m_newCode, m_back}));
-    column->addWidget(m_message);
+    column->addLayout(actionsRow({m_start, m_newCode}));
     column->addWidget(m_address);
     column->addWidget(m_code);
     column->addWidget(m_state);
+    column->addSpacing(14);
+    column->addWidget(title("headphonesTitle", tr("Headphones")));
+    column->addWidget(m_noise);
+    column->addLayout(actionsRow({m_startSound, m_try}));
+    column->addWidget(m_soundState);
+    column->addWidget(m_message);
+    column->addLayout(actionsRow({m_back}));
     column->addStretch(1);
     column->addWidget(appearanceHint(page));
     auto* outer = new QVBoxLayout(this);
@@ -112,7 +134,7 @@ void ParticipantPage::listScreens()
     m_screen->clear();
     const auto screens = QGuiApplication::screens();
     for (qsizetype i = 0; i < screens.size(); ++i) {
-        const QString text = tr("Screen %1: %2, %3 × %4")
+        const QString text = tr("Screen %1 %2, %3 × %4")
                                  .arg(i + 1)
                                  .arg(screens[i]->name())
                                  .arg(screens[i]->size().width())
@@ -162,6 +184,16 @@ void ParticipantPage::togglePage()
         m_side.startPage(m_network->currentData().toString());
 }
 
+double ParticipantPage::noise() const { return m_noise->currentData().toDouble(); }
+
+void ParticipantPage::toggleSound()
+{
+    if (m_sound.state().isOn)
+        m_sound.stop();
+    else
+        m_sound.start(noise());
+}
+
 void ParticipantPage::showState()
 {
     const PageState& state = m_side.state();
@@ -175,17 +207,26 @@ void ParticipantPage::showState()
     showText(*m_code, state.code.isEmpty() || state.address.isEmpty() ? QString() : tr("Code: %1").arg(inThrees(state.code)));
     QString text;
     if (!state.device.isEmpty())
-        text = tr("A browser at %1 shows the page. To use another one, draw a new code.").arg(state.device);
+        text = tr("A browser at %1 shows the page. To use another one, draw a new code.").arg(state.device) +
+               (state.refused.isEmpty() ? QString() : tr(" Another browser at %1 was refused.").arg(state.refused));
     else if (state.isOn && state.code.isEmpty())
         text = tr("The code is void after %1 wrong tries. Draw a new code.").arg(state.wrongCodes);
     else if (state.isOn)
         text = state.wrongCodes == 0 ? tr("No browser has entered the code yet.")
                                      : tr("No browser has entered the code yet. Wrong codes: %1").arg(state.wrongCodes);
     showText(*m_state, text);
-    if (state.fault.isEmpty())
+    const SoundState& sound = m_sound.state();
+    setButtonText(*m_startSound, sound.isOn ? tr("Stop the sound") : tr("Start the sound"));
+    m_try->setEnabled(sound.isOn && sound.recordings > 0);
+    const QString recordings = sound.recordings == 0 ? tr("The study names no recordings, so the operator speaks.")
+                                                     : tr("Recordings of the study: %1.").arg(sound.recordings);
+    m_soundState->setText(sound.isOn && !sound.device.isEmpty() ? tr("Playing on %1. %2").arg(sound.device, recordings)
+                                                                : recordings);
+    const QString fault = state.fault.isEmpty() ? sound.fault : state.fault;
+    if (fault.isEmpty())
         m_message->clearMessage();
     else
-        m_message->showFault(state.fault);
+        m_message->showFault(fault);
 }
 
 void ParticipantPage::keyPressEvent(QKeyEvent* event)

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "study/app/participant/participant_side.h"
+#include "study/app/participant/participant_sound.h"
 #include "study/app/participant/participant_window.h"
 
 class QComboBox;
@@ -19,8 +20,8 @@ class MessageBar;
 class ParticipantPage : public QWidget {
     Q_OBJECT
 public:
-    /// `side` must outlive the page.
-    ParticipantPage(ParticipantSide& side, QWidget* parent);
+    /// `side` and `sound` must outlive the page.
+    ParticipantPage(ParticipantSide& side, ParticipantSound& sound, QWidget* parent);
     ~ParticipantPage() override;
 
     /// Lists the screens and networks of this moment.
@@ -41,9 +42,12 @@ private:
     void listNetworks();
     void toggleWindow();
     void togglePage();
+    void toggleSound();
+    double noise() const;
     void showState();
 
     ParticipantSide& m_side;
+    ParticipantSound& m_sound;
     std::unique_ptr<ParticipantWindow> m_window;
     QComboBox* m_screen;
     QPushButton* m_open;
@@ -55,6 +59,10 @@ private:
     QLabel* m_address;
     QLabel* m_code;
     QLabel* m_state;
+    QComboBox* m_noise;
+    QPushButton* m_startSound;
+    QPushButton* m_try;
+    QLabel* m_soundState;
     MessageBar* m_message;
 };
 

@@ -1,4 +1,4 @@
-#include "study/app/participant/page_process.h"
+#include "study/app/participant/line_process.h"
 
 #include <sys/prctl.h>
 
@@ -11,34 +11,38 @@
 
 namespace study::app {
 
-QString pageProgram()
+namespace {
+
+QString programNamed(const QString& name)
 {
-    if (const QString chosen = qEnvironmentVariable("VIS2HAP_PAGE"); !chosen.isEmpty()) return chosen;
     const QString folder = QCoreApplication::applicationDirPath();
-    for (const QString& candidate : {folder + QStringLiteral("/vis2hap-page"), folder + QStringLiteral("/../vis2hap-page")})
+    for (const QString& candidate : {folder + QLatin1Char('/') + name, folder + QStringLiteral("/../") + name})
         if (QFileInfo(candidate).isExecutable()) return QFileInfo(candidate).canonicalFilePath();
-    throw protocols::environmentFault({.what = "the program vis2hap-page is missing",
+    throw protocols::environmentFault({.what = "the program " + name.toStdString() + " is missing",
                                        .where = folder.toStdString(),
-                                       .expected = "vis2hap-page beside vis2hap",
-                                       .nextStep = "install qt6-httpserver-dev and build again, or use the second screen"});
+                                       .expected = name.toStdString() + " beside vis2hap",
+                                       .nextStep = "build it again with ./run; the session works without it"});
 }
 
-PageProcess::PageProcess(QObject* parent) : QObject(parent) {}
+}  // namespace
 
-PageProcess::~PageProcess() { stop(); }
+LineProcess::LineProcess(QObject* parent) : QObject(parent) {}
 
-void PageProcess::start(const QString& address, int port)
+LineProcess::~LineProcess() { stop(); }
+
+void LineProcess::start(const QString& name, const QStringList& arguments, ProgramSurroundings surroundings)
 {
     stop();
-    const QString program = pageProgram();
+    const QString program = programNamed(name);
     m_process.reset(new QProcess);
     m_process->setWorkingDirectory(QStringLiteral("/"));
-    // Nothing of this program's surroundings concerns a page that strangers can reach.
-    QProcessEnvironment surroundings;
-    surroundings.insert(QStringLiteral("LC_ALL"), QStringLiteral("C.UTF-8"));
-    m_process->setProcessEnvironment(surroundings);
+    if (surroundings == ProgramSurroundings::None) {
+        QProcessEnvironment none;
+        none.insert(QStringLiteral("LC_ALL"), QStringLiteral("C.UTF-8"));
+        m_process->setProcessEnvironment(none);
+    }
     m_process->setChildProcessModifier([] { ::prctl(PR_SET_PDEATHSIG, SIGKILL); });
-    connect(m_process.get(), &QProcess::readyReadStandardOutput, this, &PageProcess::read);
+    connect(m_process.get(), &QProcess::readyReadStandardOutput, this, &LineProcess::read);
     connect(m_process.get(), &QProcess::finished, this, [this] {
         const QString said = QString::fromUtf8(m_process->readAllStandardError()).trimmed().section(QLatin1Char('\n'), -1);
         end(said.isEmpty() ? tr("the program ended") : said.mid(said.indexOf(QLatin1String(": ")) + 2));
@@ -46,10 +50,10 @@ void PageProcess::start(const QString& address, int port)
     connect(m_process.get(), &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
         if (error == QProcess::FailedToStart) end(m_process->errorString());
     });
-    m_process->start(program, {QStringLiteral("--address"), address, QStringLiteral("--port"), QString::number(port)});
+    m_process->start(program, arguments);
 }
 
-void PageProcess::stop()
+void LineProcess::stop()
 {
     if (!m_process) return;
     m_process->disconnect(this);
@@ -63,26 +67,30 @@ void PageProcess::stop()
     m_lines = {};
 }
 
-void PageProcess::send(const participant::LineToPage& line)
+void LineProcess::fail(const QString& why)
 {
-    if (m_process) m_process->write(QByteArray::fromStdString(lineOf(line) + "\n"));
+    stop();
+    Q_EMIT ended(why);
 }
 
-void PageProcess::read()
+void LineProcess::send(const std::string& line)
+{
+    if (m_process) m_process->write(QByteArray::fromStdString(line + "\n"));
+}
+
+void LineProcess::read()
 {
     try {
         for (const std::string& line : m_lines.take(m_process->readAllStandardOutput().toStdString())) {
-            Q_EMIT lineRead(participant::lineFromPage(line));
+            Q_EMIT lineRead(line);
             if (!m_process) return;  // who heard the line has stopped the program
         }
     } catch (const protocols::Error& fault) {
-        const QString why = QString::fromUtf8(fault.what());
-        stop();
-        Q_EMIT ended(why);
+        fail(QString::fromUtf8(fault.what()));
     }
 }
 
-void PageProcess::end(const QString& why)
+void LineProcess::end(const QString& why)
 {
     if (!m_process) return;
     m_process->disconnect(this);

@@ -1,0 +1,64 @@
+#include "study/participant/session/prompts.h"
+
+#include <algorithm>
+
+namespace study::participant {
+
+namespace {
+
+using namespace session;
+using Keys = std::vector<std::string>;
+
+Keys numberKeys(protocols::Tenths rating)
+{
+    if (rating.value < 0) return {};  // there is no recording of a minus
+    Keys keys{"number_" + std::to_string(rating.value / 10)};
+    if (rating.value % 10 != 0) {
+        keys.emplace_back("point");
+        keys.push_back("number_" + std::to_string(rating.value % 10));
+    }
+    return keys;
+}
+
+bool isPresenting(const View& view) { return std::holds_alternative<Presenting>(view.state.stage) && !view.state.paused; }
+
+bool isAtTray(const View& view) { return std::holds_alternative<PlacingTray>(view.state.stage) && !view.state.paused; }
+
+}  // namespace
+
+Keys readBackOf(const GivenAnswer& answer, const std::vector<protocols::FabricId>& tray)
+{
+    return std::visit(
+        protocols::Overloaded{[&](const protocols::FabricId& fabric) {
+                                  const auto slot = std::find(tray.begin(), tray.end(), fabric) - tray.begin();
+                                  const bool hasLetter = slot < static_cast<std::ptrdiff_t>(tray.size()) && slot < 26;
+                                  return hasLetter ? Keys{std::string("answer_") + static_cast<char>('A' + slot)} : Keys();
+                              },
+                              [](const protocols::Tenths& rating) { return numberKeys(rating); },
+                              [](const Sameness& sameness) { return Keys{sameness.same ? "same" : "different"}; },
+                              [](const Words&) { return Keys(); }},
+        answer);
+}
+
+Keys promptsBetween(const View& before, const View& now)
+{
+    Keys keys;
+    if (now.state.answersStored == before.state.answersStored + 1 && !now.state.answers.empty())
+        keys = readBackOf(now.state.answers.back().response, before.trayIds);
+    const auto* asked = std::get_if<Presenting>(&now.state.stage);
+    const auto* askedBefore = std::get_if<Presenting>(&before.state.stage);
+    if (isPresenting(now)) {
+        if (!isPresenting(before)) keys.emplace_back("feel");
+        const bool isNew =
+            !isPresenting(before) || asked->index != askedBefore->index || asked->question != askedBefore->question;
+        if (isNew && now.question) keys.push_back("question_" + now.question->id.value);
+    } else if (isAtTray(now) && (isPresenting(before) || std::holds_alternative<OnBreak>(before.state.stage))) {
+        keys.emplace_back("wait");
+    } else if (now.state.stage.index() != before.state.stage.index()) {
+        if (std::holds_alternative<OnBreak>(now.state.stage)) keys.emplace_back("break");
+        if (std::holds_alternative<Debriefing>(now.state.stage)) keys.emplace_back("end");
+    }
+    return keys;
+}
+
+}  // namespace study::participant

@@ -1,0 +1,20 @@
+// Which recordings the participant hears when a session moves on: the read-back of the stored answer, and what comes now. Only
+// what the participant has said, or may know, is read: no code, no fabric's name, no condition.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/session/view.h"
+
+namespace study::participant {
+
+/// Keys of recordings in their order, as protocols::isPromptKey() knows them; empty where nothing is said, also while no
+/// blindfold is worn. `now` follows `before` by one event.
+std::vector<std::string> promptsBetween(const session::View& before, const session::View& now);
+
+/// The read-back of an answer: "answer_B"; "number_5", "point", "number_4"; "same". `tray`: the fabrics in slot order. Empty for
+/// words.
+std::vector<std::string> readBackOf(const session::GivenAnswer& answer, const std::vector<protocols::FabricId>& tray);
+
+}  // namespace study::participant

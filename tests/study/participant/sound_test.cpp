@@ -1,0 +1,255 @@
+// What the participant hears: recordings as they were, noise that is lowered while they play, and prompts that say only what the
+// participant has said or may know.
+#include <QFileInfo>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <cmath>
+#include <set>
+
+#include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
+#include "study/participant/session/prompts.h"
+#include "study/participant/sound/sound_lines.h"
+#include "study/participant/sound/sound_mix.h"
+#include "study/participant/sound/wav_sound.h"
+#include "tests/support/played_session.h"
+#include "tests/support/study_builder.h"
+#include "tests/support/whole_protocol.h"
+
+using namespace study::participant;
+using namespace study::session;
+using Keys = std::vector<std::string>;
+using tests::support::OpenSession;
+
+namespace {
+
+std::vector<float> tone(double seconds, double level)
+{
+    std::vector<float> samples(static_cast<std::size_t>(seconds * mixRateHz));
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        samples[i] = static_cast<float>(level * std::sin(2 * M_PI * 440 * static_cast<double>(i) / mixRateHz));
+    return samples;
+}
+
+double rmsOf(std::span<const float> samples)
+{
+    double sum = 0;
+    for (const float sample : samples) sum += double(sample) * sample;
+    return std::sqrt(sum / double(samples.size()));
+}
+
+std::vector<float> heardFor(SoundMix& mix, double seconds)
+{
+    std::vector<float> samples(static_cast<std::size_t>(seconds * mixRateHz));
+    mix.fill(samples);
+    return samples;
+}
+
+void put(std::string& bytes, std::size_t at, unsigned value, int size)
+{
+    for (int i = 0; i < size; ++i) bytes[at + static_cast<std::size_t>(i)] = static_cast<char>(value >> (8 * i));
+}
+
+}  // namespace
+
+class SoundTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+
+private Q_SLOTS:
+    void aRecordingIsReadAsItWasWritten()
+    {
+        const auto samples = tone(0.1, 0.5);
+        const auto read = soundFromWav(wavOf(samples), "a.wav");
+        QCOMPARE(read.size(), samples.size());
+        for (std::size_t i = 0; i < read.size(); ++i) QVERIFY(std::abs(read[i] - samples[i]) < 1e-4);
+    }
+
+    void otherRatesAndChannelsBecomeMonoAtTheMixRate()
+    {
+        std::string bytes = wavOf(tone(0.2, 0.5));
+        put(bytes, 24, 24000, 4);  // the same samples, half as fast
+        QCOMPARE(soundFromWav(bytes, "slow.wav").size(), std::size_t(2 * 0.2 * mixRateHz));
+        bytes = wavOf(tone(0.2, 0.5));
+        put(bytes, 22, 2, 2);  // pairs of samples are left and right
+        QCOMPARE(soundFromWav(bytes, "stereo.wav").size(), std::size_t(0.1 * mixRateHz));
+        // Another chunk before the samples, of odd length with its filling byte.
+        bytes = wavOf(tone(0.1, 0.5));
+        bytes.insert(36, std::string("LIST\x03\0\0\0abc\0", 12));
+        QCOMPARE(soundFromWav(bytes, "list.wav").size(), std::size_t(0.1 * mixRateHz));
+    }
+
+    void whatCannotBePlayedIsNamed_data()
+    {
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::addColumn<QString>("named");
+        const std::string sound = wavOf(tone(0.01, 0.5));
+        const auto row = [](const char* name, const std::string& bytes, const char* named) {
+            QTest::newRow(name) << QByteArray::fromStdString(bytes) << QString(named);
+        };
+        const auto with = [&](std::size_t at, unsigned value) {
+            std::string bytes = sound;
+            put(bytes, at, value, 2);
+            return bytes;
+        };
+        row("nothing", "", "no WAV file");
+        row("a text", "Hello", "no WAV file");
+        row("a cut file", sound.substr(0, 200), "is cut");
+        row("a format without samples", sound.substr(0, 36), "has no samples");
+        row("an empty recording", wavOf({}), "has no samples");
+        row("floating point", with(20, 3), "other samples");
+        row("eight bits", with(34, 8), "other samples");
+        row("six channels", with(22, 6), "other channels");
+        row("no rate", with(24, 0), "rate");
+        row("samples without a format", "RIFF....WAVEdata\x02" + std::string(3, '\0') + "ab", "names no format");
+        row("a cut format", "RIFF....WAVEfmt \x04" + std::string(7, '\0'), "format of the recording is cut");
+    }
+    void whatCannotBePlayedIsNamed()
+    {
+        QFETCH(QByteArray, bytes);
+        QFETCH(QString, named);
+        try {
+            soundFromWav(bytes.toStdString(), "x.wav");
+            QFAIL("it was read");
+        } catch (const protocols::Error& fault) {
+            QVERIFY2(QString(fault.what()).contains(named) && QString(fault.what()).contains("x.wav"), fault.what());
+        }
+    }
+
+    void theNoiseHasItsLevelAndIsLoweredUnderARecording()
+    {
+        SoundMix mix;
+        QCOMPARE(rmsOf(heardFor(mix, 0.5)), 0.0);
+        mix.setNoise(0.1F);
+        heardFor(mix, 1);
+        const double before = rmsOf(heardFor(mix, 4));
+        QVERIFY2(before > 0.08 && before < 0.12, qPrintable(QString::number(before)));
+        mix.play(std::vector<float>(mixRateHz * 4, 0.0F));  // a silent recording: only the noise is heard
+        heardFor(mix, 0.5);
+        const double under = rmsOf(heardFor(mix, 3));
+        QVERIFY2(under > before * 0.2 && under < before * 0.3, qPrintable(QString::number(under / before)));
+        heardFor(mix, 1);
+        QVERIFY(!mix.isPlaying());
+        const double after = rmsOf(heardFor(mix, 4));
+        QVERIFY(after > before * 0.9 && after < before * 1.1);
+    }
+
+    void recordingsPlayOneAfterAnotherAndNothingIsLost()
+    {
+        SoundMix mix;
+        const auto first = tone(0.05, 0.4), second = tone(0.03, 0.2);
+        mix.play(first);
+        mix.play({});
+        mix.play(second);
+        const auto heard = heardFor(mix, 0.1);
+        auto expected = first;
+        expected.insert(expected.end(), second.begin(), second.end());
+        QVERIFY(std::equal(expected.begin(), expected.end(), heard.begin()));
+        mix.play(first);
+        heardFor(mix, 0.01);
+        mix.silence();
+        QCOMPARE(rmsOf(heardFor(mix, 0.05)), 0.0);
+        mix.play(second);
+        QCOMPARE(heardFor(mix, 0.001)[1], second[1]);  // from its beginning
+    }
+
+    void linesAreReadStrictly()
+    {
+        for (const LineToSound& line : {LineToSound(NoiseLevel{0.08}), LineToSound(PlayFiles{{"/a b.wav", "/ü.wav"}})})
+            QVERIFY(lineToSound(lineOf(line)) == line);
+        for (const char* line : {"", "{}", R"({"noise":0.5})", R"({"noise":-1})", R"({"noise":"loud"})", R"({"play":"a"})",
+                                 R"({"play":[1]})", R"({"play":[],"noise":0})"})
+            QVERIFY_EXCEPTION_THROWN(lineToSound(line), protocols::Error);
+    }
+
+    void theProgramWritesWhatIsHeard()
+    {
+        const std::string folder = m_folder.path().toStdString();
+        protocols::writeWholeFile(folder + "/tone.wav", wavOf(tone(0.5, 0.5)));
+        QProcess program;
+        program.start(QFileInfo(VIS2HAP_PROGRAM).path() + "/vis2hap-sound", {"--to", m_folder.filePath("heard.wav")});
+        QVERIFY(program.waitForStarted(5000));
+        for (const LineToSound& line :
+             {LineToSound(NoiseLevel{0.1}), LineToSound(PlayFiles{{folder + "/tone.wav", folder + "/none.wav"}})})
+            program.write(QByteArray::fromStdString(lineOf(line) + "\n"));
+        program.closeWriteChannel();
+        QVERIFY(program.waitForFinished(10000));
+        QVERIFY2(program.exitCode() == 0, program.readAllStandardError().constData());
+        QVERIFY(program.readAllStandardOutput().contains("none.wav"));  // told, and left out
+        const auto heard = soundFromWav(protocols::readWholeFile(folder + "/heard.wav"), "heard.wav");
+        QVERIFY(heard.size() > 1.9 * mixRateHz && heard.size() < 2.1 * mixRateHz);
+        const std::span<const float> all(heard);
+        const double noise = rmsOf(all.subspan(mixRateHz / 2, mixRateHz / 2));
+        const double tones = rmsOf(all.subspan(mixRateHz + mixRateHz / 10, mixRateHz * 3 / 10));
+        QVERIFY(noise > 0.06 && noise < 0.14);
+        QVERIFY2(tones > 0.34 && tones < 0.39, qPrintable(QString::number(tones)));  // 0.5 / sqrt(2), and a little noise
+    }
+
+    void theProgramRefusesWhatTheAppNeverSends()
+    {
+        QProcess program;
+        program.start(QFileInfo(VIS2HAP_PROGRAM).path() + "/vis2hap-sound", {"--to", m_folder.filePath("x.wav")});
+        program.write("{\"volume\":11}\n");
+        program.closeWriteChannel();
+        QVERIFY(program.waitForFinished(10000));
+        QCOMPARE(program.exitCode(), 2);
+        QVERIFY(!QFileInfo::exists(m_folder.filePath("x.wav")));
+    }
+
+    void answersAreReadBackAsTheyWereSaid()
+    {
+        const std::vector<protocols::FabricId> tray{protocols::FabricId("F02"), protocols::FabricId("F01")};
+        QVERIFY(readBackOf(protocols::FabricId("F01"), tray) == Keys{"answer_B"});
+        QVERIFY(readBackOf(protocols::FabricId("F09"), tray).empty());
+        QVERIFY(readBackOf(protocols::Tenths{54}, tray) == (Keys{"number_5", "point", "number_4"}));
+        QVERIFY(readBackOf(protocols::Tenths{100}, tray) == Keys{"number_10"});
+        QVERIFY(readBackOf(protocols::Tenths{-5}, tray).empty());
+        QVERIFY(readBackOf(Sameness{true}, tray) == Keys{"same"});
+        QVERIFY(readBackOf(Words{"soft"}, tray).empty());
+    }
+
+    void promptsFollowTheSessionWhileTheBlindfoldIsWorn()
+    {
+        const auto folder = tests::support::buildStudy(m_folder.filePath("study").toStdString(), tests::support::wholeStudy());
+        OpenSession session(folder, "P01");
+        std::vector<Keys> said;
+        View before = session.driver->view();
+        const auto listen = [&] {
+            const View now = session.driver->view();
+            if (const Keys keys = promptsBetween(before, now); !keys.empty()) said.push_back(keys);
+            before = now;
+        };
+        while (nameOf(session.driver->state()) != "PlacingTray") {
+            session.step();
+            listen();
+        }
+        QVERIFY(said.empty());  // the operator speaks during the preparation
+        session.step();
+        listen();
+        QVERIFY(said.back() == (Keys{"feel", "question_Q1"}));
+        session.send(Answered{session.driver->view().trayIds[2]});
+        listen();
+        QVERIFY(said.back() == (Keys{"answer_C", "question_W1"}));
+        session.send(Answered{Words{"dry"}});
+        listen();
+        QVERIFY(said.back() == Keys{"wait"});
+        const std::size_t soFar = said.size();
+        session.send(Paused{});
+        listen();
+        session.send(Resumed{});
+        listen();
+        QCOMPARE(said.size(), soFar);  // the operator speaks in a pause
+        while (session.step()) listen();
+        QVERIFY(said.back() == Keys{"end"} || said.back().back() == "end");
+        const auto& plan = session.driver->plan();
+        for (const Keys& keys : said)
+            for (const std::string& key : keys) QVERIFY2(protocols::isPromptKey(plan.protocol, key), key.c_str());
+        const auto isBreak = [](const Keys& keys) { return keys.back() == "break"; };
+        QVERIFY(std::any_of(said.begin(), said.end(), isBreak));
+    }
+};
+
+QTEST_GUILESS_MAIN(SoundTest)
+#include "sound_test.moc"

@@ -142,8 +142,9 @@ QPushButton[role="plain"] { background: transparent; border: 2px solid transpare
 QPushButton[role="plain"]:hover { color: %3; border-color: %5; }
 QPushButton[role="plain"]:focus { border-color: %6; color: %3; }
 QPushButton[role="plain"]:disabled { background: transparent; border-color: transparent; color: %12; }
-QLineEdit, QPlainTextEdit { background: %2; color: %3; border: 1px solid %4; border-radius: 8px; padding: 7px 10px; }
-QLineEdit:focus, QPlainTextEdit:focus { border: 2px solid %6; padding: 6px 9px; }
+QLineEdit, QPlainTextEdit, QComboBox { background: %2; color: %3; border: 1px solid %4; border-radius: 8px; padding: 7px 10px; }
+QLineEdit:focus, QPlainTextEdit:focus, QComboBox:focus { border: 2px solid %6; padding: 6px 9px; }
+QComboBox::drop-down { border: none; width: 34px; }
 QTreeView, QListView { background: %2; color: %3; border: 1px solid %5; border-radius: 8px; padding: 4px; }
 QTreeView:focus, QListView:focus { border: 2px solid %6; padding: 3px; }
 QTreeView::item, QListView::item { border: 0px; padding: 6px 8px; }

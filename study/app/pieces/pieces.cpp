@@ -39,7 +39,9 @@ Search insertBelow(QLayout& layout, const QWidget& control, QWidget& added)
         if (search == Search::Missing) continue;
         auto* column = qobject_cast<QVBoxLayout*>(&layout);
         if (search == Search::Done || !column) return search;
-        column->insertWidget(place + 1, &added);
+        // It leaves its old place first, so what stands below that place moves up by one.
+        const int own = column->indexOf(&added);
+        column->insertWidget(own >= 0 && own <= place ? place : place + 1, &added);
         return Search::Done;
     }
     return Search::Missing;

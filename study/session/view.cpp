@@ -47,9 +47,11 @@ std::size_t nextIndex(const State& state)
 /// Answers stored so far and those to come. A presentation that was voided before an answer adds none.
 int answersInAll(const Plan& plan, const State& state)
 {
+    std::vector<int> given(plan.trials.size(), 0);
+    for (const StoredAnswer& answer : state.answers) ++given[static_cast<std::size_t>(answer.index)];
     int answers = state.answersStored;
     for (std::size_t at = static_cast<std::size_t>(state.position); at < state.order.size(); ++at)
-        answers += questionsOf(plan, state.order[at].index) - answersTo(state, state.order[at].index);
+        answers += questionsOf(plan, state.order[at].index) - given[static_cast<std::size_t>(state.order[at].index)];
     return answers;
 }
 

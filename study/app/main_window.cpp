@@ -289,7 +289,7 @@ void MainWindow::connectRehearsal()
     m_studyPage->offerRehearsal(static_cast<bool>(m_options.makeRehearsal));
     connect(m_studyPage, &StudyPage::rehearsalRequested, this, [this] {
         m_isRehearsing = true;
-        m_rehearsalPage->begin(room());
+        m_rehearsalPage->begin(m_study->codesOnPieces());
         showRehearsal();
     });
     connect(m_rehearsalPage, &RehearsalPage::checksRequested, this, [this] { m_rehearsalPage->refresh(room()); });
@@ -328,7 +328,14 @@ void MainWindow::playRehearsal()
     m_rehearsal.reset();
     m_rehearsalFolder = m_options.makeRehearsal(m_study->store().folder().folder);
     m_rehearsal = std::make_unique<OpenStudy>(*m_rehearsalFolder);
-    begin(*m_rehearsal, protocols::ParticipantId(rehearsalParticipant), m_options.openDisplay(m_options.display));
+    try {
+        begin(*m_rehearsal, protocols::ParticipantId(rehearsalParticipant), m_options.openDisplay(m_options.display));
+    } catch (...) {
+        m_session.reset();
+        m_rehearsal.reset();  // a later session is of the study again
+        m_rehearsalFolder.reset();
+        throw;
+    }
 }
 
 void MainWindow::openMonitor()

@@ -96,10 +96,10 @@ private:
     AppOptions m_options;
     AppearanceKeys* m_appearanceKeys;
     std::unique_ptr<OpenStudy> m_study;
-    std::unique_ptr<SessionController> m_session;
     std::shared_ptr<const std::filesystem::path> m_rehearsalFolder;
-    std::unique_ptr<OpenStudy> m_rehearsal;  ///< while a rehearsal is played; after its folder, so that it closes first
-    bool m_isRehearsing = false;             ///< the page of the rehearsal is in use
+    std::unique_ptr<OpenStudy> m_rehearsal;        ///< while a rehearsal is played; closes before its folder vanishes
+    std::unique_ptr<SessionController> m_session;  ///< of either study; after both, so that it ends first
+    bool m_isRehearsing = false;                   ///< the page of the rehearsal is in use
     bool m_leavingWasRefused = false;
     bool m_rehearses = false;                           ///< the operator chose to run sessions without a display
     std::optional<protocols::ParticipantId> m_waiting;  ///< whose session waits for a display

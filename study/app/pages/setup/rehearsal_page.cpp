@@ -97,14 +97,13 @@ TickBox* RehearsalPage::addTick(QBoxLayout& column, const char* objectName, cons
     return box;
 }
 
-void RehearsalPage::begin(const Room& room)
+void RehearsalPage::begin(const QStringList& pieces)
 {
     for (TickBox* box : {m_felt, m_heard, m_sheets}) box->setChecked(false);
     m_state = {};
-    m_state.piecesLeft = room.pieces;
+    m_state.piecesLeft = pieces;
     m_piece->clear();
     m_message->clearMessage();
-    refresh(room);
 }
 
 void RehearsalPage::refresh(const Room& room)

@@ -26,8 +26,8 @@ public:
         QStringList pieces;   ///< codes on the fabric pieces
         QString diskFault, clockFault;
     };
-    /// Forgets what was tried before.
-    void begin(const Room& room);
+    /// Forgets what was tried before. refresh() follows. `pieces`: codes on the fabric pieces.
+    void begin(const QStringList& pieces);
     /// The display, the disk and the clocks now; what was tried stays.
     void refresh(const Room& room);
     /// The session was left. `isWhole`: it was played to its end.

@@ -5,6 +5,7 @@
 #include <opencv2/core.hpp>
 #include <utility>
 
+#include "rendering/fabrics/sample_places.h"
 #include "rendering/signals/friction_trace.h"
 #include "rendering/signals/grey.h"
 #include "rendering/signals/height_gradient.h"
@@ -68,9 +69,11 @@ std::optional<protocols::Fault> missingHeight(const fabrics::Dataset& dataset, c
 }
 
 /// Pitch of a signal's recording, as the data set states it.
-std::optional<double> statedPitch(const fabrics::Dataset& dataset, Signal signal)
+std::optional<double> statedPitch(const fabrics::Dataset& dataset, const protocols::FabricId& fabric, const SampleChoice& samples,
+                                  Signal signal)
 {
-    return recordingOf(signal) == Signal::Photograph ? dataset.cameraMmPerPixel : dataset.tactileMmPerPixel;
+    return recordingOf(signal) == Signal::Photograph ? fabrics::PhotographPitches(dataset).of(fabric, samples.visual)
+                                                     : dataset.tactileMmPerPixel;
 }
 
 protocols::Fault missingPitch(const fabrics::Dataset& dataset, const std::string& what)
@@ -114,7 +117,7 @@ std::optional<protocols::Fault> missingInput(const fabrics::Dataset& dataset, co
     if (needs(Signal::PhotometricHeight))
         if (auto fault = missingHeight(dataset, fabric, samples, condition)) return fault;
     const auto relief = reliefSignal(condition);
-    if (scale == DisplayScale::Physical && relief && !statedPitch(dataset, *relief))
+    if (scale == DisplayScale::Physical && relief && !statedPitch(dataset, fabric, samples, *relief))
         return missingPitch(dataset, "the physical scale of the images" + ofFabric(fabric, condition));
     if (needs(Signal::HeightGradient) && !dataset.tactileMmPerPixel) {
         auto fault = missingPitch(dataset, "the pitch of the tactile frames" + ofFabric(fabric, condition));
@@ -140,7 +143,7 @@ FabricSignals SignalComputation::measured(const protocols::FabricId& fabric, con
                                           const std::set<Signal>& needed, RenderedFabrics& counts)
 {
     FabricSignals result;
-    result.photographMmPerPixel = m_dataset.cameraMmPerPixel;
+    result.photographMmPerPixel = fabrics::PhotographPitches(m_dataset).of(fabric, samples.visual);
     result.tactileMmPerPixel = m_dataset.tactileMmPerPixel;
     const auto compute = [&](Signal signal, const auto& work) {
         if (needed.contains(signal)) computed(counts, signal, [&] { result.images[signal] = work(); });

@@ -42,6 +42,15 @@ void requireSample(const Dataset& dataset, const FabricId& fabric, Modality moda
          there.empty() ? "import that signal, or choose a condition that does not need it" : "choose another sample"});
 }
 
+std::optional<cv::Mat> readHeights(const fs::path& file)
+{
+    if (!fs::exists(file)) return std::nullopt;
+    cv::Mat height = readTiff(file);
+    if (height.type() != CV_32FC1)
+        throw protocols::badInput({"holds integers", file.string(), "32-bit float, mm", "export it as 32-bit float"});
+    return height;
+}
+
 cv::Mat readColour(const fs::path& file)
 {
     cv::Mat image = readPng(file);
@@ -110,6 +119,8 @@ std::string hashOf(const Dataset& dataset)
                 files.push_back(fs::relative(samplePath(dataset, fabric.id, modality, index), dataset.folder));
                 if (modality == Modality::Tactile)
                     addIfThere(fs::relative(knownHeightPath(dataset, fabric.id, index), dataset.folder));
+                if (modality == Modality::Visual)
+                    addIfThere(fs::relative(surfacePath(dataset, fabric.id, index), dataset.folder));
             }
     std::sort(files.begin(), files.end(),
               [](const fs::path& a, const fs::path& b) { return a.generic_string() < b.generic_string(); });
@@ -146,6 +157,11 @@ fs::path knownHeightPath(const Dataset& dataset, const FabricId& fabric, int ind
     return dataset.folder / fabric.value / "height" / sampleName(index, ".tiff");
 }
 
+fs::path surfacePath(const Dataset& dataset, const FabricId& fabric, int index)
+{
+    return dataset.folder / fabric.value / "surface" / sampleName(index, ".tiff");
+}
+
 cv::Mat readPhotograph(const Dataset& dataset, const FabricId& fabric, int index)
 {
     requireSample(dataset, fabric, Modality::Visual, index);
@@ -169,12 +185,12 @@ cv::Mat readTactileReference(const Dataset& dataset)
 
 std::optional<cv::Mat> readKnownHeight(const Dataset& dataset, const FabricId& fabric, int index)
 {
-    const fs::path file = knownHeightPath(dataset, fabric, index);
-    if (!fs::exists(file)) return std::nullopt;
-    cv::Mat height = readTiff(file);
-    if (height.type() != CV_32FC1)
-        throw protocols::badInput({"holds integers", file.string(), "32-bit float, mm", "export it as 32-bit float"});
-    return height;
+    return readHeights(knownHeightPath(dataset, fabric, index));
+}
+
+std::optional<cv::Mat> readSurface(const Dataset& dataset, const FabricId& fabric, int index)
+{
+    return readHeights(surfacePath(dataset, fabric, index));
 }
 
 }  // namespace rendering::fabrics

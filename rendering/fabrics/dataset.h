@@ -1,6 +1,8 @@
 // Reader of a data set: photographs, GelSight frames and friction records, sorted by fabric. dataset_check lists the
 // faults of a data set; procedural_fabrics and the importers write data sets.
 // Any of the three signals may be missing, and their numbers of samples may differ.
+// A photograph may have its surface beside it: the height of the cloth that it shows, pixel by pixel. A known height
+// belongs to a press instead, and is pressed cloth.
 #pragma once
 
 #include <filesystem>
@@ -24,6 +26,8 @@ struct FabricInfo {
     protocols::FabricId id;
     std::string name;
     std::string structure;  ///< "twill 2/2", "jersey"; empty where unknown
+    /// False: its surfaces have an unknown amplitude, from 0 to 1, so that they serve for correlation only.
+    bool surfaceInMm = true;
 };
 
 /// How the friction records of a data set were recorded.
@@ -43,6 +47,7 @@ struct Dataset {
     FrictionRecording friction;
     Pairing pairing = Pairing::Weak;
     bool procedural = false;
+    bool surfaceIsFree = false;  ///< the surfaces show cloth that lies free; a tactile sensor presses it flatter
     std::string licence;
 
     const FabricInfo& fabric(const protocols::FabricId& id) const;  ///< throws badInput that lists the existing ids
@@ -60,6 +65,8 @@ std::vector<int> sampleIndices(const Dataset& dataset, const protocols::FabricId
 std::filesystem::path samplePath(const Dataset& dataset, const protocols::FabricId& fabric, Modality modality, int index);
 /// Path of the known height at the place of a press; the file need not exist.
 std::filesystem::path knownHeightPath(const Dataset& dataset, const protocols::FabricId& fabric, int index);
+/// Path of the surface that a photograph shows, F01/surface/000.tiff; the file need not exist.
+std::filesystem::path surfacePath(const Dataset& dataset, const protocols::FabricId& fabric, int index);
 
 /// CV_8UC3, RGB. Throws badInput that names the fabric and the missing signal.
 cv::Mat readPhotograph(const Dataset& dataset, const protocols::FabricId& fabric, int index);
@@ -67,5 +74,8 @@ cv::Mat readTactileFrame(const Dataset& dataset, const protocols::FabricId& fabr
 cv::Mat readTactileReference(const Dataset& dataset);
 /// CV_32FC1, mm; nullopt where the data set has no known height. Throws badInput.
 std::optional<cv::Mat> readKnownHeight(const Dataset& dataset, const protocols::FabricId& fabric, int index);
+/// Height of the cloth that a photograph shows, of its size; positive towards the camera, from an arbitrary zero. CV_32FC1,
+/// mm, or without a unit where FabricInfo::surfaceInMm is false; nullopt where there is none. Throws badInput.
+std::optional<cv::Mat> readSurface(const Dataset& dataset, const protocols::FabricId& fabric, int index);
 
 }  // namespace rendering::fabrics

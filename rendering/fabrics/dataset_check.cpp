@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <opencv2/core.hpp>
 #include <set>
 #include <tuple>
 
@@ -90,16 +91,17 @@ private:
         const fs::path relative = fs::path(fabric.id.value) / name;
         const bool signal =
             std::any_of(std::begin(allModalities), std::end(allModalities), [&](Modality m) { return nameOf(m) == name; });
-        if (!entry.is_directory() || (!signal && name != "height")) {
-            fault(relative, "is none of visual, tactile, friction and height");
+        if (!entry.is_directory() || (!signal && name != "height" && name != "surface")) {
+            fault(relative, "is none of visual, tactile, friction, height and surface");
             return;
         }
         const auto expected = filesOf(fabric, name);
         for (const auto& file : fs::directory_iterator(entry.path()))
             if (!expected.contains(file.path().filename().string()))
-                fault(relative / file.path().filename(), name == "height"
-                                                             ? "is a height without a tactile frame, or its name is wrong"
-                                                             : "does not have the name of a sample (000.png, 000.csv)");
+                fault(relative / file.path().filename(),
+                      name == "height"    ? "is a height without a tactile frame, or its name is wrong"
+                      : name == "surface" ? "is a surface without a photograph, or its name is wrong"
+                                          : "does not have the name of a sample (000.png, 000.csv)");
     }
 
     std::set<std::string> filesOf(const FabricInfo& fabric, const std::string& folder) const
@@ -113,6 +115,8 @@ private:
                     names.insert(samplePath(m_dataset, fabric.id, modality, index).stem().string() + ".json");
                 if (modality == Modality::Tactile && folder == "height")
                     names.insert(knownHeightPath(m_dataset, fabric.id, index).filename().string());
+                if (modality == Modality::Visual && folder == "surface")
+                    names.insert(surfacePath(m_dataset, fabric.id, index).filename().string());
             }
         return names;
     }
@@ -134,9 +138,15 @@ private:
     {
         const fs::path file = samplePath(m_dataset, fabric.id, modality, index);
         switch (modality) {
-            case Modality::Visual:
-                readable([&] { m_sizes["visual"].emplace_back(file, readPhotograph(m_dataset, fabric.id, index).size()); });
+            case Modality::Visual: {
+                cv::Size size;
+                readable([&] {
+                    size = readPhotograph(m_dataset, fabric.id, index).size();
+                    m_sizes["visual"].emplace_back(file, size);
+                });
+                readable([&] { checkSurface(fabric, index, size); });
                 return;
+            }
             case Modality::Tactile: {
                 cv::Size size;
                 readable([&] {
@@ -166,6 +176,16 @@ private:
         }
         if (!finite) fault(file, "holds heights that are not finite");
         if (!positive) fault(file, "holds heights below 0");
+    }
+
+    void checkSurface(const FabricInfo& fabric, int index, cv::Size photographSize)
+    {
+        const auto surface = readSurface(m_dataset, fabric.id, index);
+        if (!surface) return;
+        const fs::path file = surfacePath(m_dataset, fabric.id, index).lexically_relative(m_folder);
+        if (photographSize.area() > 0 && surface->size() != photographSize)
+            fault(file, "is " + sizeText(surface->size()) + ", but the photograph is " + sizeText(photographSize));
+        if (!cv::checkRange(*surface)) fault(file, "holds heights that are not finite");
     }
 
     /// Reports samples that differ from the most frequent size of their signal.

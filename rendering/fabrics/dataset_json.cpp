@@ -52,11 +52,11 @@ public:
         return value->get<double>();
     }
 
-    bool yesOrNo(const char* name) const
+    bool yesOrNo(const char* name, bool otherwise = false) const
     {
         const json* value = find(name);
         if (value && !value->is_boolean()) throw fault(name, "is " + value->dump(), "true or false");
-        return value && value->get<bool>();
+        return value ? value->get<bool>() : otherwise;
     }
 
     protocols::Error fault(const std::string& name, const std::string& what, const std::string& expected) const
@@ -83,7 +83,8 @@ std::vector<FabricInfo> fabricsIn(const Fields& fields, const std::string& where
         if (const std::string why = protocols::faultOfId(id); !why.empty())
             throw entry.fault("id", "is \"" + id + "\", which " + why, protocols::idRule());
         if (!seen.insert(id).second) throw entry.fault("id", "repeats \"" + id + "\"", "each id once");
-        fabrics.push_back({protocols::FabricId(id), entry.text("name", id), entry.text("structure", "")});
+        fabrics.push_back(
+            {protocols::FabricId(id), entry.text("name", id), entry.text("structure", ""), entry.yesOrNo("surface_in_mm", true)});
     }
     return fabrics;
 }
@@ -128,6 +129,7 @@ Dataset datasetFromJson(std::string_view text, const std::string& where)
     if (const json* camera = fields.find("camera"))
         dataset.cameraMmPerPixel = Fields(*camera, where, "camera").positive("mm_per_pixel");
     readTactile(fields, where, dataset);
+    if (const json* surface = fields.find("surface")) dataset.surfaceIsFree = Fields(*surface, where, "surface").yesOrNo("free");
     dataset.friction = frictionIn(fields, where);
     const std::string pairing = fields.text("pairing", "weak");
     if (pairing != "weak" && pairing != "aligned")
@@ -149,11 +151,13 @@ std::string toJson(const Dataset& dataset)
         entry["id"] = fabric.id.value;
         entry["name"] = fabric.name;
         entry["structure"] = fabric.structure;
+        if (!fabric.surfaceInMm) entry["surface_in_mm"] = false;
         document["fabrics"].push_back(entry);
     }
     document["camera"]["mm_per_pixel"] = orNull(dataset.cameraMmPerPixel);
     document["tactile"]["mm_per_pixel"] = orNull(dataset.tactileMmPerPixel);
     document["tactile"]["calibration"] = dataset.tactileCalibration.empty() ? json(nullptr) : json(dataset.tactileCalibration);
+    if (dataset.surfaceIsFree) document["surface"]["free"] = true;
     document["friction"]["sample_rate_hz"] = dataset.friction.sampleRateHz;
     document["friction"]["speed_mm_per_s"] = dataset.friction.speedMmPerS;
     document["friction"]["length_mm"] = dataset.friction.lengthMm;

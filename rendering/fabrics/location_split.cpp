@@ -170,7 +170,7 @@ std::optional<Footprint> footprintOf(const Dataset& dataset, const SamplePlace& 
         footprint.yMm += dataset.friction.lengthMm / 2 * axesOf(footprint)[0].y;
         return footprint;
     }
-    const auto pitch = place.modality == Modality::Visual ? dataset.cameraMmPerPixel : dataset.tactileMmPerPixel;
+    const auto pitch = place.modality == Modality::Visual ? photographPitch(dataset, place) : dataset.tactileMmPerPixel;
     const auto size = pngSize(samplePath(dataset, place.fabric, place.modality, place.index));
     if (!pitch || !size) return {};
     footprint.widthMm = size->width * *pitch;

@@ -20,7 +20,45 @@ namespace {
 
 constexpr const char* header = "fabric,signal,index,x_mm,y_mm,rotation_deg,group";
 
+/// Columns that only some data sets have.
+enum class Extra { MmPerPixel, Light, LightDeg };
+constexpr struct {
+    Extra extra;
+    const char* name;
+} extraColumns[] = {{Extra::MmPerPixel, "mm_per_pixel"}, {Extra::Light, "light"}, {Extra::LightDeg, "light_deg"}};
+
 std::string cellOf(const std::optional<double>& value) { return value ? protocols::shortest(*value) : ""; }
+
+std::string cellOf(const SamplePlace& place, Extra extra)
+{
+    switch (extra) {
+        case Extra::MmPerPixel:
+            return cellOf(place.mmPerPixel);
+        case Extra::Light:
+            return place.light;
+        case Extra::LightDeg:
+            return cellOf(place.lightDeg);
+    }
+    return {};
+}
+
+void readExtra(const protocols::CsvTable& table, std::size_t row, SamplePlace& place)
+{
+    for (const auto& [extra, name] : extraColumns) {
+        const auto column = table.column(name);
+        if (!column || table.rows[row][*column].empty()) continue;
+        if (extra == Extra::Light) {
+            place.light = table.rows[row][*column];
+            continue;
+        }
+        const double value = protocols::numberAt(table, row, *column);
+        if (extra == Extra::MmPerPixel && !(value > 0 && value < 1e9))
+            throw protocols::badInput({"\"" + table.rows[row][*column] + "\" is no scale",
+                                       protocols::rowName(table, row) + ", column mm_per_pixel", "a number above 0",
+                                       "correct the cell"});
+        (extra == Extra::MmPerPixel ? place.mmPerPixel : place.lightDeg) = value;
+    }
+}
 
 Modality modalityAt(const protocols::CsvTable& table, std::size_t row, std::size_t column)
 {
@@ -99,6 +137,7 @@ std::vector<SamplePlace> readSamplePlaces(const Dataset& dataset)
                           optional(y),
                           optional(rotation),
                           table.rows[row][group]};
+        readExtra(table, row, place);
         if (place.group.empty()) place.group = ownGroup(place.fabric, place.modality, place.index);
         places.push_back(std::move(place));
     }
@@ -107,11 +146,40 @@ std::vector<SamplePlace> readSamplePlaces(const Dataset& dataset)
 
 void writeSamplePlaces(const Dataset& dataset, const std::vector<SamplePlace>& places)
 {
-    std::string text = std::string(header) + "\n";
-    for (const SamplePlace& place : places)
-        text += protocols::csvRow({place.fabric.value, nameOf(place.modality), std::to_string(place.index), cellOf(place.xMm),
-                                   cellOf(place.yMm), cellOf(place.rotationDeg), place.group});
+    std::string text = header;
+    std::vector<Extra> extras;
+    for (const auto& [extra, name] : extraColumns)
+        if (std::any_of(places.begin(), places.end(),
+                        [extra = extra](const SamplePlace& place) { return !cellOf(place, extra).empty(); })) {
+            extras.push_back(extra);
+            text += std::string(",") + name;
+        }
+    text += "\n";
+    for (const SamplePlace& place : places) {
+        std::vector<std::string> cells{place.fabric.value, nameOf(place.modality), std::to_string(place.index),
+                                       cellOf(place.xMm),  cellOf(place.yMm),      cellOf(place.rotationDeg),
+                                       place.group};
+        for (const Extra extra : extras) cells.push_back(cellOf(place, extra));
+        text += protocols::csvRow(cells);
+    }
     protocols::writeWholeFile(dataset.folder / "samples.csv", text, protocols::Sync::Later);
+}
+
+std::optional<double> photographPitch(const Dataset& dataset, const SamplePlace& place)
+{
+    return place.mmPerPixel ? place.mmPerPixel : dataset.cameraMmPerPixel;
+}
+
+PhotographPitches::PhotographPitches(const Dataset& dataset) : m_camera(dataset.cameraMmPerPixel)
+{
+    for (const SamplePlace& place : readSamplePlaces(dataset))
+        if (place.modality == Modality::Visual && place.mmPerPixel) m_own[{place.fabric, place.index}] = *place.mmPerPixel;
+}
+
+std::optional<double> PhotographPitches::of(const protocols::FabricId& fabric, int index) const
+{
+    const auto own = m_own.find({fabric, index});
+    return own == m_own.end() ? m_camera : own->second;
 }
 
 std::vector<std::pair<SamplePlace, Part>> splitBySample(const Dataset& dataset, std::uint64_t seed)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,9 +19,27 @@ struct SamplePlace {
     int index = 0;
     std::optional<double> xMm, yMm, rotationDeg;
     std::string group;
+    std::optional<double> mmPerPixel = {};  ///< of this photograph, where it differs from that of the camera
+    std::string light = {};  ///< how this photograph was lit: "one_lamp", "four_lamps", "colour", …; empty where unknown
+    std::optional<double> lightDeg = {};  ///< side from which the light comes: 0 right, 90 top, anticlockwise
 };
 std::vector<SamplePlace> readSamplePlaces(const Dataset& dataset);  ///< empty where there is no samples.csv
+/// Writes the columns mm_per_pixel, light and light_deg only where a place has them.
 void writeSamplePlaces(const Dataset& dataset, const std::vector<SamplePlace>& places);
+
+/// Scale of a photograph: its own in samples.csv, otherwise that of the camera; nullopt where unknown.
+std::optional<double> photographPitch(const Dataset& dataset, const SamplePlace& place);
+
+/// The scales of all photographs of a data set, read from samples.csv once.
+class PhotographPitches {
+public:
+    explicit PhotographPitches(const Dataset& dataset);
+    std::optional<double> of(const protocols::FabricId& fabric, int index) const;  ///< mm per pixel; nullopt where unknown
+
+private:
+    std::optional<double> m_camera;
+    std::map<std::pair<protocols::FabricId, int>, double> m_own;
+};
 
 enum class Part { Training, Validation, Testing };
 /// Splits 8:1:1 by seed over groups, for each fabric and signal, before any augmentation or windowing.

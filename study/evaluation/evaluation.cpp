@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "protocols/files/errors.h"
+#include "rendering/fabrics/sample_places.h"
 #include "rendering/models/fair_control.h"
 #include "stats/kernels/threads.h"
 #include "study/evaluation/predictions.h"
@@ -102,11 +103,12 @@ std::vector<std::vector<models::GeneratedSignals>> generatedFor(const Evaluation
                                                                 const std::vector<OpenModel>& opened, std::size_t first,
                                                                 std::size_t count, const Generate& generate)
 {
+    const fabrics::PhotographPitches pitches(context.dataset);
     std::vector<models::InputPhotograph> photographs;
     for (std::size_t i = first; i < first + count; ++i) {
         const PlannedSample& photograph = context.plan.pairs[i].photograph;
-        photographs.push_back(
-            {fabrics::readPhotograph(context.dataset, photograph.fabric, photograph.index), context.dataset.cameraMmPerPixel});
+        photographs.push_back({fabrics::readPhotograph(context.dataset, photograph.fabric, photograph.index),
+                               pitches.of(photograph.fabric, photograph.index)});
     }
     std::vector<std::vector<models::GeneratedSignals>> answers;
     for (const OpenModel& model : opened) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "protocols/files/errors.h"
+#include "rendering/fabrics/sample_places.h"
 #include "rendering/models/fair_control.h"
 #include "stats/kernels/threads.h"
 #include "stats/tests/multiplicity.h"
@@ -63,10 +64,11 @@ ControlSignals controlSignals(const rendering::fabrics::Dataset& dataset, const 
         const auto any = [&](const auto& has) { return std::any_of(request.generated.begin(), request.generated.end(), has); };
         options.height = any([](const auto& one) { return !one.heightMm.empty(); });
         options.friction = any([](const auto& one) { return !one.trace.empty(); });
+        const rendering::fabrics::PhotographPitches pitches(dataset);
         std::vector<models::InputPhotograph> photographs;
         for (const TestPair& pair : plan.pairs)
             photographs.push_back({rendering::fabrics::readPhotograph(dataset, pair.photograph.fabric, pair.photograph.index),
-                                   dataset.cameraMmPerPixel});
+                                   pitches.of(pair.photograph.fabric, pair.photograph.index)});
         control.signals = generate(photographs, options);
     } catch (const protocols::Error& fault) {
         control.whyNone = std::string("the L1-only control could not be used: ") + fault.what();

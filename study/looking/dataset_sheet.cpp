@@ -110,6 +110,9 @@ FabricSheet sheetOf(const fs::path& folder, const std::string& fabricId, int sam
             sheet.add([&] { return readSignal(samplePath(dataset, fabric, modality, *index)); });
     };
     addFile(Modality::Visual);
+    if (const auto photograph = indexAt(dataset, fabric, Modality::Visual, sample))
+        if (const fs::path surface = surfacePath(dataset, fabric, *photograph); fs::exists(surface))
+            sheet.add([&] { return readSignal(surface); });
     addFile(Modality::Tactile);
     if (const auto press = indexAt(dataset, fabric, Modality::Tactile, sample)) {
         const fs::path known = knownHeightPath(dataset, fabric, *press);

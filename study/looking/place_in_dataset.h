@@ -12,6 +12,7 @@ namespace study::looking {
 struct PlaceInDataset {
     rendering::fabrics::Dataset dataset;
     std::string fabric, signal;  ///< names of the folders
+    int index = -1;              ///< number of the sample; -1 where the name is no number
 };
 
 /// Place of the file; none if it is not in a data set. Throws badInput if dataset.json cannot be read.

@@ -9,6 +9,7 @@
 
 #include "protocols/files/errors.h"
 #include "rendering/composition/friction_image.h"
+#include "rendering/fabrics/sample_places.h"
 #include "rendering/images/image_io.h"
 #include "rendering/images/true_map.h"
 #include "study/looking/open_study.h"
@@ -26,7 +27,8 @@ constexpr double missingMarkerMm = -1e9;  // instruments write -1e10
 
 std::optional<double> pitchIn(const PlaceInDataset& place)
 {
-    if (place.signal == "visual") return place.dataset.cameraMmPerPixel;
+    if (place.signal == "visual" || place.signal == "surface")
+        return rendering::fabrics::PhotographPitches(place.dataset).of(protocols::FabricId(place.fabric), place.index);
     const bool isTactile = place.signal == "tactile" || place.signal == "height";
     return isTactile ? place.dataset.tactileMmPerPixel : std::nullopt;
 }
@@ -134,6 +136,11 @@ std::optional<double> pitchOf(const cv::Mat& image, const std::optional<PlaceInD
     return isShown ? std::optional(rendering::displayMmPerPixel) : std::nullopt;
 }
 
+bool hasUnknownAmplitude(const std::optional<PlaceInDataset>& place)
+{
+    return place && place->signal == "surface" && !place->dataset.fabric(protocols::FabricId(place->fabric)).surfaceInMm;
+}
+
 std::string kindOfNumbers(const SeenMap& map)
 {
     const std::string kind = map.unit == "mm" ? "height, " : map.unit == "mm/mm" ? "gradient, " : "map, ";
@@ -153,7 +160,7 @@ SeenSignal readMap(const fs::path& file, const ReadingOptions& options)
                                    "one number per pixel, or an image with 8 or 16 bits",
                                    "write one channel to a file of its own"});
     if (isArray && image.rows == 1 && image.cols > 1) return seenRow(image, titleOf(file, place), options.unit);
-    const std::string usualUnit = isArray ? "mm/mm" : "mm";
+    const std::string usualUnit = isArray ? "mm/mm" : hasUnknownAmplitude(place) ? "of the range" : "mm";
     SeenMap map = isImage ? mapOfImage(image) : mapOfNumbers(image, options.unit.empty() ? usualUnit : options.unit);
     map.mmPerPixel = pitchOf(image, place, options);
     map.beginsAtZero = place && place->signal == "height";

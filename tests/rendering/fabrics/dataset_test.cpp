@@ -224,6 +224,40 @@ private Q_SLOTS:
         QVERIFY(contains(refusalOf([&] { readSamplePlaces(m_dataset); }), "smell"));
     }
 
+    void aPhotographHasItsScaleLightAndSurface()
+    {
+        const FabricId linen("F01");
+        writeSurface(20, 30, -0.25f);
+        auto places = readSamplePlaces(m_dataset);
+        QVERIFY(!contains(read(m_dataset.folder / "samples.csv"), "mm_per_pixel"));
+        places[1].mmPerPixel = 0.13;
+        places[1].light = "one_lamp";
+        places[1].lightDeg = 135;
+        writeSamplePlaces(m_dataset, places);
+        const auto again = readSamplePlaces(m_dataset);
+        QCOMPARE(again[1].light, std::string("one_lamp"));
+        QCOMPARE(again[1].lightDeg, std::optional(135.0));
+        QVERIFY(again[0].light.empty() && !again[0].mmPerPixel);
+        const PhotographPitches pitches(m_dataset);
+        QCOMPARE(pitches.of(linen, 0), std::optional(0.04));
+        QCOMPARE(pitches.of(linen, 1), std::optional(0.13));
+        QCOMPARE(readSurface(m_dataset, linen, 1)->at<float>(0, 0), -0.25f);
+        QCOMPARE(readSurface(m_dataset, linen, 0), std::nullopt);
+        m_dataset.surfaceIsFree = true;
+        m_dataset.fabrics[1].surfaceInMm = false;
+        writeDatasetJson(m_dataset);
+        const Dataset seen = readDataset(m_dataset.folder);
+        QVERIFY(seen.surfaceIsFree && seen.fabrics[0].surfaceInMm && !seen.fabrics[1].surfaceInMm);
+        const auto faults = faultsOfDataset(m_dataset.folder);
+        QVERIFY2(faults.empty(), faults.empty() ? "" : faults.front().c_str());
+        const std::string before = hashOf(m_dataset);
+        writeSurface(20, 30, 0.5f);
+        QVERIFY(hashOf(m_dataset) != before);
+        write(m_dataset.folder / "samples.csv",
+              "fabric,signal,index,x_mm,y_mm,rotation_deg,group,mm_per_pixel\nF01,visual,0,,,,,0\n");
+        QVERIFY(contains(refusalOf([&] { readSamplePlaces(m_dataset); }), "column mm_per_pixel"));
+    }
+
     void theHashChangesWithAnySample()
     {
         const std::string before = hashOf(m_dataset);
@@ -308,6 +342,15 @@ private Q_SLOTS:
         QTest::newRow("height of other size") << "heightsize"
                                               << "F01/height/000.tiff"
                                               << "32 x 24";
+        QTest::newRow("surface that is not finite") << "surfacenan"
+                                                    << "F01/surface/001.tiff"
+                                                    << "not finite";
+        QTest::newRow("surface of other size") << "surfacesize"
+                                               << "F01/surface/001.tiff"
+                                               << "30 x 20";
+        QTest::newRow("surface of no photograph") << "surfacealone"
+                                                  << "F01/surface/007.tiff"
+                                                  << "without a photograph";
         QTest::newRow("unknown fabric") << "folder"
                                         << "F77"
                                         << "no fabric";
@@ -362,6 +405,9 @@ private:
             {"nan", [&] { writeHeight(24, 32, std::numeric_limits<float>::quiet_NaN()); }},
             {"negative", [&] { writeHeight(24, 32, -0.01f); }},
             {"heightsize", [&] { writeHeight(20, 20, 0.1f); }},
+            {"surfacenan", [&] { writeSurface(20, 30, std::numeric_limits<float>::quiet_NaN()); }},
+            {"surfacesize", [&] { writeSurface(20, 20, 0.1f); }},
+            {"surfacealone", [&] { writeSurface(20, 30, 0, "007.tiff"); }},
             {"folder", [&] { fs::create_directories(folder / "F77"); }},
             {"gone", [&] { fs::remove_all(folder / "F02"); }},
             {"odd", [&] { write(folder / "F01/visual/notes.txt", "x"); }},
@@ -384,6 +430,14 @@ private:
         cv::Mat height(rows, columns, CV_32FC1, cv::Scalar(0.1));
         height.at<float>(0, 0) = corner;
         writeTiff(m_dataset.folder / "F01/height/000.tiff", height);
+    }
+
+    void writeSurface(int rows, int columns, float corner, const std::string& name = "001.tiff")
+    {
+        fs::create_directories(m_dataset.folder / "F01/surface");
+        cv::Mat surface(rows, columns, CV_32FC1, cv::Scalar(0.1));
+        surface.at<float>(0, 0) = corner;
+        writeTiff(m_dataset.folder / "F01/surface" / name, surface);
     }
 
     std::unique_ptr<QTemporaryDir> m_folder;

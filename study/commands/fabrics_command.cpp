@@ -2,9 +2,12 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "protocols/files/errors.h"
 #include "rendering/fabrics/dataset_check.h"
+#include "rendering/fabrics/drawn/drawn_dataset.h"
+#include "rendering/fabrics/drawn/drawn_friction.h"
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
 #include "study/commands/command_line.h"
 #include "study/commands/progress.h"
@@ -17,12 +20,33 @@ struct MakeCall {
     std::string folder;
     rendering::fabrics::ProceduralOptions options;
     std::string pairing = "weak";
+    std::optional<int> drawn, samples;
+    rendering::fabrics::Pairing places() const
+    {
+        return pairing == "aligned" ? rendering::fabrics::Pairing::Aligned : rendering::fabrics::Pairing::Weak;
+    }
 };
+
+int makeDrawn(const MakeCall& call)
+{
+    rendering::fabrics::DrawnOptions options;
+    options.fabrics = *call.drawn;
+    options.samples = call.samples.value_or(options.samples);
+    options.seed = call.options.seed;
+    options.pairing = call.places();
+    Progress progress("fabrics");
+    const auto dataset = makeDrawnFabrics(call.folder, options, [&](int done, int total) { progress.show(done, total); });
+    std::printf("%s: %zu drawn fabrics with %d photographs, presses and strokes each; law of friction: %s\n", call.folder.c_str(),
+                dataset.fabrics.size(), options.samples, rendering::fabrics::frictionLaw().c_str());
+    return 0;
+}
 
 int make(const MakeCall& call)
 {
+    if (call.drawn) return makeDrawn(call);
     auto options = call.options;
-    options.pairing = call.pairing == "aligned" ? rendering::fabrics::Pairing::Aligned : rendering::fabrics::Pairing::Weak;
+    options.samples = call.samples.value_or(options.samples);
+    options.pairing = call.places();
     Progress progress("fabrics");
     const auto dataset = makeProceduralFabrics(call.folder, options, [&](int done, int total) { progress.show(done, total); });
     std::printf("%s: %zu procedural fabrics with %d photographs, presses and strokes each\n", call.folder.c_str(),
@@ -47,13 +71,15 @@ void addFabrics(CLI::App& app, Action& action)
     auto* fabrics = app.add_subcommand("fabrics", "make or check a fabric data set");
     fabrics->require_subcommand(1);
 
-    auto* makeSet = fabrics->add_subcommand("make", "a procedural fabric data set");
+    auto* makeSet = fabrics->add_subcommand("make", "a data set of named or newly drawn fabrics");
     auto call = std::make_shared<MakeCall>();
     makeSet->add_option("DIR", call->folder, "folder to make")->required();
-    makeSet->add_option("--fabrics", call->options.fabrics, "number of fabrics")->check(CLI::Range(1, 15))->capture_default_str();
-    makeSet->add_option("--samples", call->options.samples, "samples of each signal and fabric")
-        ->check(CLI::Range(1, 100000))
-        ->capture_default_str();
+    auto* named = makeSet->add_option("--fabrics", call->options.fabrics, "number of the fifteen named fabrics")
+                      ->check(CLI::Range(1, 15))
+                      ->capture_default_str();
+    makeSet->add_option("--drawn", call->drawn, "draw this number of new constructions instead (1 to 10000)")->excludes(named);
+    makeSet->add_option("--samples", call->samples, "samples of each signal and fabric (default: 225; 3 with --drawn)")
+        ->check(CLI::Range(1, 100000));
     makeSet->add_option("--seed", call->options.seed, "the same seed gives the same data set")->capture_default_str();
     makeSet
         ->add_option("--pairing", call->pairing,

@@ -16,14 +16,14 @@ constexpr double nominalForceN = 15;
 constexpr double referenceSpeedMmPerS = 5;
 
 /// Relief under the probe along the stroke, mean removed, sampled at the pitch of the strip.
-std::vector<double> probedRelief(const FabricSurface& surface, const FabricPlace& start, double lengthMm)
+std::vector<double> probedRelief(const ReliefSampler& reliefAt, const FabricPlace& start, double lengthMm)
 {
     const int margin = 10;
     const int columns = int(std::ceil(lengthMm / stripPitchMm)) + 1 + 2 * margin;
     const double angle = start.rotationDeg * std::numbers::pi / 180;
     const double toCentre = ((columns - 1) / 2.0 - margin) * stripPitchMm;
     const FabricPlace centre{start.xMm + std::cos(angle) * toCentre, start.yMm + std::sin(angle) * toCentre, start.rotationDeg};
-    cv::Mat strip = surface.sample(centre, {columns, stripRows}, stripPitchMm).heightMm;
+    cv::Mat strip = reliefAt(centre, {columns, stripRows}, stripPitchMm);
     cv::GaussianBlur(strip, strip, {}, contactMm / 3 / stripPitchMm);
     std::vector<double> relief;
     double sum = 0;
@@ -87,10 +87,19 @@ double meanFriction(const FabricSurface& surface, const FrictionRecording& recor
 ForceRecord strokeFabric(const FabricSurface& surface, double mean, const FabricPlace& start, const FrictionRecording& recording,
                          protocols::Random& random)
 {
+    const auto sample = [&](const FabricPlace& centre, cv::Size size, double pitchMm) {
+        return surface.sample(centre, size, pitchMm).heightMm;
+    };
+    return strokeRelief(sample, mean, start, recording, random);
+}
+
+ForceRecord strokeRelief(const ReliefSampler& reliefAt, double mean, const FabricPlace& start, const FrictionRecording& recording,
+                         protocols::Random& random)
+{
     const double placeFactor = 1 + 0.03 * random.normal();
     const double rate = recording.sampleRateHz;
     const auto count = std::size_t(std::lround(recording.lengthMm / recording.speedMmPerS * rate));
-    const std::vector<double> relief = probedRelief(surface, start, recording.lengthMm);
+    const std::vector<double> relief = probedRelief(reliefAt, start, recording.lengthMm);
     ColouredNoise load(0.2, 0.5, rate, random), rubbing(0.012, 0.15, rate, random);
     ForceRecord record;
     for (std::size_t i = 0; i < count; ++i) {

@@ -9,6 +9,7 @@
 // Both channels have 0.02 N of noise.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "protocols/random.h"
@@ -26,6 +27,13 @@ double meanFriction(const FabricSurface& surface, const FrictionRecording& recor
 
 /// Simulates a stroke from `start` along its direction; `mean` is meanFriction().
 ForceRecord strokeFabric(const FabricSurface& surface, double mean, const FabricPlace& start, const FrictionRecording& recording,
+                         protocols::Random& random);
+
+/// Height of a fabric in a window around a place, CV_32FC1, mm.
+using ReliefSampler = std::function<cv::Mat(const FabricPlace& centre, cv::Size size, double pitchMm)>;
+
+/// The same stroke over any relief.
+ForceRecord strokeRelief(const ReliefSampler& relief, double mean, const FabricPlace& start, const FrictionRecording& recording,
                          protocols::Random& random);
 
 /// Text of the CSV file with the columns t_s,normal_n,tangential_n.

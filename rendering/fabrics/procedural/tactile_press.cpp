@@ -94,9 +94,13 @@ cv::Mat indentation(const cv::Mat& surfaceMm, double depthMm)
 
 Press pressSensor(const FabricSurface& surface, const FabricPlace& place, protocols::Random& random)
 {
-    const SurfacePatch patch = surface.sample(place, {tactileWidthPx, tactileHeightPx}, tactileMmPerPixel);
+    return pressSurface(surface.sample(place, {tactileWidthPx, tactileHeightPx}, tactileMmPerPixel).heightMm, random);
+}
+
+Press pressSurface(const cv::Mat& surfaceMm, protocols::Random& random)
+{
     Press press;
-    press.heightMm = indentation(patch.heightMm, random.uniform(0.46, 0.54));
+    press.heightMm = indentation(surfaceMm, random.uniform(0.46, 0.54));
     press.frame = tactileFrame(press.heightMm, random);
     return press;
 }

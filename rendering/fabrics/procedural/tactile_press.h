@@ -30,6 +30,9 @@ struct Press {
 
 Press pressSensor(const FabricSurface& surface, const FabricPlace& place, protocols::Random& random);
 
+/// Press of any surface: CV_32FC1, mm, of the size of the sensor.
+Press pressSurface(const cv::Mat& surfaceMm, protocols::Random& random);
+
 /// Frame of a known indentation, without the contact model.
 cv::Mat tactileFrame(const cv::Mat& heightMm, protocols::Random& random);
 

@@ -1,0 +1,36 @@
+#include "rendering/fabrics/drawn/drawn_friction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "rendering/fabrics/drawn/cloth_window.h"
+
+namespace rendering::fabrics {
+
+namespace {
+
+constexpr int feltPatchPx = 160;
+constexpr double feltMm = 0.15;
+
+}  // namespace
+
+double meanFriction(const DrawnFabric& fabric, double forceN)
+{
+    const double pitch = std::clamp(threadPeriod(fabric).mm / 12, 0.03, 0.25);
+    cv::Mat height = clothWindow(fabric, {37, 41, 0}, {feltPatchPx, feltPatchPx}, pitch, SlackShown::No).heightMm, slopeX, slopeY;
+    cv::GaussianBlur(height, height, {}, feltMm / pitch);
+    cv::Sobel(height, slopeX, CV_32F, 1, 0, 1, 1 / (2 * pitch));
+    cv::Sobel(height, slopeY, CV_32F, 0, 1, 1, 1 / (2 * pitch));
+    const double slope = std::sqrt(cv::mean(slopeX.mul(slopeX) + slopeY.mul(slopeY))[0]);
+    const double visible = fabric.adhesion * (1 - 0.6 * fabric.sheen) + 1.5 * std::tanh(0.3 * slope) + 0.20 * fabric.hairiness;
+    return visible * fabric.unseen * std::pow(forceN / 15, -0.08);
+}
+
+std::string frictionLaw()
+{
+    return "mu = (A (1 - 0.6 sheen) + 1.5 tanh(0.3 s) + 0.20 hairiness) (F / 15 N)^-0.08, unseen spread " +
+           std::to_string(std::lround(100 * unseenFrictionSpread)) + " %";
+}
+
+}  // namespace rendering::fabrics

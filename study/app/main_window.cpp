@@ -231,10 +231,13 @@ void MainWindow::leaveParticipantSide()
 void MainWindow::tellParticipant()
 {
     const auto& protocol = m_study ? m_study->protocol() : protocols::Protocol{};
-    std::map<std::string, std::string> recordings;
-    if (m_study)
-        for (const auto& [key, file] : protocol.prompts) recordings[key] = m_study->store().folder().prompt(key).string();
-    m_participantSound->setRecordings(std::move(recordings));
+    SaidPrompts prompts;
+    if (m_study) {
+        for (const auto& [key, file] : protocol.prompts) prompts.files[key] = m_study->store().folder().prompt(key).string();
+        prompts.texts = participant::spokenTexts(protocol);
+        prompts.language = protocol.language;
+    }
+    m_participantSound->setPrompts(std::move(prompts));
     if (!m_session) return m_participantSide->show(participant::waiting(protocol));
     m_participantSide->show(participant::instructionFor(m_session->view(), m_session->plan().protocol));
     m_participantSound->say(participant::promptsBetween(m_told, m_session->view()));

@@ -97,7 +97,8 @@ std::vector<Reader> pageReaders()
               lineOf(DeviceRefused{"::1"})},
              readFromPage},
             {"sound-input",
-             {lineOf(LineToSound(NoiseLevel{0.08})), lineOf(LineToSound(PlayFiles{{"/a.wav", "/b.wav"}}))},
+             {lineOf(LineToSound(NoiseLevel{0.08})), lineOf(LineToSound(SpeechLanguage{"pt-BR"})),
+              lineOf(LineToSound(PlayPrompts{{Recording{"/a.wav"}, SpokenText{"Feel."}}}))},
              [](const std::string& bytes) {
                  const LineToSound line = lineToSound(bytes);
                  if (lineToSound(lineOf(line)) != line) throw std::runtime_error("a line changed");

@@ -5,11 +5,21 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/safe_text.h"
-#include "study/participant/sound/sound_lines.h"
 
 namespace study::app {
 
 using namespace participant;
+
+PlayPrompts playedFor(const std::vector<std::string>& keys, const SaidPrompts& prompts, bool hasVoice)
+{
+    PlayPrompts play;
+    for (const std::string& key : keys)
+        if (const auto file = prompts.files.find(key); file != prompts.files.end())
+            play.prompts.emplace_back(Recording{file->second});
+        else if (const auto text = prompts.texts.find(key); text != prompts.texts.end() && hasVoice)
+            play.prompts.emplace_back(SpokenText{text->second});
+    return play;
+}
 
 ParticipantSound::ParticipantSound(QObject* parent) : QObject(parent), m_process(new LineProcess(this))
 {
@@ -17,31 +27,55 @@ ParticipantSound::ParticipantSound(QObject* parent) : QObject(parent), m_process
     connect(m_process, &LineProcess::ended, this, [this](const QString& why) {
         m_state.isOn = false;
         m_state.device.clear();
+        m_state.voice.clear();
         m_state.fault = tr("The sound has stopped: %1").arg(why);
         Q_EMIT stateChanged();
     });
 }
 
-void ParticipantSound::setRecordings(std::map<std::string, std::string> files)
+void ParticipantSound::setPrompts(SaidPrompts prompts)
 {
-    if (files == m_files) return;
-    m_files = std::move(files);
-    m_state.recordings = static_cast<int>(m_files.size());
+    std::erase_if(prompts.texts,
+                  [&](const auto& one) { return prompts.files.contains(one.first) || one.second.size() > longestSpokenText; });
+    if (prompts == m_prompts) return;
+    const bool isOtherLanguage = prompts.language != m_prompts.language || prompts.texts.empty() != m_prompts.texts.empty();
+    m_prompts = std::move(prompts);
+    m_state.recordings = static_cast<int>(m_prompts.files.size());
+    m_state.texts = static_cast<int>(m_prompts.texts.size());
+    if (m_state.isOn && isOtherLanguage) tellLanguage();
     Q_EMIT stateChanged();
 }
 
-void ParticipantSound::start(double noise)
+void ParticipantSound::start(double noise, Speech speech)
 {
     m_state.fault.clear();
     m_state.device.clear();
+    m_speech = speech;
     try {
         m_process->start(QStringLiteral("vis2hap-sound"), {}, ProgramSurroundings::Own);
         m_state.isOn = true;
         setNoise(noise);
+        tellLanguage();
     } catch (const protocols::Error& fault) {
         m_state.fault = QString::fromUtf8(fault.what());
     }
     Q_EMIT stateChanged();
+}
+
+void ParticipantSound::setSpeech(Speech speech)
+{
+    m_speech = speech;
+    if (m_state.isOn) tellLanguage();
+    Q_EMIT stateChanged();
+}
+
+/// Asks for a voice; the program answers with its name or with what is missing.
+void ParticipantSound::tellLanguage()
+{
+    m_state.voice.clear();
+    m_state.noVoice.clear();
+    const bool isWanted = m_speech == Speech::Wanted && !m_prompts.texts.empty();
+    m_process->send(lineOf(LineToSound(SpeechLanguage{isWanted ? m_prompts.language : std::string()})));
 }
 
 void ParticipantSound::stop()
@@ -49,6 +83,8 @@ void ParticipantSound::stop()
     m_process->stop();
     m_state.isOn = false;
     m_state.device.clear();
+    m_state.voice.clear();
+    m_state.noVoice.clear();
     m_state.fault.clear();
     Q_EMIT stateChanged();
 }
@@ -58,11 +94,16 @@ void ParticipantSound::setNoise(double noise) { m_process->send(lineOf(LineToSou
 void ParticipantSound::say(const std::vector<std::string>& keys)
 {
     if (!keys.empty()) Q_EMIT due(keys);
-    PlayFiles play;
-    for (const std::string& key : keys)
-        if (const auto file = m_files.find(key); file != m_files.end()) play.files.push_back(file->second);
-    if (play.files.empty() || !m_state.isOn) return;
-    m_process->send(lineOf(LineToSound(play)));
+    if (!m_state.isOn) return;
+    const PlayPrompts play = playedFor(keys, m_prompts, !m_state.voice.isEmpty());
+    if (!play.prompts.empty()) m_process->send(lineOf(LineToSound(play)));
+}
+
+std::string ParticipantSound::someKey() const
+{
+    if (!m_prompts.files.empty()) return m_prompts.files.begin()->first;
+    const auto question = m_prompts.texts.lower_bound("question_");
+    return m_state.voice.isEmpty() || question == m_prompts.texts.end() ? std::string() : question->first;
 }
 
 void ParticipantSound::hear(const std::string& line)
@@ -75,6 +116,8 @@ void ParticipantSound::hear(const std::string& line)
                    : QString();
     };
     if (said.contains("ready")) m_state.device = text("ready");
+    if (said.contains("voice")) m_state.voice = text("voice");
+    if (said.contains("no_voice")) m_state.noVoice = text("no_voice");
     if (said.contains("fault")) m_state.fault = text("fault");
     Q_EMIT stateChanged();
 }

@@ -1,5 +1,5 @@
-// The participant's headphones: masking noise, and the recordings of the study, played by vis2hap-sound. That program runs only
-// while the operator wants sound, and the session never waits for it.
+// The participant's headphones: masking noise, the recordings of the study, and speech for prompts without one, played by
+// vis2hap-sound. That program runs only while the operator wants sound, and the session never waits for it.
 #pragma once
 
 #include <QObject>
@@ -9,6 +9,7 @@
 
 #include "protocols/protocol.h"
 #include "study/app/participant/line_process.h"
+#include "study/participant/sound/sound_lines.h"
 
 namespace study::app {
 
@@ -17,25 +18,42 @@ struct SoundState {
     bool isOn = false;  ///< the operator has started the sound
     QString device;     ///< empty until it plays
     int recordings = 0;
-    QString fault;  ///< why nothing is heard, or which recording cannot be played
+    int texts = 0;    ///< prompts without a recording that an engine could speak
+    QString voice;    ///< of the engine; empty until it has one
+    QString noVoice;  ///< why no engine speaks, with the next step; empty if one does, or if none is wanted
+    QString fault;    ///< why nothing is heard, or which prompt cannot be played
 };
+
+/// What the headphones can say of a study, by the keys of protocols::isPromptKey().
+struct SaidPrompts {
+    std::map<std::string, std::string> files;  ///< recordings
+    std::map<std::string, std::string> texts;  ///< for an engine; a recording of the same key always wins
+    std::string language = "en";               ///< of the texts, BCP 47
+    bool operator==(const SaidPrompts&) const = default;
+};
+
+/// What is played for these keys, in their order: the recording, else the text if there is a voice. Other keys are left out.
+participant::PlayPrompts playedFor(const std::vector<std::string>& keys, const SaidPrompts& prompts, bool hasVoice);
+
+enum class Speech { Wanted, RecordingsOnly };
 
 class ParticipantSound : public QObject {
     Q_OBJECT
 public:
     explicit ParticipantSound(QObject* parent);
 
-    /// The recordings by key, with their files; empty without a study.
-    void setRecordings(std::map<std::string, std::string> files);
+    /// Empty without a study.
+    void setPrompts(SaidPrompts prompts);
     /// `noise`: root mean square of the masking noise, 0 to 0.3 of full scale.
-    void start(double noise);
+    void start(double noise, Speech speech);
     void stop();
     void setNoise(double noise);
-    /// Plays the recordings of these keys in place of those that still play; keys without one are left out. Nothing is played
-    /// while the sound is off.
+    void setSpeech(Speech speech);
+    /// Plays the prompts of these keys in place of those that still play; keys without a recording or text are left out. Nothing
+    /// is played while the sound is off.
     void say(const std::vector<std::string>& keys);
-    /// The first recording's key; empty if there is none.
-    std::string someKey() const { return m_files.empty() ? std::string() : m_files.begin()->first; }
+    /// The key of a prompt that can be played now: a recording, else a spoken text; empty if there is none.
+    std::string someKey() const;
     const SoundState& state() const { return m_state; }
 
 Q_SIGNALS:
@@ -46,8 +64,11 @@ Q_SIGNALS:
 private:
     void hear(const std::string& line);
 
+    void tellLanguage();
+
     LineProcess* m_process;
-    std::map<std::string, std::string> m_files;
+    SaidPrompts m_prompts;
+    Speech m_speech = Speech::Wanted;
     SoundState m_state;
 };
 

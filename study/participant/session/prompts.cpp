@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "protocols/usual_texts.h"
+
 namespace study::participant {
 
 namespace {
@@ -18,6 +20,33 @@ Keys numberKeys(protocols::Tenths rating)
         keys.push_back("number_" + std::to_string(rating.value % 10));
     }
     return keys;
+}
+
+bool isEnglish(const protocols::Protocol& protocol)
+{
+    const std::string& tag = protocol.language;
+    const auto isLetter = [&](std::size_t at, char letter) { return tag.size() > at && (tag[at] | 0x20) == letter; };
+    return isLetter(0, 'e') && isLetter(1, 'n') && (tag.size() == 2 || tag[2] == '-');
+}
+
+/// The sentence with this key; empty if the protocol gives none and speaks another language than English.
+std::string ownText(const protocols::Protocol& protocol, const std::string& key)
+{
+    const bool isOwn = protocol.participantTexts.contains(key);
+    return isOwn || isEnglish(protocol) ? protocols::participantText(protocol, key) : std::string();
+}
+
+std::string titleAndText(const protocols::Protocol& protocol, const std::string& key)
+{
+    const std::string title = ownText(protocol, key + "_title"), text = ownText(protocol, key + "_text");
+    return title.empty() || text.empty() ? title + text : title + ". " + text;
+}
+
+bool isUsual(const protocols::Question& question, const protocols::Phase& phase)
+{
+    using Edition = protocols::ProtocolEdition;
+    return question.text == usualTextOf(question.id, phase.task, Edition::Current) ||
+           question.text == usualTextOf(question.id, phase.task, Edition::Before06);
 }
 
 bool isPresenting(const View& view) { return std::holds_alternative<Presenting>(view.state.stage) && !view.state.paused; }
@@ -59,6 +88,22 @@ Keys promptsBetween(const View& before, const View& now)
         if (std::holds_alternative<Debriefing>(now.state.stage)) keys.emplace_back("end");
     }
     return keys;
+}
+
+std::map<std::string, std::string> spokenTexts(const protocols::Protocol& protocol)
+{
+    std::map<std::string, std::string> texts{
+        {"wait", ownText(protocol, "wait_title")},   {"feel", ownText(protocol, "feel_title")},
+        {"break", titleAndText(protocol, "break")},  {"end", titleAndText(protocol, "end")},
+        {"same", ownText(protocol, "spoken_same")},  {"different", ownText(protocol, "spoken_different")},
+        {"point", ownText(protocol, "spoken_point")}};
+    for (const auto& phase : protocol.phases)
+        for (const auto& question : phase.questions)
+            if (isEnglish(protocol) || !isUsual(question, phase)) texts["question_" + question.id.value] = question.text;
+    for (char slot = 'A'; slot <= 'Z'; ++slot) texts[std::string("answer_") + slot] = std::string(1, slot);
+    for (int number = 0; number <= 100; ++number) texts["number_" + std::to_string(number)] = std::to_string(number);
+    std::erase_if(texts, [](const auto& one) { return one.second.empty(); });
+    return texts;
 }
 
 }  // namespace study::participant

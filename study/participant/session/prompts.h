@@ -1,7 +1,8 @@
-// Which recordings the participant hears when a session moves on: the read-back of the stored answer, and what comes now. Only
+// Which prompts the participant hears when a session moves on: the read-back of the stored answer, and what comes now. Only
 // what the participant has said, or may know, is read: no code, no fabric's name, no condition.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -9,12 +10,16 @@
 
 namespace study::participant {
 
-/// Keys of recordings in their order, as protocols::isPromptKey() knows them; empty where nothing is said, also while no
+/// Keys of prompts in their order, as protocols::isPromptKey() knows them; empty where nothing is said, also while no
 /// blindfold is worn. `now` follows `before` by one event.
 std::vector<std::string> promptsBetween(const session::View& before, const session::View& now);
 
 /// The read-back of an answer: "answer_B"; "number_5", "point", "number_4"; "same". `tray`: the fabrics in slot order. Empty for
 /// words.
 std::vector<std::string> readBackOf(const session::GivenAnswer& answer, const std::vector<protocols::FabricId>& tray);
+
+/// What an engine speaks for prompts without a recording, by key, in the language of the protocol: its questions, its
+/// participant_texts, letters and numbers. A usual sentence is English, so it is there for English only.
+std::map<std::string, std::string> spokenTexts(const protocols::Protocol& protocol);
 
 }  // namespace study::participant

@@ -1,5 +1,7 @@
 #include "study/participant/sound/sound_lines.h"
 
+#include <algorithm>
+#include <cctype>
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/strict_json.h"
@@ -9,11 +11,40 @@ namespace study::participant {
 namespace {
 
 constexpr const char* soundLine = "a line of the app";
-constexpr std::size_t mostFiles = 40;
+constexpr std::size_t mostPrompts = 40;
 
 protocols::Error refusedSoundLine(const std::string& what)
 {
-    return protocols::badInput({what, soundLine, R"({"noise": LEVEL} or {"play": [FILES]})", ""});
+    return protocols::badInput({what, soundLine, R"({"noise": LEVEL}, {"language": TAG} or {"play": [PROMPTS]})", ""});
+}
+
+NoiseLevel noiseIn(const nlohmann::json& level)
+{
+    constexpr double loudest = 0.3;
+    if (!level.is_number() || !(level.get<double>() >= 0 && level.get<double>() <= loudest))
+        throw refusedSoundLine("'noise' is no number from 0 to 0.3");
+    return {level.get<double>()};
+}
+
+/// The engine gets the tag as the name of a voice, so it must not look like an option or a path.
+SpeechLanguage languageIn(const nlohmann::json& language)
+{
+    constexpr std::size_t longestTag = 35;
+    const std::string tag = language.is_string() ? language.get<std::string>() : "-";
+    const auto isPlain = [](char letter) { return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '-'; };
+    if (tag.size() > longestTag || tag.starts_with('-') || !std::all_of(tag.begin(), tag.end(), isPlain))
+        throw refusedSoundLine("'language' is no language tag");
+    return {tag};
+}
+
+Prompt promptIn(const nlohmann::json& prompt)
+{
+    if (prompt.is_string()) return Recording{prompt.get<std::string>()};
+    if (!prompt.is_object() || prompt.size() != 1 || !prompt.contains("say") || !prompt.at("say").is_string())
+        throw refusedSoundLine("'play' names something that is neither a file nor a text");
+    const std::string text = prompt.at("say").get<std::string>();
+    if (text.size() > longestSpokenText) throw refusedSoundLine("'say' has more than 8,000 bytes");
+    return SpokenText{text};
 }
 
 }  // namespace
@@ -21,10 +52,16 @@ protocols::Error refusedSoundLine(const std::string& what)
 std::string lineOf(const LineToSound& line)
 {
     nlohmann::ordered_json text;
-    if (const auto* noise = std::get_if<NoiseLevel>(&line))
-        text["noise"] = noise->level;
-    else
-        text["play"] = std::get<PlayFiles>(line).files;
+    if (const auto* noise = std::get_if<NoiseLevel>(&line)) text["noise"] = noise->level;
+    if (const auto* language = std::get_if<SpeechLanguage>(&line)) text["language"] = language->tag;
+    if (const auto* play = std::get_if<PlayPrompts>(&line)) {
+        text["play"] = nlohmann::ordered_json::array();
+        for (const Prompt& prompt : play->prompts)
+            if (const auto* recording = std::get_if<Recording>(&prompt))
+                text["play"].push_back(recording->file);
+            else
+                text["play"].push_back({{"say", std::get<SpokenText>(prompt).text}});
+    }
     return text.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
@@ -32,20 +69,12 @@ LineToSound lineToSound(std::string_view text)
 {
     const nlohmann::json line = protocols::parseStrictJson(text, soundLine);
     if (!line.is_object() || line.size() != 1) throw refusedSoundLine("this line says nothing that the sound knows");
-    if (line.contains("noise")) {
-        const auto& level = line.at("noise");
-        constexpr double loudest = 0.3;
-        if (!level.is_number() || !(level.get<double>() >= 0 && level.get<double>() <= loudest))
-            throw refusedSoundLine("'noise' is no number from 0 to 0.3");
-        return NoiseLevel{level.get<double>()};
-    }
-    if (!line.contains("play") || !line.at("play").is_array() || line.at("play").size() > mostFiles)
-        throw refusedSoundLine("'play' is no list of at most 40 files");
-    PlayFiles play;
-    for (const auto& file : line.at("play")) {
-        if (!file.is_string()) throw refusedSoundLine("'play' names something that is no file");
-        play.files.push_back(file.get<std::string>());
-    }
+    if (line.contains("noise")) return noiseIn(line.at("noise"));
+    if (line.contains("language")) return languageIn(line.at("language"));
+    if (!line.contains("play") || !line.at("play").is_array() || line.at("play").size() > mostPrompts)
+        throw refusedSoundLine("'play' is no list of at most 40 prompts");
+    PlayPrompts play;
+    for (const auto& prompt : line.at("play")) play.prompts.push_back(promptIn(prompt));
     return play;
 }
 

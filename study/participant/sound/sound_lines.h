@@ -13,15 +13,30 @@ struct NoiseLevel {
     double level = 0;
     bool operator==(const NoiseLevel&) const = default;
 };
-/// WAV files to play one after another, in place of those that still play.
-struct PlayFiles {
-    std::vector<std::string> files;
-    bool operator==(const PlayFiles&) const = default;
+/// The language of texts to speak, BCP 47; empty to speak none.
+struct SpeechLanguage {
+    std::string tag;
+    bool operator==(const SpeechLanguage&) const = default;
 };
-using LineToSound = std::variant<NoiseLevel, PlayFiles>;
+struct Recording {
+    std::string file;  ///< a WAV file
+    bool operator==(const Recording&) const = default;
+};
+inline constexpr std::size_t longestSpokenText = 8000;  ///< bytes, about eight minutes
+struct SpokenText {
+    std::string text;
+    bool operator==(const SpokenText&) const = default;
+};
+using Prompt = std::variant<Recording, SpokenText>;
+/// Prompts to play one after another, in place of those that still play.
+struct PlayPrompts {
+    std::vector<Prompt> prompts;
+    bool operator==(const PlayPrompts&) const = default;
+};
+using LineToSound = std::variant<NoiseLevel, SpeechLanguage, PlayPrompts>;
 
 std::string lineOf(const LineToSound& line);
-/// Throws badInput for anything that lineOf() does not write, and for more than 40 files.
+/// Throws badInput for anything that lineOf() does not write, and for more than 40 prompts.
 LineToSound lineToSound(std::string_view text);
 
 }  // namespace study::participant

@@ -1,36 +1,33 @@
-// vis2hap-sound: masking noise and recordings for the participant's headphones. The app starts it when sound is wanted and sends
-// it lines on standard input; it answers with the name of the device, or with faults. It ends with its input.
-#include <sys/prctl.h>
-#include <unistd.h>
-
+// vis2hap-sound: masking noise, recordings and spoken texts for the participant's headphones. The app starts it when sound is
+// wanted and sends it lines on standard input; it answers with the name of the device, the voice, or faults. It ends with its
+// input.
 #include <QAudioSink>
 #include <QCommandLineParser>
 #include <QCoreApplication>
 #include <QIODevice>
 #include <QMediaDevices>
-#include <QSocketNotifier>
-#include <algorithm>
-#include <array>
+#include <QThreadPool>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
 #include <iostream>
-#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
-#include "study/participant/page_lines.h"
+#include "study/participant/programs/child_program.h"
 #include "study/participant/sound/sound_lines.h"
 #include "study/participant/sound/sound_mix.h"
+#include "study/participant/sound/speech.h"
 #include "study/participant/sound/wav_sound.h"
 
 namespace {
 
 using namespace study::participant;
 
+constexpr const char* program = "vis2hap-sound";
 constexpr int channels = 2;
 
+/// Writes a line for the app. One call writes the whole line, so lines of two threads do not mix.
 void tell(const char* key, const std::string& text)
 {
     const std::string line = nlohmann::json{{key, text}}.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
@@ -38,23 +35,37 @@ void tell(const char* key, const std::string& text)
     std::fflush(stdout);
 }
 
-int report(const std::exception& fault, int code)
+std::vector<float> soundOf(const Prompt& prompt, SpeechEngine& speech)
 {
-    std::fprintf(stderr, "vis2hap-sound: %s\n", fault.what());
-    return code;
+    const auto* recording = std::get_if<Recording>(&prompt);
+    return recording ? soundFromWav(protocols::readWholeFile(recording->file), recording->file)
+                     : speech.spoken(std::get<SpokenText>(prompt).text);
 }
 
-/// Does what the line says. A recording that cannot be read is left out, and the app hears why.
-void obey(const std::string& text, SoundMix& mix)
+/// The prompts as sound. A prompt that cannot be played is left out, and the app gets the reason.
+std::vector<std::vector<float>> soundsOf(const PlayPrompts& play, SpeechEngine& speech)
 {
-    const LineToSound line = lineToSound(text);
-    if (const auto* noise = std::get_if<NoiseLevel>(&line)) return mix.setNoise(static_cast<float>(noise->level));
-    mix.silence();
-    for (const std::string& file : std::get<PlayFiles>(line).files) try {
-            mix.play(soundFromWav(protocols::readWholeFile(file), file));
+    std::vector<std::vector<float>> sounds;
+    for (const Prompt& prompt : play.prompts) try {
+            sounds.push_back(soundOf(prompt, speech));
         } catch (const protocols::Error& fault) {
             tell("fault", fault.what());
         }
+    return sounds;
+}
+
+void chooseVoice(const std::string& language, SpeechEngine& speech)
+{
+    try {
+        tell("voice", language.empty() ? "" : speech.chooseVoice(language));
+    } catch (const protocols::Error& fault) {
+        tell("no_voice", fault.what());
+    }
+}
+
+void playAll(std::vector<std::vector<float>> sounds, SoundMix& mix)
+{
+    for (auto& sound : sounds) mix.play(std::move(sound));
 }
 
 /// The mix as a stream that the device reads.
@@ -82,29 +93,32 @@ private:
     std::vector<float> m_samples;
 };
 
-class InputReader {
+/// Obeys lines while the device plays. Files are read and texts are spoken by another thread, so that the noise never stops.
+class Player {
 public:
-    explicit InputReader(SoundMix& mix) : m_mix(mix), m_notifier(STDIN_FILENO, QSocketNotifier::Read)
+    explicit Player(SoundMix& mix) : m_mix(mix) { m_worker.setMaxThreadCount(1); }
+    ~Player() { m_worker.waitForDone(); }
+
+    void obey(const std::string& text)
     {
-        QObject::connect(&m_notifier, &QSocketNotifier::activated, &m_notifier, [this] { read(); });
+        const LineToSound line = lineToSound(text);
+        if (const auto* noise = std::get_if<NoiseLevel>(&line)) return m_mix.setNoise(static_cast<float>(noise->level));
+        if (const auto* language = std::get_if<SpeechLanguage>(&line))
+            return m_worker.start([this, tag = language->tag] { chooseVoice(tag, m_speech); });
+        m_mix.silence();
+        m_worker.start([this, play = std::get<PlayPrompts>(line), number = ++m_lists] {
+            auto sounds = soundsOf(play, m_speech);
+            QMetaObject::invokeMethod(QCoreApplication::instance(), [this, number, ready = std::move(sounds)]() mutable {
+                if (number == m_lists) playAll(std::move(ready), m_mix);  // else a later list has taken its place
+            });
+        });
     }
 
 private:
-    void read()
-    {
-        std::array<char, 65536> bytes{};
-        const ssize_t count = ::read(STDIN_FILENO, bytes.data(), bytes.size());
-        if (count <= 0) return QCoreApplication::exit(0);
-        try {
-            for (const std::string& line : m_lines.take({bytes.data(), static_cast<std::size_t>(count)})) obey(line, m_mix);
-        } catch (const protocols::Error& fault) {
-            QCoreApplication::exit(report(fault, 1));
-        }
-    }
-
     SoundMix& m_mix;
-    LineBuffer m_lines;
-    QSocketNotifier m_notifier;
+    SpeechEngine m_speech;  ///< used by the worker only
+    int m_lists = 0;
+    QThreadPool m_worker;
 };
 
 int playOnDevice()
@@ -127,29 +141,35 @@ int playOnDevice()
     if (sink.error() != QAudio::NoError)
         throw protocols::environmentFault({"the output for sound cannot be opened", device.description().toStdString(),
                                            "a free output", "close other programs that play sound, then start it again"});
-    const InputReader reader(mix);
+    Player player(mix);
+    const InputLines input(program, [&](const std::string& line) { player.obey(line); });
     tell("ready", device.description().toStdString());
     return QCoreApplication::exec();
 }
 
-/// Writes what the lines of the input would sound like: a second after each level of noise, and each list of recordings with half
-/// a second after it.
+/// Writes what the lines of the input would sound like: a second after each level of noise, and each list of prompts with half a
+/// second after it.
 int writeTo(const std::string& file)
 {
     SoundMix mix;
+    SpeechEngine speech;
     std::vector<float> all;
     const auto more = [&](double seconds) {
         std::vector<float> samples(static_cast<std::size_t>(seconds * mixRateHz));
         mix.fill(samples);
         all.insert(all.end(), samples.begin(), samples.end());
     };
-    for (std::string line; std::getline(std::cin, line);) {
-        obey(line, mix);
-        if (mix.isPlaying()) {
+    for (std::string text; std::getline(std::cin, text);) {
+        const LineToSound line = lineToSound(text);
+        if (const auto* noise = std::get_if<NoiseLevel>(&line)) {
+            mix.setNoise(static_cast<float>(noise->level));
+            more(1);
+        } else if (const auto* language = std::get_if<SpeechLanguage>(&line)) {
+            chooseVoice(language->tag, speech);
+        } else {
+            playAll(soundsOf(std::get<PlayPrompts>(line), speech), mix);
             while (mix.isPlaying()) more(0.01);
             more(0.5);
-        } else {
-            more(1);
         }
     }
     protocols::writeWholeFile(file, wavOf(all), protocols::Sync::Later);
@@ -160,20 +180,17 @@ int writeTo(const std::string& file)
 
 int main(int argc, char** argv)
 {
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // also where the end of the input is not noticed
-    ::close_range(3, ~0U, 0);            // files that a parent of the app left open are none of this program's
-    std::signal(SIGPIPE, SIG_IGN);
+    becomeChildProgram();
     QCoreApplication app(argc, argv);
     QCommandLineParser parser;
     parser.setApplicationDescription(
-        "Masking noise and recordings for the participant's headphones. The app of Vis2Hap starts this "
-        "program.");
+        "Masking noise, recordings and spoken prompts for the participant's headphones. The app of Vis2Hap starts this program.");
     parser.addOption({"to", "Write the sound to this WAV file instead of playing it.", "FILE"});
     parser.addHelpOption();
     parser.process(app);
     try {
         return parser.isSet("to") ? writeTo(parser.value("to").toStdString()) : playOnDevice();
     } catch (const protocols::Error& fault) {
-        return report(fault, static_cast<int>(fault.exitCode()));
+        return reported(program, fault, static_cast<int>(fault.exitCode()));
     }
 }

@@ -74,6 +74,7 @@ private Q_SLOTS:
     void theSecondScreenShowsTheSame();
     void f4LeadsThereAndBack();
     void promptsAreDueAtTheirMoments();
+    void aRecordingWinsOverSpeech();
     void withoutSoundThePageSaysSo();
 };
 
@@ -314,6 +315,16 @@ void AppParticipantTest::promptsAreDueAtTheirMoments()
     open.perform(Touched{});
     open.perform(Answered{open.view().trayIds[1]});
     QVERIFY(due == (std::vector<std::string>{"answer_B", "question_W1"}));
+}
+
+void AppParticipantTest::aRecordingWinsOverSpeech()
+{
+    using namespace study::participant;
+    const study::app::SaidPrompts prompts{{{"feel", "/f.wav"}}, {{"feel", "Feel"}, {"question_Q1", "Which?"}}, "en"};
+    const std::vector<std::string> keys{"feel", "question_Q1", "answer_B"};
+    const auto played = [&](bool hasVoice) { return study::app::playedFor(keys, prompts, hasVoice).prompts; };
+    QVERIFY(played(true) == (std::vector<Prompt>{Recording{"/f.wav"}, SpokenText{"Which?"}}));
+    QVERIFY(played(false) == std::vector<Prompt>{Recording{"/f.wav"}});
 }
 
 void AppParticipantTest::withoutSoundThePageSaysSo()

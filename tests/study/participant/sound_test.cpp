@@ -1,7 +1,9 @@
 // What the participant hears: recordings as they were, noise that is lowered while they play, and prompts that say only what the
 // participant has said or may know.
+#include <QDir>
 #include <QFileInfo>
 #include <QProcess>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QtTest>
 #include <cmath>
@@ -9,6 +11,8 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
+#include "protocols/protocol_json.h"
+#include "protocols/usual_texts.h"
 #include "study/participant/session/prompts.h"
 #include "study/participant/sound/sound_lines.h"
 #include "study/participant/sound/sound_mix.h"
@@ -50,6 +54,43 @@ void put(std::string& bytes, std::size_t at, unsigned value, int size)
 {
     for (int i = 0; i < size; ++i) bytes[at + static_cast<std::size_t>(i)] = static_cast<char>(value >> (8 * i));
 }
+
+/// vis2hap-sound with an engine of the test: a script that finds its folder in $folder, with half a second of a tone in tone.wav.
+struct Speaking {
+    QString folder;
+    QString path;  ///< where the program looks for the engine
+    QByteArray told;
+
+    Speaking(const QString& in, const QString& engine) : folder(in), path(in + "/engine:/usr/bin:/bin")
+    {
+        QDir(in).mkpath("engine");
+        const QString file = in + "/engine/espeak-ng";
+        protocols::writeWholeFile(file.toStdString(), ("#!/bin/sh\nfolder='" + in + "'\n" + engine + "\n").toStdString());
+        QFile::setPermissions(file, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+        protocols::writeWholeFile((in + "/tone.wav").toStdString(), wavOf(tone(0.5, 0.5)));
+        for (const char* old : {"said", "arguments"}) QFile::remove(in + "/" + old);
+    }
+    QByteArray read(const char* file) const
+    {
+        return QByteArray::fromStdString(protocols::readWholeFile((folder + "/" + file).toStdString()));
+    }
+    std::vector<float> heard(const std::vector<LineToSound>& lines)
+    {
+        QProcess program;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("PATH", path);
+        program.setProcessEnvironment(environment);
+        program.setWorkingDirectory(folder);
+        program.start(QFileInfo(VIS2HAP_PROGRAM).path() + "/vis2hap-sound", {"--to", folder + "/heard.wav"});
+        for (const LineToSound& line : lines) program.write(QByteArray::fromStdString(lineOf(line) + "\n"));
+        program.closeWriteChannel();
+        if (!program.waitForFinished(20000) || program.exitCode() != 0)
+            qFatal("vis2hap-sound: %s", program.readAllStandardError().constData());
+        told = program.readAllStandardOutput();
+        const std::string bytes = protocols::readWholeFile((folder + "/heard.wav").toStdString());
+        return bytes.size() > 44 ? soundFromWav(bytes, "heard.wav") : std::vector<float>();
+    }
+};
 
 }  // namespace
 
@@ -157,11 +198,127 @@ private Q_SLOTS:
 
     void linesAreReadStrictly()
     {
-        for (const LineToSound& line : {LineToSound(NoiseLevel{0.08}), LineToSound(PlayFiles{{"/a b.wav", "/ü.wav"}})})
+        for (const LineToSound& line :
+             {LineToSound(NoiseLevel{0.08}), LineToSound(SpeechLanguage{"zh-Hant"}), LineToSound(SpeechLanguage{}),
+              LineToSound(PlayPrompts{{Recording{"/a b.wav"}, SpokenText{"Fühlen \"Sie\"."}, Recording{"/ü.wav"}}})})
             QVERIFY(lineToSound(lineOf(line)) == line);
-        for (const char* line : {"", "{}", R"({"noise":0.5})", R"({"noise":-1})", R"({"noise":"loud"})", R"({"play":"a"})",
-                                 R"({"play":[1]})", R"({"play":[],"noise":0})"})
+        for (const char* line :
+             {"", "{}", R"({"noise":0.5})", R"({"noise":-1})", R"({"noise":"loud"})", R"({"play":"a"})", R"({"play":[1]})",
+              R"({"play":[],"noise":0})", R"({"play":[{"say":1}]})", R"({"play":[{"say":"a","file":"b"}]})", R"({"language":7})",
+              R"({"language":"-v"})", R"({"language":"../mb"})", R"({"language":"abcdefghijklmnopqrstuvwxyz0123456789"})"})
             QVERIFY_EXCEPTION_THROWN(lineToSound(line), protocols::Error);
+    }
+
+    void tooLongTextsAreRefused()
+    {
+        const auto said = [](std::size_t bytes) { return lineOf(PlayPrompts{{SpokenText{std::string(bytes, 'a')}}}); };
+        lineToSound(said(longestSpokenText));
+        QVERIFY_EXCEPTION_THROWN(lineToSound(said(longestSpokenText + 1)), protocols::Error);
+    }
+
+    void anEngineSpeaksTextsAsData()
+    {
+        Speaking speaking(m_folder.path(),
+                          R"(cat >> "$folder/said"; echo "$@" >> "$folder/arguments"; cp "$folder/tone.wav" "$7")");
+        const std::string text = "Feel $(touch evil); \"now\" [[h@l]] -w x\x01\n";
+        const auto heard = speaking.heard({SpeechLanguage{"pt-BR"}, PlayPrompts{{SpokenText{text}, SpokenText{text}}}});
+        QVERIFY2(speaking.told.contains("espeak-ng pt-br"), speaking.told.constData());
+        QCOMPARE(speaking.read("said"), QByteArray("\nFeel $(touch evil); \"now\"   h@l   -w x  \n"));  // once: the sound is kept
+        QVERIFY2(speaking.read("arguments").startsWith("-b 1 -v pt-br --stdin -w /dev/null\n-b 1 -v pt-br --stdin -w /"),
+                 speaking.read("arguments").constData());
+        QVERIFY(!QFileInfo::exists(m_folder.filePath("evil")));
+        QCOMPARE(heard.size(), std::size_t(2 * 0.5 * mixRateHz + 0.5 * mixRateHz));
+        QVERIFY(rmsOf(std::span(heard).first(mixRateHz)) > 0.34);
+    }
+
+    void theMainLanguageStandsInForItsVariant()
+    {
+        Speaking speaking(m_folder.path(), R"([ "$4" = zh ] && cp "$folder/tone.wav" "$7")");
+        const auto heard = speaking.heard({SpeechLanguage{"zh-Hant-TW"}, PlayPrompts{{SpokenText{"x"}}}});
+        QVERIFY2(speaking.told.contains(R"({"voice":"espeak-ng zh"})"), speaking.told.constData());
+        QVERIFY(heard.size() == mixRateHz);
+        speaking.heard({SpeechLanguage{"qq"}});
+        QVERIFY2(speaking.told.contains("no_voice") && speaking.told.contains("language 'qq'"), speaking.told.constData());
+    }
+
+    void withoutAnEngineTheProgramSaysHowToGetOne()
+    {
+        Speaking speaking(m_folder.path(), "exit 1");
+        speaking.path = "/nonexistent";
+        const auto heard = speaking.heard({SpeechLanguage{"en"}, NoiseLevel{0.1}, SpeechLanguage{}});
+        QVERIFY2(speaking.told.contains("no_voice") && speaking.told.contains("apt-get install espeak-ng"),
+                 speaking.told.constData());
+        QVERIFY(speaking.told.endsWith("{\"voice\":\"\"}\n"));  // none was wanted
+        QVERIFY(rmsOf(heard) > 0.05);                           // the noise goes on
+    }
+
+    void aFaultyEngineLeavesOnlyItsPromptOut_data()
+    {
+        QTest::addColumn<QString>("engine");
+        QTest::addColumn<QString>("named");
+        QTest::newRow("fails") << "exit 1"
+                               << "could not speak";
+        QTest::newRow("crashes") << "kill -SEGV $$"
+                                 << "could not speak";
+        QTest::newRow("writes nothing") << "exit 0"
+                                        << "speech.wav";
+        QTest::newRow("writes no sound") << R"(echo Hello > "$7")"
+                                         << "no WAV file";
+        QTest::newRow("never stops writing") << R"(exec cat /dev/zero > "$7")"
+                                             << "could not speak";
+        QTest::newRow("never ends") << "exec sleep 60"
+                                    << "could not speak";
+    }
+    void aFaultyEngineLeavesOnlyItsPromptOut()
+    {
+        QFETCH(QString, engine);
+        QFETCH(QString, named);
+        Speaking speaking(m_folder.path(), R"([ "$7" = /dev/null ] && exit 0; )" + engine);
+        const std::string tones = m_folder.filePath("tone.wav").toStdString();
+        const auto heard = speaking.heard({SpeechLanguage{"en"}, PlayPrompts{{SpokenText{"x"}, Recording{tones}}}});
+        QVERIFY2(speaking.told.contains("\"fault\"") && speaking.told.contains(named.toUtf8()), speaking.told.constData());
+        QCOMPARE(heard.size(), std::size_t(mixRateHz));  // the recording, and half a second
+    }
+
+    void theInstalledEngineSpeaks()
+    {
+        if (QStandardPaths::findExecutable("espeak-ng").isEmpty())
+            QSKIP("espeak-ng is not installed (apt-get install espeak-ng)");
+        Speaking speaking(m_folder.path(), "exit 1");
+        speaking.path = qEnvironmentVariable("PATH");
+        for (const auto& [language, text] :
+             {std::pair("en", "Feel the display."), {"pt-BR", "Toque a tela."}, {"ja", "触ってください。"}}) {
+            const auto heard = speaking.heard({SpeechLanguage{language}, PlayPrompts{{SpokenText{text}}}});
+            QVERIFY2(speaking.told.startsWith("{\"voice\""), speaking.told.constData());
+            const double seconds = double(heard.size()) / mixRateHz - 0.5;
+            QVERIFY2(seconds > 0.5 && seconds < 5, qPrintable(QString("%1: %2 s").arg(language).arg(seconds)));
+            QVERIFY(rmsOf(heard) > 0.02);
+        }
+    }
+
+    void textsAreSpokenInTheLanguageOfTheProtocol()
+    {
+        protocols::Protocol protocol = protocols::protocolFromJson(tests::support::wholeProtocolText(), "whole");
+        const auto english = spokenTexts(protocol);
+        QCOMPARE(english.at("feel"), std::string("Feel the display"));
+        QCOMPARE(english.at("answer_B"), std::string("B"));
+        QCOMPARE(english.at("number_10"), std::string("10"));
+        for (const auto& phase : protocol.phases)
+            for (const auto& question : phase.questions) QCOMPARE(english.at("question_" + question.id.value), question.text);
+        for (const auto& [key, text] : english) QVERIFY2(protocols::isPromptKey(protocol, key) && !text.empty(), key.c_str());
+        protocol.language = "de";
+        protocol.participantTexts = {{"feel_title", "Fühlen"}, {"break_text", "Ruhen Sie sich aus."}};
+        protocol.phases[0].questions[1].text = "Wie fühlt es sich an?";
+        auto usual = protocol.phases[0].questions[0];
+        usual.id = protocols::QuestionId("Q4");
+        usual.text = protocols::usualTextOf(usual.id, protocol.phases[0].task, protocols::ProtocolEdition::Current);
+        protocol.phases[0].questions.push_back(usual);
+        const auto german = spokenTexts(protocol);
+        QCOMPARE(german.at("feel"), std::string("Fühlen"));
+        QCOMPARE(german.at("break"), std::string("Ruhen Sie sich aus."));
+        QCOMPARE(german.at("question_W1"), std::string("Wie fühlt es sich an?"));
+        for (const char* key : {"wait", "end", "same", "different", "point", "question_Q4"}) QVERIFY2(!german.contains(key), key);
+        QCOMPARE(german.at("number_5"), std::string("5"));
     }
 
     void theProgramWritesWhatIsHeard()
@@ -172,7 +329,8 @@ private Q_SLOTS:
         program.start(QFileInfo(VIS2HAP_PROGRAM).path() + "/vis2hap-sound", {"--to", m_folder.filePath("heard.wav")});
         QVERIFY(program.waitForStarted(5000));
         for (const LineToSound& line :
-             {LineToSound(NoiseLevel{0.1}), LineToSound(PlayFiles{{folder + "/tone.wav", folder + "/none.wav"}})})
+             {LineToSound(NoiseLevel{0.1}),
+              LineToSound(PlayPrompts{{Recording{folder + "/tone.wav"}, Recording{folder + "/none.wav"}}})})
             program.write(QByteArray::fromStdString(lineOf(line) + "\n"));
         program.closeWriteChannel();
         QVERIFY(program.waitForFinished(10000));

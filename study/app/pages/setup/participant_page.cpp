@@ -36,9 +36,11 @@ ParticipantPage::ParticipantPage(ParticipantSide& side, ParticipantSound& sound,
       m_code(label("pageCode", Type::Title, this, Weight::Bold)),
       m_state(label("pageState", Type::Body, this, Weight::Bold)),
       m_noise(new QComboBox(this)),
+      m_speech(new QComboBox(this)),
       m_startSound(button("startSoundButton", tr("Start the sound"), this)),
-      m_try(button("tryRecordingButton", tr("Play a recording"), this)),
+      m_try(button("tryRecordingButton", tr("Play a prompt"), this)),
       m_soundState(label("soundState", Type::Body, this, Weight::Bold)),
+      m_speechState(label("speechState", Type::Body, this)),
       m_message(new MessageBar("participantMessage", this))
 {
     setObjectName("participantPage");
@@ -53,6 +55,10 @@ ParticipantPage::ParticipantPage(ParticipantSide& side, ParticipantSound& sound,
     m_noise->addItem(tr("Medium noise"), 0.08);
     m_noise->addItem(tr("Loud noise"), 0.2);
     m_noise->setCurrentIndex(2);
+    name(*m_speech, "speechChoice", tr("Prompts without a recording"));
+    name(*m_speech->view(), "speeches", tr("Prompts without a recording"));
+    m_speech->addItem(tr("A computer voice speaks prompts without a recording"));
+    m_speech->addItem(tr("The operator speaks prompts without a recording"));
     m_address->setTextInteractionFlags(Qt::TextSelectableByMouse);
     build();
     connect(m_open, &QPushButton::clicked, this, &ParticipantPage::toggleWindow);
@@ -62,6 +68,7 @@ ParticipantPage::ParticipantPage(ParticipantSide& side, ParticipantSound& sound,
     connect(m_startSound, &QPushButton::clicked, this, &ParticipantPage::toggleSound);
     connect(m_try, &QPushButton::clicked, this, [this] { m_sound.say({m_sound.someKey()}); });
     connect(m_noise, &QComboBox::currentIndexChanged, this, [this] { m_sound.setNoise(noise()); });
+    connect(m_speech, &QComboBox::currentIndexChanged, this, [this] { m_sound.setSpeech(speech()); });
     connect(&m_side, &ParticipantSide::stateChanged, this, &ParticipantPage::showState);
     connect(&m_sound, &ParticipantSound::stateChanged, this, &ParticipantPage::showState);
     showState();
@@ -71,7 +78,7 @@ ParticipantPage::~ParticipantPage() = default;
 
 void ParticipantPage::build()
 {
-    for (QComboBox* choice : {m_screen, m_network, m_noise}) setType(*choice, Type::Body);
+    for (QComboBox* choice : {m_screen, m_network, m_noise, m_speech}) setType(*choice, Type::Body);
     auto* page = new QWidget(this);
     auto* head = new PageHead(page);
     head->setTexts(tr("Participant's screen"),
@@ -108,8 +115,10 @@ void ParticipantPage::build()
     column->addSpacing(14);
     column->addWidget(title("headphonesTitle", tr("Headphones")));
     column->addWidget(m_noise);
+    column->addWidget(m_speech);
     column->addLayout(actionsRow({m_startSound, m_try}));
     column->addWidget(m_soundState);
+    column->addWidget(m_speechState);
     column->addWidget(m_message);
     column->addLayout(actionsRow({m_back}));
     column->addStretch(1);
@@ -191,7 +200,29 @@ void ParticipantPage::toggleSound()
     if (m_sound.state().isOn)
         m_sound.stop();
     else
-        m_sound.start(noise());
+        m_sound.start(noise(), speech());
+}
+
+Speech ParticipantPage::speech() const { return m_speech->currentIndex() == 0 ? Speech::Wanted : Speech::RecordingsOnly; }
+
+QString ParticipantPage::promptsText() const
+{
+    const SoundState& sound = m_sound.state();
+    const QString recordings =
+        sound.recordings == 0 ? tr("The study names no recordings.") : tr("Recordings of the study: %1.").arg(sound.recordings);
+    if (!sound.voice.isEmpty()) return tr("%1 The voice %2 speaks the other prompts.").arg(recordings, sound.voice);
+    if (sound.isOn || speech() == Speech::RecordingsOnly) return tr("%1 The operator speaks the other prompts.").arg(recordings);
+    return recordings;
+}
+
+void ParticipantPage::showSound()
+{
+    const SoundState& sound = m_sound.state();
+    setButtonText(*m_startSound, sound.isOn ? tr("Stop the sound") : tr("Start the sound"));
+    m_try->setEnabled(sound.isOn && !m_sound.someKey().empty());
+    m_soundState->setText(sound.isOn && !sound.device.isEmpty() ? tr("Playing on %1. %2").arg(sound.device, promptsText())
+                                                                : promptsText());
+    showText(*m_speechState, sound.noVoice);
 }
 
 void ParticipantPage::showState()
@@ -215,14 +246,8 @@ void ParticipantPage::showState()
         text = state.wrongCodes == 0 ? tr("No browser has entered the code yet.")
                                      : tr("No browser has entered the code yet. Wrong codes: %1").arg(state.wrongCodes);
     showText(*m_state, text);
-    const SoundState& sound = m_sound.state();
-    setButtonText(*m_startSound, sound.isOn ? tr("Stop the sound") : tr("Start the sound"));
-    m_try->setEnabled(sound.isOn && sound.recordings > 0);
-    const QString recordings = sound.recordings == 0 ? tr("The study names no recordings, so the operator speaks.")
-                                                     : tr("Recordings of the study: %1.").arg(sound.recordings);
-    m_soundState->setText(sound.isOn && !sound.device.isEmpty() ? tr("Playing on %1. %2").arg(sound.device, recordings)
-                                                                : recordings);
-    const QString fault = state.fault.isEmpty() ? sound.fault : state.fault;
+    showSound();
+    const QString fault = state.fault.isEmpty() ? m_sound.state().fault : state.fault;
     if (fault.isEmpty())
         m_message->clearMessage();
     else

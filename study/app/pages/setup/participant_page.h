@@ -44,7 +44,10 @@ private:
     void togglePage();
     void toggleSound();
     double noise() const;
+    Speech speech() const;
+    QString promptsText() const;
     void showState();
+    void showSound();
 
     ParticipantSide& m_side;
     ParticipantSound& m_sound;
@@ -60,9 +63,11 @@ private:
     QLabel* m_code;
     QLabel* m_state;
     QComboBox* m_noise;
+    QComboBox* m_speech;
     QPushButton* m_startSound;
     QPushButton* m_try;
     QLabel* m_soundState;
+    QLabel* m_speechState;
     MessageBar* m_message;
 };
 

@@ -205,6 +205,7 @@ void Driver::commit(const EventBody& body, std::int64_t atNs, SessionStep step)
     entry.event = {0, m_participant, step.next.sitting, kindOf(body), payloadJson(body, m_operatedBy), atNs, m_clock.wallTime()};
     addWhatItStores(entry, m_plan, m_state, step.next, body);
     if (std::holds_alternative<Answered>(body)) entry.finger = m_finger.unstored(entry.answers.front().trial);
+    if (entry.voids) entry.finger = m_finger.unstored(*entry.voids);
     entry.storedAtNs = m_clock.monotonicNs();
     m_store.append(entry);
     m_state = std::move(step.next);

@@ -456,8 +456,16 @@ private Q_SLOTS:
         session.stepUntil("Presenting");
         session.step();
         QCOMPARE(recordsNow().size(), 1u);
+
+        session.stepUntil("Presenting");
+        move(0.1, 7);
+        session.send(Voided{"the hand slipped"});
+        const auto voided = recordsNow();
+        QCOMPARE(voided.size(), 2u);
+        QVERIFY(voided[1].voided && !voided[0].voided);
+        QCOMPARE(*voided[1].samples.at(0).xMm, 7.0);
         session.playToEnd();
-        QCOMPARE(recordsNow().size(), 1u);
+        QCOMPARE(recordsNow().size(), 2u);
         QVERIFY(session.store.faults().empty());
     }
 

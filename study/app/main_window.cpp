@@ -23,10 +23,9 @@
 #include "study/app/pages/start_page.h"
 #include "study/app/pages/study_page.h"
 #include "study/app/pages/tools/tools_page.h"
+#include "study/app/participant_room.h"
 #include "study/app/pieces/pieces.h"
 #include "study/app/state/recent_studies.h"
-#include "study/participant/session/present_instruction.h"
-#include "study/participant/session/prompts.h"
 
 namespace study::app {
 
@@ -56,9 +55,8 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
       m_photographsPage(new PhotographsPage(options.photographs, this)),
       m_displayPage(new DisplayPage(options, this)),
       m_keysPage(new KeysPage(options.settings, this)),
-      m_participantSide(new ParticipantSide(this)),
-      m_participantSound(new ParticipantSound(this)),
-      m_participantPage(new ParticipantPage(*m_participantSide, *m_participantSound, this)),
+      m_participantRoom(new ParticipantRoom(this)),
+      m_participantPage(new ParticipantPage(m_participantRoom->side(), m_participantRoom->sound(), this)),
       m_rehearsalPage(new RehearsalPage(this)),
       m_studyPage(new StudyPage(this)),
       m_toolsPage(new ToolsPage(options.useTool, this)),
@@ -84,8 +82,8 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
     m_rehearses = options.isDisplayGiven;
     const std::string remembered = rememberedDisplay(options.settings.get());
     const bool isAllowed = options.allowsPlainImages || !leavesPlainImages(remembered);
-    if (!options.isDisplayGiven && options.kind == database::ParticipantKind::Human && !remembered.empty() && isAllowed)
-        useDisplay(remembered);
+    const bool isWanted = !options.isDisplayGiven && options.kind == database::ParticipantKind::Human && !remembered.empty();
+    if (isWanted && isAllowed) useDisplay(remembered);
     connectPages();
     connectDisplayPage();
     connectKeysPages();
@@ -95,6 +93,11 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
     connectRehearsal();
     connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q), this), &QShortcut::activated, this, [this] { close(); });
     showStart();
+    if (isWanted && !isAllowed)
+        m_startPage->showFault(
+            tr("The display of the last time, %1, is not connected: an operator could open its plain images. Choose "
+               "another display here, or start the program with --plain-images.")
+                .arg(QString::fromStdString(remembered)));
 }
 
 MainWindow::~MainWindow() = default;
@@ -209,7 +212,7 @@ void MainWindow::connectParticipantSide()
     connect(m_startPage, &StartPage::participantRequested, this, &MainWindow::showParticipantSide);
     connect(m_studyPage, &StudyPage::participantRequested, this, &MainWindow::showParticipantSide);
     connect(m_participantPage, &ParticipantPage::backRequested, this, &MainWindow::leaveParticipantSide);
-    connect(m_participantSide, &ParticipantSide::acted, this, &MainWindow::takeAct);
+    connect(&participantSide(), &ParticipantSide::acted, this, &MainWindow::takeAct);
     tellParticipant();
 }
 
@@ -228,32 +231,12 @@ void MainWindow::leaveParticipantSide()
     if (m_session) m_sessionPage->present(m_session->view(), m_session->canCorrect());
 }
 
-void MainWindow::tellParticipant()
-{
-    const auto& protocol = m_study ? m_study->protocol() : protocols::Protocol{};
-    SaidPrompts prompts;
-    if (m_study) {
-        for (const auto& [key, file] : protocol.prompts) prompts.files[key] = m_study->store().folder().prompt(key).string();
-        prompts.texts = participant::spokenTexts(protocol);
-        prompts.language = protocol.language;
-    }
-    m_participantSound->setPrompts(std::move(prompts));
-    if (!m_session) return m_participantSide->show(participant::waiting(protocol));
-    m_participantSide->show(participant::instructionFor(m_session->view(), m_session->plan().protocol));
-    m_participantSound->say(participant::promptsBetween(m_told, m_session->view()));
-    m_told = m_session->view();
-}
+void MainWindow::tellParticipant() { m_participantRoom->tell(m_study.get(), m_session.get()); }
 
 void MainWindow::takeAct(const participant::ParticipantAct& act)
 {
     if (!m_session) return;
-    const auto event = participant::eventOf(act, m_session->view(), m_session->plan().protocol);
-    if (event) {
-        const auto& view = m_session->view();
-        const auto before = std::pair(view.state.stage.index(), view.placeToName.has_value());
-        m_session->send(*event);
-        if (before != std::pair(view.state.stage.index(), view.placeToName.has_value())) m_sessionPage->holdKeys();
-    }
+    if (m_participantRoom->take(act, *m_session)) m_sessionPage->holdKeys();
     m_sessionPage->showAct(act);
 }
 
@@ -351,6 +334,10 @@ void MainWindow::openMonitor()
 
 QWidget* MainWindow::currentPage() const { return m_pages->currentWidget(); }
 
+ParticipantSide& MainWindow::participantSide() const { return m_participantRoom->side(); }
+
+ParticipantSound& MainWindow::participantSound() const { return m_participantRoom->sound(); }
+
 void MainWindow::showStart()
 {
     setWindowTitle(tr("Vis2Hap"));
@@ -423,8 +410,7 @@ void MainWindow::begin(OpenStudy& study, const protocols::ParticipantId& partici
     m_pages->setCurrentWidget(m_sessionPage);
     setWindowTitle(tr("%1 – %2 – Vis2Hap").arg(QString::fromStdString(participant.value), study.name()));
     m_sessionPage->present(m_session->view(), m_session->canCorrect());
-    m_participantSide->setWords(m_session->plan().protocol);
-    m_told = m_session->view();
+    m_participantRoom->begin(*m_session);
     tellParticipant();
 }
 
@@ -440,7 +426,7 @@ void MainWindow::refreshSession()
     // When the display fails, the event is stored nevertheless. A touch that the display reports, or an act of the participant,
     // can come at any time, so it must not close a panel that the operator is using.
     const auto& outcome = m_session->lastOutcome();
-    const bool isByOperator = session::isEnteredByOperator(outcome->event);
+    const bool isByOperator = !m_participantRoom->isTaking() && session::isEnteredByOperator(outcome->event);
     const bool isAccepted = !outcome->refusal && !outcome->fault;
     if (isByOperator && (isAccepted || m_sessionPage->shownView().state != m_session->view().state))
         m_sessionPage->closePanelAndMessage();

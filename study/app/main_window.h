@@ -27,6 +27,7 @@ class LatencyPage;
 class MonitorWindow;
 class NewStudyPage;
 class ParticipantPage;
+class ParticipantRoom;
 class ParticipantSide;
 class ParticipantSound;
 class PhotographsPage;
@@ -55,8 +56,8 @@ public:
     QWidget* currentPage() const;
 
     StartPage& startPage() const { return *m_startPage; }
-    ParticipantSide& participantSide() const { return *m_participantSide; }
-    ParticipantSound& participantSound() const { return *m_participantSound; }
+    ParticipantSide& participantSide() const;
+    ParticipantSound& participantSound() const;
     void setAppearance(const Appearance& appearance) { m_appearanceKeys->set(appearance); }
 
 protected:
@@ -112,9 +113,7 @@ private:
     DisplayPage* m_displayPage;
     KeysPage* m_keysPage;
     LatencyPage* m_latencyPage;
-    ParticipantSide* m_participantSide;
-    ParticipantSound* m_participantSound;
-    session::View m_told;  ///< the moment of the session that the participant was told about last
+    ParticipantRoom* m_participantRoom;
     ParticipantPage* m_participantPage;
     QWidget* m_beforeParticipantPage = nullptr;  ///< the page to go back to
     RehearsalPage* m_rehearsalPage;

@@ -151,21 +151,23 @@ Instruction waiting(const Protocol& protocol)
 std::optional<EventBody> eventOf(const ParticipantAct& act, const View& view, const Protocol& protocol)
 {
     if (!isAskedFor(act, instructionFor(view, protocol))) return std::nullopt;
-    return std::visit(protocols::Overloaded{[](const Agreement& agreement) -> std::optional<EventBody> {
-                                                if (!agreement.agrees) return std::nullopt;
-                                                return Consented{EnteredBy::Participant};
-                                            },
-                                            [&](const FactsTold& told) -> std::optional<EventBody> {
-                                                FactsGiven given{{}, EnteredBy::Participant};
-                                                for (std::size_t i = 0; i < told.answers.size(); ++i)
-                                                    if (!told.answers[i].empty())
-                                                        given.facts[protocol.facts[i]] = told.answers[i];
-                                                return given;
-                                            },
-                                            [&](const PlaceTapped& tapped) -> std::optional<EventBody> {
-                                                return ScalePlaced{*view.placeToName, tapped.place, EnteredBy::Participant};
-                                            }},
-                      act.what);
+    return std::visit(
+        protocols::Overloaded{[](const Agreement& agreement) -> std::optional<EventBody> {
+                                  // It ends nothing: the operator speaks with the participant first.
+                                  if (!agreement.agrees)
+                                      return Noted{"The participant answered \"I do not agree\" on their own screen."};
+                                  return Consented{EnteredBy::Participant};
+                              },
+                              [&](const FactsTold& told) -> std::optional<EventBody> {
+                                  FactsGiven given{{}, EnteredBy::Participant};
+                                  for (std::size_t i = 0; i < told.answers.size(); ++i)
+                                      if (!told.answers[i].empty()) given.facts[protocol.facts[i]] = told.answers[i];
+                                  return given;
+                              },
+                              [&](const PlaceTapped& tapped) -> std::optional<EventBody> {
+                                  return ScalePlaced{*view.placeToName, tapped.place, EnteredBy::Participant};
+                              }},
+        act.what);
 }
 
 }  // namespace study::participant

@@ -87,6 +87,7 @@ private Q_SLOTS:
     void plainImagesMustBeAllowed();
     void aPersonNeedsADisplayOrARehearsal();
     void noneOnTheCommandLineIsARehearsal();
+    void aRememberedFolderIsNamedBeforeASession();
     void displayPageConnectsAndRemembers();
     void displayPageShowsFaultsInPlainWords_data();
     void displayPageShowsFaultsInPlainWords();
@@ -274,6 +275,20 @@ void AppDisplayTest::noneOnTheCommandLineIsARehearsal()
     shown.window.openStudy(newStudy().folder);
     shown.gui.click("enrolButton");
     QVERIFY(shown.window.session());
+}
+
+void AppDisplayTest::aRememberedFolderIsNamedBeforeASession()
+{
+    AppOptions options;
+    options.settings = std::make_shared<QSettings>(filePath("folder.ini"), QSettings::IniFormat);
+    study::app::rememberDisplay(options.settings.get(), "folder:/run/display");
+    const auto message = [](ShownWindow& shown) { return shown.widget<QLabel>("startMessage").text(); };
+    ShownWindow refused(options);
+    QVERIFY2(message(refused).contains("folder:/run/display") && message(refused).contains("--plain-images"),
+             qPrintable(message(refused)));
+    options.allowsPlainImages = true;
+    ShownWindow allowed(options);
+    QVERIFY2(message(allowed).isEmpty(), qPrintable(message(allowed)));
 }
 
 void AppDisplayTest::displayPageConnectsAndRemembers()

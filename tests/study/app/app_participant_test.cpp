@@ -136,6 +136,9 @@ void AppParticipantTest::whoDoesNotAgreeIsTheOperatorsDecision()
     QCOMPARE(session.act("\"agrees\":false"), 204);
     QCOMPARE(session.stage(), std::string("Consenting"));
     QVERIFY2(session.open.message().contains("does not agree"), qPrintable(session.open.message()));
+    const auto last = session.open.window().study()->store().events(ParticipantId("P01")).back();
+    QCOMPARE(last.kind, std::string("noted"));
+    QVERIFY2(last.payloadJson.find("do not agree") != std::string::npos, last.payloadJson.c_str());
     QCOMPARE(session.act("\"agrees\":true"), 204);  // after a talk
     QCOMPARE(session.stage(), std::string("AskingFacts"));
 }
@@ -174,6 +177,7 @@ void AppParticipantTest::aPanelOfTheOperatorStaysOpen()
     session.open.perform(Begun{});
     session.open.gui().click("noteButton");
     session.open.gui().type("nervous");
+    QCOMPARE(session.act("\"agrees\":false"), 204);
     QCOMPARE(session.act("\"agrees\":true"), 204);
     QCOMPARE(session.stage(), std::string("AskingFacts"));
     session.open.gui().pressKey(Qt::Key_Return);

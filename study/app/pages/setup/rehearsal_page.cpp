@@ -56,9 +56,10 @@ RehearsalPage::RehearsalPage(QWidget* parent)
     column->addWidget(m_display);
     m_felt =
         addTick(*column, "rehearsalFelt", tr("An edge or a grating was felt on the display."), &RehearsalState::patternWasFelt);
-    m_heard = addTick(*column, "rehearsalHeard",
-                      tr("With the headphones on, the masking sound is heard, and the display and the fabrics are not."),
-                      &RehearsalState::soundWasHeard);
+    m_heard =
+        addTick(*column, "rehearsalHeard",
+                tr("With the headphones on, the masking sound is heard, and the display and the fabrics are not. F4 plays it."),
+                &RehearsalState::soundWasHeard);
     m_sheets = addTick(*column, "rehearsalSheets", tr("The sheets are printed: labels on the pieces, consent, facts, scale."),
                        &RehearsalState::sheetsAreThere);
     column->addWidget(m_pieces);

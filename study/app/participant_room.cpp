@@ -1,0 +1,54 @@
+#include "study/app/participant_room.h"
+
+#include "study/app/state/open_study.h"
+#include "study/app/state/session_controller.h"
+#include "study/participant/session/present_instruction.h"
+#include "study/participant/session/prompts.h"
+
+namespace study::app {
+
+namespace {
+
+SaidPrompts promptsOf(OpenStudy& study)
+{
+    const auto& protocol = study.protocol();
+    SaidPrompts prompts{{}, participant::spokenTexts(protocol), protocol.language};
+    for (const auto& [key, file] : protocol.prompts) prompts.files[key] = study.store().folder().prompt(key).string();
+    return prompts;
+}
+
+}  // namespace
+
+ParticipantRoom::ParticipantRoom(QObject* parent)
+    : QObject(parent), m_side(new ParticipantSide(this)), m_sound(new ParticipantSound(this))
+{
+}
+
+void ParticipantRoom::begin(const SessionController& session)
+{
+    m_side->setWords(session.plan().protocol);
+    m_told = session.view();
+}
+
+void ParticipantRoom::tell(OpenStudy* study, const SessionController* session)
+{
+    m_sound->setPrompts(study ? promptsOf(*study) : SaidPrompts{});
+    if (!session) return m_side->show(participant::waiting(study ? study->protocol() : protocols::Protocol{}));
+    m_side->show(participant::instructionFor(session->view(), session->plan().protocol));
+    m_sound->say(participant::promptsBetween(m_told, session->view()));
+    m_told = session->view();
+}
+
+bool ParticipantRoom::take(const participant::ParticipantAct& act, SessionController& session)
+{
+    const auto event = participant::eventOf(act, session.view(), session.plan().protocol);
+    if (!event) return false;
+    const auto shown = [&] { return std::pair(session.view().state.stage.index(), session.view().placeToName.has_value()); };
+    const auto before = shown();
+    m_isTaking = true;
+    session.send(*event);
+    m_isTaking = false;
+    return shown() != before;
+}
+
+}  // namespace study::app

@@ -6,6 +6,7 @@
 #include <QVariant>
 #include <QWidget>
 
+#include "study/app/pieces/layout_scale.h"
 #include "study/app/state/recent_studies.h"
 
 namespace study::app {
@@ -74,6 +75,7 @@ void AppearanceKeys::grow()
 {
     qApp->setProperty(sizeName, m_window.size());
     applyAppearance(m_appearance, m_base, m_window.size());
+    if (m_window.layout()) scaleGaps(*m_window.layout(), scaleOf(m_window.size()));
 }
 
 }  // namespace study::app

@@ -2,15 +2,27 @@
 
 #include <QWidget>
 #include <algorithm>
+#include <cmath>
 
 namespace study::app {
 
-FlowLayout::FlowLayout(int gapPx, int rowGapPx, QWidget* parent) : QLayout(parent), m_gapPx(gapPx), m_rowGapPx(rowGapPx)
+FlowLayout::FlowLayout(int gapPx, int rowGapPx, QWidget* parent)
+    : QLayout(parent), m_usualGapPx(gapPx), m_usualRowGapPx(rowGapPx), m_gapPx(gapPx), m_rowGapPx(rowGapPx)
 {
     setContentsMargins(0, 0, 0, 0);
 }
 
 FlowLayout::~FlowLayout() = default;
+
+void FlowLayout::setScale(double scale)
+{
+    const int gapPx = static_cast<int>(std::lround(m_usualGapPx * scale));
+    const int rowGapPx = static_cast<int>(std::lround(m_usualRowGapPx * scale));
+    if (gapPx == m_gapPx && rowGapPx == m_rowGapPx) return;
+    m_gapPx = gapPx;
+    m_rowGapPx = rowGapPx;
+    invalidate();
+}
 
 void FlowLayout::addItem(QLayoutItem* item) { m_items.emplace_back(item); }
 

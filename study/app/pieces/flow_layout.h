@@ -14,6 +14,9 @@ public:
     FlowLayout(int gapPx, int rowGapPx, QWidget* parent = nullptr);
     ~FlowLayout() override;
 
+    /// Multiplies both gaps.
+    void setScale(double scale);
+
     void addItem(QLayoutItem* item) override;
     int count() const override { return static_cast<int>(m_items.size()); }
     QLayoutItem* itemAt(int index) const override;
@@ -31,7 +34,9 @@ private:
     int place(const QRect& rect, Placing placing) const;
     void placeRow(const QRect& rect, std::size_t first, std::size_t end, int top, int height) const;
 
-    int m_gapPx;
+    int m_usualGapPx;
+    int m_usualRowGapPx;
+    int m_gapPx;  ///< scaled
     int m_rowGapPx;
     std::vector<std::unique_ptr<QLayoutItem>> m_items;
 };

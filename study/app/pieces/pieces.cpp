@@ -8,6 +8,7 @@
 
 #include "study/app/pieces/appearance_keys.h"
 #include "study/app/pieces/flow_layout.h"
+#include "study/app/pieces/layout_scale.h"
 
 namespace study::app {
 
@@ -63,6 +64,9 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override
     {
         if (event->type() == QEvent::Resize && watched == &m_area) limit();
+        // Rows that a page has built meanwhile.
+        if (event->type() == QEvent::LayoutRequest && watched == &m_page && m_page.layout())
+            scaleGaps(*m_page.layout(), scaleOf(m_area.window()->size()));
         if (event->type() == QEvent::Resize)
             QMetaObject::invokeMethod(
                 this, [this] { showFocus(); }, Qt::QueuedConnection);

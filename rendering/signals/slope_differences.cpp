@@ -275,8 +275,8 @@ Slopes SlopeDifferences<T>::weights(const cv::Mat& measured, double weightOfGaps
     for (int i = 0; i < m_size.height; ++i)
         for (int j = 0; j < m_size.width; ++j) {
             const bool here = measured.at<uchar>(i, j) != 0;
-            const bool right = central() || (j + 1 < m_size.width && measured.at<uchar>(i, j + 1) != 0);
-            const bool below = central() || (i + 1 < m_size.height && measured.at<uchar>(i + 1, j) != 0);
+            const bool right = j + 1 < m_size.width && measured.at<uchar>(i, j + 1) != 0;
+            const bool below = i + 1 < m_size.height && measured.at<uchar>(i + 1, j) != 0;
             result.x.at<T>(i, j) = weight(here && right);
             result.y.at<T>(i, j) = weight(here && below);
         }

@@ -25,7 +25,7 @@ public:
     cv::Mat sources(const Slopes& slopes) const;
     /// Height of mean 0 that satisfies transposed(of(height)) == sources.
     cv::Mat surfaceOf(const cv::Mat& sources) const;
-    /// 1 for a difference between two measured places, else `weightOfGaps`.
+    /// 1 for a rise between two measured places, else `weightOfGaps`. Not for central differences.
     Slopes weights(const cv::Mat& measured, double weightOfGaps) const;
 
 private:

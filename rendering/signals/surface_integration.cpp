@@ -4,9 +4,14 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 #include <string>
+#include <tuple>
+#include <utility>
 
 #include "protocols/files/errors.h"
 #include "rendering/signals/cosine_transform.h"
+#include "rendering/signals/gap_multigrid.h"
+#include "rendering/signals/joined_lattices.h"
+#include "rendering/signals/known_places.h"
 #include "rendering/signals/slope_differences.h"
 
 namespace rendering::signals {
@@ -15,10 +20,9 @@ namespace {
 
 constexpr double weightOfGaps = 1e-3;
 constexpr double fewGaps = 1e-3;  ///< share of the pixels; so few gaps are bridged well enough by the slopes around them
-constexpr int mostIterations = 60;
-constexpr int iterationsOfLargeMaps = 8;  ///< starting from continued slopes, further gains lie far below their noise
-constexpr std::size_t largeMap = 4'000'000;
-constexpr double residualToReach = 1e-6;
+constexpr std::size_t largeMap = 4'000'000;  ///< pixels; more iterations gain far less there than the noise of the slopes
+constexpr MultigridOptions thorough{.residualToReach = 1e-6, .mostIterations = 60},
+    quick{.residualToReach = 1e-4, .mostIterations = 12};
 
 std::string sizeText(const cv::Mat& image) { return std::to_string(image.cols) + " x " + std::to_string(image.rows); }
 
@@ -67,30 +71,45 @@ cv::Mat integrated(const Slopes& slopes, const Pitch& pitch, SlopeKind kind)
     return differences.surfaceOf(differences.sources({as<T>(slopes.x), as<T>(slopes.y)}));
 }
 
-/// Replaces missing slopes by the mean of the nearest known ones, through a pyramid of averages.
-cv::Mat continued(const cv::Mat& values, const cv::Mat& known)
+/// Least squares over the rises between neighbours; those that a gap touches count less.
+cv::Mat surfaceAroundGaps(const Slopes& whole, const cv::Mat& known, const Pitch& pitch, SlopeKind kind)
 {
-    if (values.rows == 1 && values.cols == 1) return values;
-    cv::Mat sum, count;
-    const cv::Size half((values.cols + 1) / 2, (values.rows + 1) / 2);
-    sum = cv::Mat::zeros(half, CV_64FC1);
-    count = cv::Mat::zeros(half, CV_64FC1);
-    for (int i = 0; i < values.rows; ++i)
-        for (int j = 0; j < values.cols; ++j)
-            if (known.at<uchar>(i, j)) {
-                sum.at<double>(i / 2, j / 2) += values.at<double>(i, j);
-                count.at<double>(i / 2, j / 2) += 1;
-            }
-    const cv::Mat coarseKnown = count > 0;
-    const cv::Mat coarse = continued(sum / cv::max(count, 1.0), coarseKnown);
-    cv::Mat result = values.clone();
-    for (int i = 0; i < values.rows; ++i)
-        for (int j = 0; j < values.cols; ++j)
-            if (!known.at<uchar>(i, j)) result.at<double>(i, j) = coarse.at<double>(i / 2, j / 2);
-    return result;
+    const SlopeDifferences<float> differences(known.size(), pitch, kind);
+    WeightedRises rises{differences.weights(known, weightOfGaps), {}};
+    Slopes pulls = differences.between(whole);
+    const double unit =
+        std::pow(std::min(pitch.x, pitch.y), 2);  // so that weights in double pixels cannot leave single precision
+    for (const auto& [pull, weight, step] :
+         {std::tuple{&pulls.x, &rises.weights.x, pitch.x}, {&pulls.y, &rises.weights.y, pitch.y}}) {
+        cv::multiply(*pull, *weight, *pull, unit);
+        *weight *= unit / (step * step);
+    }
+    rises.sources = differences.transposed(pulls);
+    pulls = {};
+    cv::Mat height = surfaceOfWeightedRises(std::move(rises), known.total() > largeMap ? quick : thorough);
+    height -= cv::mean(height)[0];
+    return height;
 }
 
-Slopes weighted(const Slopes& values, const Slopes& weights) { return {values.x.mul(weights.x), values.y.mul(weights.y)}; }
+template <class T>
+double curlShare(const Slopes& slopes, const cv::Mat& heightMm, const Pitch& pitch, SlopeKind kind)
+{
+    const SlopeDifferences<T> differences(slopes.x.size(), pitch, kind);
+    const Slopes found = differences.of(as<T>(heightMm));
+    Slopes given = differences.between({as<T>(slopes.x), as<T>(slopes.y)});
+    double all = 0, unexplained = 0;
+    for (const auto& [fitted, measured] : {std::pair{&found.x, &given.x}, {&found.y, &given.y}}) {
+        const cv::Mat finite = *measured - *measured == 0;  // A difference with itself is 0 unless the value is not finite.
+        all += std::pow(cv::norm(*measured, cv::NORM_L2, finite), 2);
+        unexplained += std::pow(cv::norm(*measured, *fitted, cv::NORM_L2, finite), 2);
+    }
+    return all > 0 ? std::sqrt(unexplained / all) : 0;
+}
+
+cv::Mat finite(const cv::Mat& values)
+{
+    return values - values == 0;  // The difference of a value with itself is 0 unless the value is not finite.
+}
 
 }  // namespace
 
@@ -116,63 +135,36 @@ cv::Mat integrate(const Slopes& slopes, const Pitch& pitch, SlopeKind kind, Inte
     return height;
 }
 
-cv::Mat measuredPlaces(const Slopes& slopes)
-{
-    // The difference of a value with itself is 0 unless the value is not finite.
-    const cv::Mat x = as<double>(slopes.x), y = as<double>(slopes.y);
-    return (x - x == 0) & (y - y == 0);
-}
+cv::Mat measuredPlaces(const Slopes& slopes) { return finite(slopes.x) & finite(slopes.y); }
 
 cv::Mat integrateAround(const Slopes& slopes, const cv::Mat& measured, const Pitch& pitch, SlopeKind kind)
 {
     requireShape(slopes, pitch);
-    cv::Mat known = measuredPlaces(slopes);
-    if (!measured.empty()) known &= measured != 0;
-    if (cv::countNonZero(known) == 0)
+    cv::Mat knownX = finite(slopes.x), knownY = finite(slopes.y);
+    if (!measured.empty()) {
+        knownX &= measured != 0;
+        knownY &= measured != 0;
+    }
+    const cv::Mat known = knownX & knownY;
+    const int missing = static_cast<int>(known.total()) - cv::countNonZero(known);
+    if (missing == static_cast<int>(known.total()))
         throw protocols::badInput({.what = "no slope is measured",
                                    .where = "",
                                    .expected = "finite numbers",
                                    .nextStep = "check the mask and the files of slopes"});
-    const Slopes whole{continued(as<double>(slopes.x), known), continued(as<double>(slopes.y), known)};
-    const double gaps = 1 - static_cast<double>(cv::countNonZero(known)) / static_cast<double>(known.total());
-    if (gaps < fewGaps) return integrated<double>(whole, pitch, kind);
-
-    const SlopeDifferences<double> differences(known.size(), pitch, kind);
-    const Slopes weights = differences.weights(known, weightOfGaps);
-    const auto normal = [&](const cv::Mat& height) { return differences.transposed(weighted(differences.of(height), weights)); };
-    const cv::Mat sources = differences.transposed(weighted(differences.between(whole), weights));
-    cv::Mat height = integrated<double>(whole, pitch, kind);
-    cv::Mat residual = sources - normal(height);
-    cv::Mat step = differences.surfaceOf(residual), direction = step.clone();
-    double power = residual.dot(step);
-    const double enough = residualToReach * residualToReach * std::max(power, 1e-300);
-    const int iterations = known.total() > largeMap ? iterationsOfLargeMaps : mostIterations;
-    for (int i = 0; i < iterations && power > enough; ++i) {
-        const cv::Mat change = normal(direction);
-        const double length = power / direction.dot(change);
-        height += length * direction;
-        residual -= length * change;
-        step = differences.surfaceOf(residual);
-        const double next = residual.dot(step);
-        direction = step + (next / power) * direction;
-        power = next;
-    }
-    return height - cv::mean(height)[0];
+    if (kind == SlopeKind::Central && missing > 0)
+        return joinedLattices({continued(as<double>(slopes.x), knownX), continued(as<double>(slopes.y), knownY)}, knownX, knownY,
+                              pitch);
+    if (missing < fewGaps * static_cast<double>(known.total()))
+        return integrated<double>({continued(slopes.x, known), continued(slopes.y, known)}, pitch, kind);
+    return surfaceAroundGaps({continued(as<float>(slopes.x), known), continued(as<float>(slopes.y), known)}, known, pitch, kind);
 }
 
 double curlResidual(const Slopes& slopes, const cv::Mat& heightMm, const Pitch& pitch, SlopeKind kind)
 {
     requireShape(slopes, pitch);
-    const SlopeDifferences<double> differences(slopes.x.size(), pitch, kind);
-    const Slopes found = differences.of(as<double>(heightMm));
-    Slopes given = differences.between({as<double>(slopes.x), as<double>(slopes.y)});
-    double all = 0, unexplained = 0;
-    for (const auto& [fitted, measured] : {std::pair{&found.x, &given.x}, {&found.y, &given.y}}) {
-        const cv::Mat finite = *measured - *measured == 0;  // A difference with itself is 0 unless the value is not finite.
-        all += std::pow(cv::norm(*measured, cv::NORM_L2, finite), 2);
-        unexplained += std::pow(cv::norm(*measured, *fitted, cv::NORM_L2, finite), 2);
-    }
-    return all > 0 ? std::sqrt(unexplained / all) : 0;
+    return slopes.x.total() > largeMap ? curlShare<float>(slopes, heightMm, pitch, kind)
+                                       : curlShare<double>(slopes, heightMm, pitch, kind);
 }
 
 cv::Mat withoutLowFrequency(const cv::Mat& heightMm, const Pitch& pitch, double cutoffMm)

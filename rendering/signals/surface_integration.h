@@ -45,9 +45,10 @@ cv::Mat integrate(const Slopes& slopes, const Pitch& pitch, SlopeKind kind = Slo
 cv::Mat measuredPlaces(const Slopes& slopes);
 
 /// Height in mm where some slopes are missing: not finite, or 0 in `measured` (CV_8UC1; may be empty). Missing slopes are
-/// continued from their surroundings with a weight of a thousandth. So gaps are bridged smoothly and hardly affect the
-/// measured part. Conjugate gradients, preconditioned by the solution without gaps, in double precision. Throws badInput
-/// like `integrate`, and where nothing was measured.
+/// continued from their surroundings. Point and Forward: least squares in which rises at a gap have a thousandth of the weight,
+/// by multigrid in single precision. Central: the interleaved lattices are integrated one by one and joined (joined_lattices.h);
+/// a slope is used even where the other one is missing. A part that gaps cut off keeps its shape; how high it lies is a guess.
+/// CV_64FC1, mean 0. Throws badInput like `integrate`, and where nothing was measured.
 cv::Mat integrateAround(const Slopes& slopes, const cv::Mat& measured, const Pitch& pitch, SlopeKind kind = SlopeKind::Point);
 
 /// RMS of the part of the slopes that no surface can have (their curl), relative to the RMS of the slopes. `heightMm` is the

@@ -279,6 +279,49 @@ private Q_SLOTS:
         QVERIFY(largestDifference(integrateAround(known.slopes, {}, surfacePitch), integrate(known.slopes, surfacePitch)) < 1e-9);
     }
 
+    void latticesOfCentralDifferencesStayTogetherAroundGaps_data()
+    {
+        QTest::addColumn<QString>("gaps");
+        QTest::addColumn<double>("percentOfSq");
+        QTest::newRow("border") << "border" << 0.01;
+        QTest::newRow("hole") << "hole" << 0.01;
+        QTest::newRow("a tenth of the points") << "points" << 0.05;
+        QTest::newRow("checkerboard") << "checkerboard" << 0.3;  // Blocks of four pixels touch at their corners only.
+    }
+    /// Without the border, nothing joins the four lattices. Slopes are numpy.gradient's; those at missing points are missing.
+    void latticesOfCentralDifferencesStayTogetherAroundGaps()
+    {
+        QFETCH(QString, gaps);
+        QFETCH(double, percentOfSq);
+        const auto path = sharedData("truemap_heightmaps") / "Dime.tmd";
+        if (!std::filesystem::exists(path)) QSKIP("the shared height maps do not exist");
+        const auto map = readTrueMap(path);
+        cv::Mat height;
+        map.heightMm.convertTo(height, CV_64F);
+        const Pitch pitch{map.xPitchMm, map.yPitchMm};
+        Slopes slopes{gradientAlongX(height, pitch.x), gradientAlongX(height.t(), pitch.y).t()};
+        protocols::Random random(1);
+        const auto missing = [&](int i, int j) {
+            if (gaps == "border") return std::min({i, j, height.rows - 1 - i, height.cols - 1 - j}) < 24;  // 29 % of the points
+            if (gaps == "hole") return std::abs(i - 150) < 80 && std::abs(j - 150) < 80;
+            if (gaps == "points") return random.below(10) == 0;
+            return (i / 4 + j / 4) % 2 == 1;
+        };
+        cv::Mat measured(height.size(), CV_8UC1, cv::Scalar(255));
+        for (int i = 0; i < height.rows; ++i)
+            for (int j = 0; j < height.cols; ++j)
+                if (missing(i, j)) {
+                    measured.at<uchar>(i, j) = 0;
+                    slopes.x.at<double>(i, j) = slopes.y.at<double>(i, j) = std::numeric_limits<double>::quiet_NaN();
+                }
+        cv::Mat difference = integrateAround(slopes, {}, pitch, SlopeKind::Central) - height;
+        difference -= cv::mean(difference, measured)[0];
+        const double sq = cv::norm(height - cv::mean(height, measured)[0], cv::NORM_L2, measured);
+        const double error = 100 * cv::norm(difference, cv::NORM_L2, measured) / sq;
+        qInfo("%.4f %% of Sq", error);
+        QVERIFY(error < percentOfSq);
+    }
+
     void anIslandAmongGapsKeepsItsShape()
     {
         const auto known = weave(24);

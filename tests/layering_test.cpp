@@ -59,8 +59,12 @@ const QList<Room>& rooms()
           "rendering/images/", "protocols/"}},
         {"rendering/models/process/", "vis2hap-nn as a child process with limits", {"protocols/"}},
         {"rendering/models/tensors/", "files of plain tensors: weights and checkpoints", {"protocols/files/"}},
+        {"rendering/models/seeing/",
+         "the networks that see any cloth, and what all networks need of libtorch",
+         {"rendering/models/", "rendering/signals/", "rendering/fabrics/", "rendering/images/", "protocols/"}},
         {"rendering/models/networks/",
-         "the networks, their training and use; the only place that includes libtorch",
+         "the networks of the paper, their training and use; besides `rendering/models/seeing/` the only place that includes "
+         "libtorch",
          {"rendering/models/", "rendering/signals/", "rendering/fabrics/", "rendering/images/", "protocols/"}},
         {"rendering/composition/",
          "conditions to signals to friction images",
@@ -228,7 +232,8 @@ QStringList includeFaults(const QString& file, const QString& text)
         static const QRegularExpression qtHeader("^Q[A-Z]|^Qt");
         if (!room->qt && include.contains(qtHeader)) faults << file + " includes Qt's " + include;
         const bool torch = include.startsWith("torch/") || include.startsWith("ATen/") || include.startsWith("c10/");
-        if (torch && !file.startsWith("rendering/models/networks/")) faults << file + " includes torch's " + include;
+        const bool ofNetworks = file.startsWith("rendering/models/networks/") || file.startsWith("rendering/models/seeing/");
+        if (torch && !ofNetworks) faults << file + " includes torch's " + include;
         const bool jsonInReports = include.startsWith("nlohmann/") && file.startsWith("reports/");
         if (jsonInReports && !file.startsWith("reports/json/")) faults << file + " includes " + include;
     }

@@ -32,6 +32,11 @@ struct UsedPart {
     std::optional<double> assumedMmPerPixel;
 };
 
+double assumedPitch(const cv::Mat& rgb, const Architecture& architecture)
+{
+    return architecture.sees ? pitchOfOrdinaryThreads(rgb) : assumedMmPerPixel(rgb, architecture.mmPerPixel);
+}
+
 /// Scales the height to the photograph's own pixels, because their size in millimetres is unknown.
 void scaleToPhotograph(GeneratedSignals& signals, const cv::Size& size, double mmPerPixel)
 {
@@ -56,11 +61,11 @@ std::vector<GeneratedSignals> generate(std::span<const InputPhotograph> photogra
     std::vector<UsedPart> parts;
     double megapixels = 0;
     for (const InputPhotograph& photograph : photographs) {
-        const double pitch =
-            photograph.mmPerPixel.value_or(assumedMmPerPixel(photograph.photograph, card.architecture.mmPerPixel));
-        const PhotographAtPitch seen = photographAtPitch({photograph.photograph, pitch}, card.architecture.mmPerPixel);
+        const double pitch = photograph.mmPerPixel.value_or(assumedPitch(photograph.photograph, card.architecture));
+        const double pitchOfNetworks = card.architecture.sees ? pitch : card.architecture.mmPerPixel;
+        const PhotographAtPitch seen = photographAtPitch({photograph.photograph, pitch}, pitchOfNetworks);
         megapixels += static_cast<double>(seen.rgb.total()) / 1e6;
-        request.add({seen.rgb, card.architecture.mmPerPixel});
+        request.add({seen.rgb, pitchOfNetworks});
         parts.push_back({seen.part.size(), seen.middleOnly, photograph.mmPerPixel ? std::nullopt : std::optional(pitch)});
     }
     request.finish();

@@ -1,5 +1,7 @@
 #include "rendering/models/model_card_fields.h"
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
@@ -15,6 +17,8 @@ using nlohmann::ordered_json;
 constexpr const char* schema = "vis2hap.model/2";
 /// Changes whenever networks.cpp or the meaning of the networks' inputs and outputs changes.
 constexpr const char* architectureKind = "unet+summary/3";
+/// The same for seeing_networks.cpp.
+constexpr const char* seeingKind = "seeing/1";
 /// Cards of the shipped weights have less than 1 MB.
 constexpr std::uint64_t largestCard = std::uint64_t{256} << 20, largestWeights = std::uint64_t{1} << 30;
 /// Parameters of the one layer whose size grows with the spectrogram; the shipped weights have 73,728.
@@ -22,6 +26,14 @@ constexpr double mostSeedParameters = 1 << 27;
 
 ordered_json architectureJson(const Architecture& a)
 {
+    const ordered_json spectrogram{{"window", a.window}, {"hop", a.hop},       {"samples", a.traceSamples},
+                                   {"rows", a.rows},     {"frames", a.frames}, {"mm_per_sample", a.traceMmPerSample}};
+    if (a.sees)
+        return {{"kind", seeingKind},
+                {"base_channels", a.baseChannels},
+                {"friction_channels", a.frictionChannels},
+                {"crop", a.crop},
+                {"spectrogram", spectrogram}};
     return {{"kind", architectureKind},
             {"base_channels", a.baseChannels},
             {"crop", a.crop},
@@ -30,25 +42,25 @@ ordered_json architectureJson(const Architecture& a)
             {"imposes_spectrum", a.imposesSpectrum},
             {"zero_percentile", a.zeroPercentile},
             {"mean_friction_scale", a.meanFrictionScale},
-            {"spectrogram",
-             {{"window", a.window},
-              {"hop", a.hop},
-              {"samples", a.traceSamples},
-              {"rows", a.rows},
-              {"frames", a.frames},
-              {"mm_per_sample", a.traceMmPerSample}}}};
+            {"spectrogram", spectrogram}};
 }
 
 Architecture architectureFrom(const ordered_json& json)
 {
     Architecture a;
+    a.sees = json.at("kind").get<std::string>() == seeingKind;
     a.baseChannels = json.at("base_channels").get<int>();
     a.crop = json.at("crop").get<int>();
-    a.mmPerPixel = json.at("mm_per_pixel").get<double>();
-    a.heightScaleMm = json.at("height_scale_mm").get<double>();
-    a.imposesSpectrum = json.at("imposes_spectrum").get<bool>();
-    a.zeroPercentile = json.at("zero_percentile").get<double>();
-    a.meanFrictionScale = json.at("mean_friction_scale").get<double>();
+    if (a.sees) {
+        a.frictionChannels = json.at("friction_channels").get<int>();
+        a.imposesSpectrum = false;
+    } else {
+        a.mmPerPixel = json.at("mm_per_pixel").get<double>();
+        a.heightScaleMm = json.at("height_scale_mm").get<double>();
+        a.imposesSpectrum = json.at("imposes_spectrum").get<bool>();
+        a.zeroPercentile = json.at("zero_percentile").get<double>();
+        a.meanFrictionScale = json.at("mean_friction_scale").get<double>();
+    }
     const ordered_json& spectrogram = json.at("spectrogram");
     a.window = spectrogram.at("window").get<int>();
     a.hop = spectrogram.at("hop").get<int>();
@@ -63,12 +75,12 @@ Architecture architectureFrom(const ordered_json& json)
 bool sensible(const Architecture& a)
 {
     const auto within = [](double value, double low, double high) { return value >= low && value <= high; };
-    return within(a.baseChannels, 1, mostChannels) && within(a.crop, 16, largestCrop) && a.crop % 16 == 0 &&
+    return within(a.baseChannels, 1, mostChannels) && within(a.frictionChannels, 1, mostChannels) && within(a.crop, 16, largestCrop) && a.crop % 16 == 0 &&
            within(a.mmPerPixel, 1e-5, 100) && within(a.heightScaleMm, 1e-9, 1e3) && within(a.meanFrictionScale, 1e-9, 1e3) &&
            within(a.window, 4, 4096) && within(a.hop, 1, a.window) && within(a.traceSamples, 4, 1 << 20) &&
            within(a.rows, 2, 2049) && within(a.frames, 1, 1 << 16) && within(a.traceMmPerSample, 1e-9, 1e3) &&
            within(a.zeroPercentile, 0, 50) &&
-           0.25 * a.baseChannels * a.baseChannels * (a.rows + 3.0) * (a.frames + 3.0) <= mostSeedParameters;
+           0.25 * std::pow(std::max(a.baseChannels, a.frictionChannels), 2) * (a.rows + 3.0) * (a.frames + 3.0) <= mostSeedParameters;
 }
 
 protocols::Error notUsable(const std::filesystem::path& card, const std::string& why)
@@ -149,7 +161,8 @@ ModelCardFields readModelCardFields(const std::filesystem::path& model)
         card.steps = json.at("steps").get<int>();
         card.trainingMinutes = json.at("training_minutes").get<double>();
         card.heldOut = json.at("held_out").get<std::vector<std::string>>();
-        if (json.at("architecture").at("kind").get<std::string>() != architectureKind)
+        const auto kind = json.at("architecture").at("kind").get<std::string>();
+        if (kind != architectureKind && kind != seeingKind)
             throw notUsable(file, "its networks differ from those of this program");
         card.architecture = architectureFrom(json.at("architecture"));
         card.validationJson = json.at("validation").dump();

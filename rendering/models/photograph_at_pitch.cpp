@@ -26,6 +26,8 @@ UsedSide usedSide(int length, double factor)
 
 /// Most procedural fabrics have periods of 7 to 11 px at 0.05 mm per pixel.
 constexpr double ordinaryPeriodPx = 9;
+/// Spacing of the threads of ordinary clothing.
+constexpr double ordinaryThreadMm = 0.45;
 /// Waves below 2.3 px are hardly resolved, so more enlargement would add nothing.
 constexpr double mostEnlargement = 4;
 
@@ -37,6 +39,12 @@ double assumedMmPerPixel(const cv::Mat& rgb, double modelMmPerPixel)
     return wave && wave->periodPx < finestPeriodPx
                ? modelMmPerPixel * std::min(mostEnlargement, ordinaryPeriodPx / wave->periodPx)
                : modelMmPerPixel;
+}
+
+double pitchOfOrdinaryThreads(const cv::Mat& rgb)
+{
+    const auto wave = signals::dominantWave(rgb);
+    return ordinaryThreadMm / (wave ? wave->periodPx : ordinaryPeriodPx);
 }
 
 cv::Mat evenlyLit(const cv::Mat& rgb)

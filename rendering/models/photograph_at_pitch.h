@@ -22,6 +22,10 @@ struct PhotographAtPitch {
 /// that the networks see threads and not noise. Period and direction of the photograph itself stay.
 double assumedMmPerPixel(const cv::Mat& rgb, double modelMmPerPixel);
 
+/// Pitch at which the threads of a photograph of unknown scale would be 0.45 mm apart, as in ordinary clothing, mm per pixel.
+/// Without a clear weave nine pixels count as a thread.
+double pitchOfOrdinaryThreads(const cv::Mat& rgb);
+
 /// `mmPerPixel`: pitch of the model; the photograph's own pitch must be known. Only the used part is scaled, so that large
 /// photographs cost little.
 PhotographAtPitch photographAtPitch(const InputPhotograph& photograph, double mmPerPixel);

@@ -43,6 +43,13 @@ void removePicturesAfter(const fs::path& folder, int step)
 
 }  // namespace
 
+std::filesystem::path logOf(const std::filesystem::path& model)
+{
+    std::filesystem::path folder = model;
+    folder += ".log";
+    return folder;
+}
+
 TrainingLog::TrainingLog(fs::path folder, std::optional<int> resumeAtStep) : m_folder(std::move(folder))
 {
     protocols::makeFolders(m_folder);

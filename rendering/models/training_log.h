@@ -14,6 +14,9 @@
 
 namespace rendering::models {
 
+/// MODEL.log: the folder of a training.
+std::filesystem::path logOf(const std::filesystem::path& model);
+
 class TrainingLog {
 public:
     /// Deletes the files of an earlier run. With `resumeAtStep` deletes only entries after that step. Throws environmentFault,

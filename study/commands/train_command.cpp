@@ -38,13 +38,15 @@ std::vector<PassedOption> passedOptions()
         {"--checkpoint-every", "steps between checkpoints (default 100)", ""},
         {"--validate-every", "steps between validations (default 250)", ""},
         {"--patience", "stop after this many validations without improvement (default 12)", ""},
-        {"--validation-pairs", "number of pairs for validation (default 60)", ""}};
+        {"--validation-pairs", "number of pairs for validation (default 60)", ""},
+        {"--scans", "with --drawn: a data set of `vis2hap import scans`", ""},
+        {"--scan-share", "with --drawn: share of scanned cloth in a batch (default 0.3)", ""}};
 }
 
 struct TrainCall {
     std::string dataset, out, steps, minutes, controlOf;
     std::vector<PassedOption> passed = passedOptions();
-    bool reference = false, l1Only = false, resume = false;
+    bool drawn = false, reference = false, l1Only = false, resume = false;
 };
 
 /// Options that a control takes from its model, so that both are trained alike.
@@ -65,7 +67,13 @@ std::vector<std::string> optionsOfControl(const TrainCall& call)
 
 std::vector<std::string> argumentsOf(const TrainCall& call)
 {
-    std::vector<std::string> arguments{"train", call.dataset, "--out", call.out};
+    if (call.drawn != call.dataset.empty())
+        throw protocols::badInput({call.drawn ? "both DATASET and --drawn were given" : "neither DATASET nor --drawn was given",
+                                   "train", "a data set, or --drawn for fabrics that are drawn without end",
+                                   "give one of them; scans join drawn fabrics by --scans DATASET"});
+    std::vector<std::string> arguments{call.drawn ? "train-cloth" : "train"};
+    if (!call.drawn) arguments.push_back(call.dataset);
+    arguments.insert(arguments.end(), {"--out", call.out});
     const auto pass = [&](const char* name, const std::string& value) {
         if (!value.empty()) arguments.insert(arguments.end(), {name, value});
     };
@@ -86,7 +94,8 @@ void addTrain(CLI::App& app, Action& action)
 {
     auto call = std::make_shared<TrainCall>();
     auto* command = app.add_subcommand("train", "train the generators on a data set (uses libtorch)");
-    command->add_option("DATASET", call->dataset, "the data set")->required();
+    command->add_option("DATASET", call->dataset, "the data set");
+    command->add_flag("--drawn", call->drawn, "train networks for any cloth on drawn fabrics, none of which is shown twice");
     command->add_option("--out", call->out, "weights file to write, with MODEL.json and the folder MODEL.log beside it")
         ->required();
     auto* steps =

@@ -9,7 +9,7 @@
 #include "protocols/files/errors.h"
 #include "rendering/models/exchange.h"
 #include "rendering/models/model_card_fields.h"
-#include "rendering/models/networks/checkpoint.h"
+#include "rendering/models/seeing/checkpoint.h"
 #include "rendering/models/tensors/tensor_file.h"
 #include "rendering/models/training_curves.h"
 #include "rendering/models/training_table.h"

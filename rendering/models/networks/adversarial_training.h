@@ -6,10 +6,10 @@
 
 #include "rendering/models/networks/batches.h"
 #include "rendering/models/networks/losses.h"
-#include "rendering/models/networks/plain_tensors.h"
 #include "rendering/models/networks/progress_lines.h"
 #include "rendering/models/networks/training.h"
 #include "rendering/models/networks/weights.h"
+#include "rendering/models/seeing/plain_tensors.h"
 
 namespace rendering::models {
 

@@ -9,11 +9,13 @@
 
 #include "protocols/files/errors.h"
 #include "rendering/models/networks/finished_relief.h"
-#include "rendering/models/networks/friction_target.h"
 #include "rendering/models/networks/weights.h"
 #include "rendering/models/photograph_at_pitch.h"
 #include "rendering/models/photograph_features.h"
 #include "rendering/models/ring_spectrum.h"
+#include "rendering/models/seeing/friction_target.h"
+#include "rendering/models/seeing/picture_tensors.h"
+#include "rendering/models/seeing/seen_signals.h"
 #include "rendering/signals/spectrogram.h"
 
 namespace rendering::models {
@@ -23,31 +25,6 @@ namespace {
 constexpr int tileSide = 256;  ///< px of the height map from one pass of G_h
 
 int roundedUpTo16(int length) { return (length + 15) / 16 * 16; }
-
-/// [1, 3, H, W] in 0 to 1.
-torch::Tensor tensorOf(const cv::Mat& rgb)
-{
-    const cv::Mat whole = rgb.isContinuous() ? rgb : rgb.clone();
-    const torch::Tensor bytes = torch::from_blob(whole.data, {whole.rows, whole.cols, 3}, torch::kByte);
-    return (bytes.permute({2, 0, 1}).to(torch::kFloat) / 255).unsqueeze(0).contiguous();
-}
-
-/// One of the eight symmetries of the square: bit 0 mirrors columns, bit 1 rows, bit 2 swaps both axes.
-torch::Tensor turned(torch::Tensor image, int turn)
-{
-    if ((turn & 4) != 0) image = image.transpose(2, 3);
-    if ((turn & 1) != 0) image = image.flip({3});
-    if ((turn & 2) != 0) image = image.flip({2});
-    return image.contiguous();
-}
-
-torch::Tensor turnedBack(torch::Tensor image, int turn)
-{
-    if ((turn & 1) != 0) image = image.flip({3});
-    if ((turn & 2) != 0) image = image.flip({2});
-    if ((turn & 4) != 0) image = image.transpose(2, 3);
-    return image.contiguous();
-}
 
 std::vector<int> turnsOf(Quality quality)
 {
@@ -125,6 +102,7 @@ struct LoadedModel::Parts {
     ModelCardFields card;
     Architecture architecture;
     mutable Generators generators;
+    mutable SeeingNetworks seeing;  ///< instead of the generators where the architecture sees
 
     /// Comparison with known photographs; nullopt where the card stores none.
     std::optional<Recognised> recognise(const cv::Mat& rgb) const
@@ -180,14 +158,14 @@ struct LoadedModel::Parts {
         std::vector<torch::Tensor> all;
         for (const cv::Point& corner : cropCorners(wide.size(), side, quality))
             for (int turn = 0; turn < turns; ++turn)
-                all.push_back(turned(tensorOf(wide({corner.x, corner.y, side, side})), turn));
+                all.push_back(turned(tensorOfPicture(wide({corner.x, corner.y, side, side})), turn));
         return torch::cat(all, 0);
     }
 
     /// Height of a tile. `padded` is the tile with its margin, which is cut off again.
     cv::Mat heightOfTile(const cv::Mat& padded, int margin, Quality quality) const
     {
-        const torch::Tensor photograph = tensorOf(padded);
+        const torch::Tensor photograph = tensorOfPicture(padded);
         torch::Tensor sum = torch::zeros({1, 1, padded.rows, padded.cols});
         const std::vector<int> turns = turnsOf(quality);
         for (const int turn : turns) sum += turnedBack(generators.height->forward(turned(photograph, turn)), turn);
@@ -219,7 +197,10 @@ LoadedModel::LoadedModel(const std::filesystem::path& model, int threads) : m_pa
     torch::set_num_threads(threads > 0 ? threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
     m_parts->card = readModelCardFields(model);
     m_parts->architecture = m_parts->card.architecture;
-    m_parts->generators = readModel(model, m_parts->card);
+    if (m_parts->architecture.sees)
+        m_parts->seeing = readSeeingModel(model, m_parts->card);
+    else
+        m_parts->generators = readModel(model, m_parts->card);
 }
 
 LoadedModel::~LoadedModel() = default;
@@ -228,6 +209,7 @@ GeneratedSignals LoadedModel::generate(const InputPhotograph& photograph, const 
 {
     const torch::NoGradGuard noGradient;
     const Architecture& architecture = m_parts->architecture;
+    if (architecture.sees) return seenSignals(m_parts->seeing, architecture, photograph, options);
     cv::Mat rgb = photographAtPitch(photograph, architecture.mmPerPixel).rgb;
     const std::optional<Recognised> recognition = m_parts->recognise(rgb);
     // Uneven light of an unfamiliar photograph must not be mistaken for long waves of the fabric.

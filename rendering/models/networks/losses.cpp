@@ -1,6 +1,6 @@
 #include "rendering/models/networks/losses.h"
 
-#include "rendering/models/networks/ring_tensors.h"
+#include "rendering/models/seeing/ring_tensors.h"
 
 namespace rendering::models {
 

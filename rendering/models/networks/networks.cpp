@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rendering/models/networks/ring_tensors.h"
 #include "rendering/models/ring_spectrum.h"
+#include "rendering/models/seeing/ring_tensors.h"
 
 namespace rendering::models {
 
@@ -240,13 +240,6 @@ torch::Tensor DiscriminatorImpl::forward(const torch::Tensor& photograph, const 
     const torch::Tensor mean = friction.mean.view({-1, 1, 1, 1}).expand_as(friction.logRatio);
     const torch::Tensor stroke = m_friction->forward(torch::cat({friction.logRatio, mean}, 1));
     return m_head->forward(torch::cat({surface, stroke.expand({-1, -1, surface.size(2), surface.size(3)})}, 1));
-}
-
-void orderChannelsLast(torch::nn::Module& module)
-{
-    const torch::NoGradGuard noGradient;
-    for (torch::Tensor& parameter : module.parameters())
-        if (parameter.dim() == 4) parameter.set_data(parameter.contiguous(torch::MemoryFormat::ChannelsLast));
 }
 
 }  // namespace rendering::models

@@ -20,6 +20,7 @@
 #include "rendering/models/networks/peer_step.h"
 #include "rendering/models/networks/training.h"
 #include "rendering/models/process/child_process.h"
+#include "rendering/models/seeing/cloth_training.h"
 
 namespace {
 
@@ -79,6 +80,47 @@ void offerTraining(CLI::App& app, const std::string& command)
                                            : models::Objective::Default;
         chosen.command = command;
         models::train(fabrics::readDataset(call->dataset), chosen, std::cout, isatty(STDOUT_FILENO) == 1);
+    });
+}
+
+void offerClothTraining(CLI::App& app, const std::string& command)
+{
+    struct ClothCall {
+        models::ClothTrainingOptions options;
+        std::string scans;
+        std::vector<std::string> heldOut;
+        int steps = 0;
+        double minutes = 0;
+    };
+    auto call = std::make_shared<ClothCall>();
+    CLI::App* train = app.add_subcommand("train-cloth", "train the networks that see on drawn fabrics and on scans");
+    models::ClothTrainingOptions& options = call->options;
+    train->add_option("--out", options.out, "weights file; its model card is written to MODEL.json")->required();
+    train->add_option("--scans", call->scans, "data set of `vis2hap import scans`");
+    CLI::Option* steps = train->add_option("--steps", call->steps, "optimisation steps (default 15000)");
+    CLI::Option* minutes = train->add_option("--minutes", call->minutes, "wall time instead of steps")->excludes(steps);
+    train->add_option("--seed", options.seed, "seed of the first weights and of the drawn fabrics (default 1)");
+    train->add_option("--hold-out", call->heldOut, "scans to leave out, F03,F07")->delimiter(',');
+    train->add_flag("--resume", options.resume, "continue from the last checkpoint of an interrupted run");
+    train->add_option("--batch", options.batch, "patches per step (default 8)");
+    train->add_option("--crop", options.side, "side of a patch in px (default 128)");
+    train->add_option("--channels", options.baseChannels, "width of the relief network (default 24)");
+    train->add_option("--scan-share", options.scanShare, "share of scanned cloth in a batch (default 0.3)");
+    train->add_option("--learning-rate", options.learningRate, "initial learning rate (default 0.002)");
+    train->add_option("--checkpoint-every", options.checkpointEvery, "steps (default 500)");
+    train->add_option("--validate-every", options.validateEvery, "steps (default 1000)");
+    train->add_option("--validation-patches", options.validationPatches, "drawn patches for the validation figures (default 96)");
+    train->add_option("--threads", options.threads, "default: all threads of the machine");
+    train->callback([call, steps, minutes, command] {
+        models::ClothTrainingOptions& chosen = call->options;
+        if (minutes->count() > 0)
+            chosen.minutes = call->minutes;
+        else
+            chosen.steps = steps->count() > 0 ? call->steps : 15000;
+        for (const std::string& id : call->heldOut) chosen.heldOut.emplace_back(id);
+        chosen.command = command;
+        const auto scans = call->scans.empty() ? std::nullopt : std::optional(fabrics::readDataset(call->scans));
+        models::trainOnCloth(scans ? &*scans : nullptr, chosen, std::cout, isatty(STDOUT_FILENO) == 1);
     });
 }
 
@@ -177,6 +219,7 @@ int run(int argc, char** argv)
     CLI::App app("Generators of height maps and friction spectrograms from photographs", "vis2hap");
     app.require_subcommand(1);
     offerTraining(app, commandLine(argc, argv));
+    offerClothTraining(app, commandLine(argc, argv));
     offerGeneration(app);
     offerBench(app);
     offerPeerSteps(app);

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "protocols/files/whole_file.h"
-#include "rendering/models/networks/plain_tensors.h"
 #include "rendering/models/networks/weights.h"
 #include "rendering/models/ring_spectrum.h"
+#include "rendering/models/seeing/plain_tensors.h"
 
 namespace rendering::models {
 

@@ -10,12 +10,12 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/models/networks/adversarial_training.h"
-#include "rendering/models/networks/checkpoint.h"
 #include "rendering/models/networks/progress_lines.h"
 #include "rendering/models/networks/validation.h"
 #include "rendering/models/networks/weights.h"
 #include "rendering/models/photograph_features.h"
 #include "rendering/models/ring_spectrum.h"
+#include "rendering/models/seeing/checkpoint.h"
 #include "rendering/models/training_log.h"
 
 namespace rendering::models {
@@ -280,13 +280,6 @@ std::string nameOf(Objective objective)
             return "l1-only";
     }
     return {};
-}
-
-std::filesystem::path logOf(const std::filesystem::path& model)
-{
-    std::filesystem::path folder = model;
-    folder += ".log";
-    return folder;
 }
 
 void train(const fabrics::Dataset& dataset, const TrainingOptions& options, std::ostream& log, bool terminal)

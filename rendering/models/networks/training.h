@@ -48,9 +48,6 @@ struct TrainingOptions {
     std::string command;  ///< as typed, for the model card
 };
 
-/// MODEL.log: folder with the curves and sample pictures of a training (training_log.h).
-std::filesystem::path logOf(const std::filesystem::path& model);
-
 /// Trains and writes the networks of the best validation; with the reference's losses, those of the last step. Reports to
 /// `log`: a bar with the remaining time where `terminal`, else plain lines. Throws badInput (data set, options, a
 /// checkpoint of other settings) and environmentFault where nothing can be written. Throws workFailed where the loss stops

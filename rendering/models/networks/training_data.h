@@ -9,7 +9,7 @@
 
 #include "rendering/fabrics/dataset.h"
 #include "rendering/models/architecture.h"
-#include "rendering/models/networks/friction_target.h"
+#include "rendering/models/seeing/friction_target.h"
 
 namespace rendering::models {
 

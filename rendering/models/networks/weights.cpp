@@ -2,7 +2,7 @@
 
 #include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
-#include "rendering/models/networks/plain_tensors.h"
+#include "rendering/models/seeing/plain_tensors.h"
 
 namespace rendering::models {
 

@@ -6,8 +6,8 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "rendering/models/networks/ring_tensors.h"
 #include "rendering/models/ring_spectrum.h"
+#include "rendering/models/seeing/ring_tensors.h"
 #include "stats/metrics/image_metrics.h"
 
 using namespace rendering::models;

@@ -1,4 +1,4 @@
-#include "rendering/models/networks/checkpoint.h"
+#include "rendering/models/seeing/checkpoint.h"
 
 #include <limits>
 #include <nlohmann/json.hpp>

@@ -28,6 +28,9 @@ StoredTensor storedTensor(const std::string& name, const torch::Tensor& tensor);
 /// Copies the numbers into a tensor of the same shape, which keeps its own kind of numbers and memory order.
 void copyInto(torch::Tensor& to, const StoredTensor& from);
 
+/// Stores the weights of convolutions in the memory order channels-last, in which they run about twice as fast on CPUs.
+void orderChannelsLast(torch::nn::Module& module);
+
 std::vector<TensorKind> kindsOf(const std::vector<StoredTensor>& tensors);
 
 /// Both moments and the number of steps of every parameter of an optimiser; zeros where it has not yet moved the parameter.

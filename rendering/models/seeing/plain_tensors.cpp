@@ -1,4 +1,4 @@
-#include "rendering/models/networks/plain_tensors.h"
+#include "rendering/models/seeing/plain_tensors.h"
 
 #include <cassert>
 #include <cstring>
@@ -110,6 +110,13 @@ void setMoments(torch::optim::Adam& optimiser, const std::vector<StoredTensor>& 
         state->exp_avg_sq(second);
         optimiser.state()[c10::guts::to_string(parameter.unsafeGetTensorImpl())] = std::move(state);
     });
+}
+
+void orderChannelsLast(torch::nn::Module& module)
+{
+    const torch::NoGradGuard noGradient;
+    for (torch::Tensor& parameter : module.parameters())
+        if (parameter.dim() == 4) parameter.set_data(parameter.contiguous(torch::MemoryFormat::ChannelsLast));
 }
 
 }  // namespace rendering::models

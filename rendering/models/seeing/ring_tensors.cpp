@@ -1,4 +1,4 @@
-#include "rendering/models/networks/ring_tensors.h"
+#include "rendering/models/seeing/ring_tensors.h"
 
 #include <map>
 #include <mutex>

@@ -1,4 +1,4 @@
-#include "rendering/models/networks/friction_target.h"
+#include "rendering/models/seeing/friction_target.h"
 
 #include <algorithm>
 #include <numeric>

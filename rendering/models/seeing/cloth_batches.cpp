@@ -1,0 +1,136 @@
+#include "rendering/models/seeing/cloth_batches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "protocols/files/errors.h"
+#include "protocols/random.h"
+#include "rendering/fabrics/drawn/drawn_patch.h"
+#include "rendering/fabrics/sample_places.h"
+#include "rendering/models/seeing/pitch_unit.h"
+
+namespace rendering::models {
+
+namespace {
+
+using protocols::Random;
+
+/// Photographed cloth with its relief, before it is copied into a batch.
+struct KnownPatch {
+    cv::Mat rgb;       ///< CV_8UC3
+    cv::Mat reliefPx;  ///< CV_32FC1
+    double mmPerPixel = 0.05;
+    float logFriction = std::numeric_limits<float>::quiet_NaN();
+};
+
+cv::Mat linearReflectance(const cv::Mat& srgb)
+{
+    cv::Mat table(1, 256, CV_32F), linear;
+    for (int i = 0; i < 256; ++i) {
+        const double value = i / 255.0;
+        table.at<float>(i) = static_cast<float>(value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4));
+    }
+    cv::LUT(srgb, table, linear);
+    return linear;
+}
+
+/// One of the eight symmetries of the square.
+void turn(cv::Mat& image, int symmetry)
+{
+    if ((symmetry & 4) != 0) image = image.t();
+    if ((symmetry & 3) != 0) cv::flip(image, image, (symmetry & 3) == 3 ? -1 : (symmetry & 3) == 1 ? 1 : 0);
+}
+
+KnownPatch drawnPatch(std::uint64_t seed, std::uint64_t index, const ClothBatchOptions& options)
+{
+    const fabrics::DrawnPatch drawn = fabrics::drawPatch(seed, index, {options.side, options.flatShare});
+    return {drawn.rgb, drawn.heightMm / drawn.mmPerPixel, drawn.mmPerPixel, static_cast<float>(std::log(drawn.meanFriction))};
+}
+
+/// Zoom of scanned cloth: a larger one shows fewer, larger threads. Slopes stay, so heights grow with the picture.
+constexpr double smallestZoom = 0.5, largestZoom = 2;
+constexpr int cameraBorderPx = 8;
+
+KnownPatch scannedPatch(const std::vector<ScannedCloth>& scans, const ClothBatchOptions& options, Random& random)
+{
+    const ScannedCloth& scan = scans[random.below(scans.size())];
+    const int side = options.side + 2 * cameraBorderPx;
+    const double most = std::min({1 / smallestZoom, scan.heightMm.cols / (side + 2.0), scan.heightMm.rows / (side + 2.0)});
+    const double shrink = std::exp(random.uniform(std::log(1 / largestZoom), std::log(std::max(1 / largestZoom, most))));
+    const int taken = std::min({static_cast<int>(std::ceil(side * shrink)), scan.heightMm.cols, scan.heightMm.rows});
+    const cv::Rect part(static_cast<int>(random.below(static_cast<std::uint64_t>(scan.heightMm.cols - taken) + 1)),
+                        static_cast<int>(random.below(static_cast<std::uint64_t>(scan.heightMm.rows - taken) + 1)), taken, taken);
+    cv::Mat reflectance, height;
+    const int method = shrink > 1 ? cv::INTER_AREA : cv::INTER_CUBIC;
+    cv::resize(scan.reflectance(part), reflectance, {side, side}, 0, 0, method);
+    cv::resize(scan.heightMm(part), height, {side, side}, 0, 0, method);
+    const int symmetry = static_cast<int>(random.below(8));
+    turn(reflectance, symmetry);
+    turn(height, symmetry);
+    const double pitch = scan.mmPerPixel * taken / side;
+    const fabrics::ClothCamera camera = fabrics::drawCamera(random.uniform() < options.flatShare, random);
+    const fabrics::ClothWindow window = fabrics::windowOf(height, cv::max(reflectance, 0));
+    const fabrics::ClothPhotograph photograph = fabrics::photographWindow(window, pitch, cameraBorderPx, camera, random);
+    return {photograph.rgb, photograph.heightMm / pitch, pitch};
+}
+
+void copyPhotograph(const cv::Mat& rgb, float* out)
+{
+    const std::size_t pixels = rgb.total();
+    for (int y = 0; y < rgb.rows; ++y)
+        for (int x = 0; x < rgb.cols; ++x) {
+            const auto& pixel = rgb.at<cv::Vec3b>(y, x);
+            for (std::size_t c = 0; c < 3; ++c)
+                out[c * pixels + static_cast<std::size_t>(y * rgb.cols + x)] =
+                    static_cast<float>(pixel[static_cast<int>(c)]) / 255;
+        }
+}
+
+}  // namespace
+
+std::vector<ScannedCloth> readScannedCloth(const fabrics::Dataset& dataset, const std::vector<protocols::FabricId>& heldOut)
+{
+    const fabrics::PhotographPitches pitches(dataset);
+    std::vector<ScannedCloth> scans;
+    for (const fabrics::SamplePlace& place : fabrics::readSamplePlaces(dataset)) {
+        if (place.modality != fabrics::Modality::Visual || place.light != "colour" ||
+            std::find(heldOut.begin(), heldOut.end(), place.fabric) != heldOut.end() || !dataset.fabric(place.fabric).surfaceInMm)
+            continue;
+        const auto surface = fabrics::readSurface(dataset, place.fabric, place.index);
+        const auto pitch = pitches.of(place.fabric, place.index);
+        if (!surface || !pitch) continue;
+        scans.push_back({place.fabric.value, linearReflectance(fabrics::readPhotograph(dataset, place.fabric, place.index)),
+                         *surface, *pitch});
+    }
+    if (scans.empty())
+        throw protocols::badInput(
+            {"no scanned cloth remains for training", dataset.folder.string(),
+             "pictures with light \"colour\", a surface in mm and a scale, of fabrics that are not held out",
+             "make the data set with `vis2hap import scans`"});
+    return scans;
+}
+
+ClothBatch drawClothBatch(const std::vector<ScannedCloth>& scans, const ClothBatchOptions& options, std::uint64_t seed,
+                          std::uint64_t number)
+{
+    Random random = Random::stream(seed, "cloth batch/" + std::to_string(number));
+    const auto pixels = static_cast<std::size_t>(options.side) * static_cast<std::size_t>(options.side);
+    const auto size = static_cast<std::size_t>(options.size);
+    ClothBatch batch{
+        options.size, options.side, std::vector<float>(3 * pixels * size), std::vector<float>(pixels * size), {}, {}};
+    for (std::size_t i = 0; i < size; ++i) {
+        const bool scanned = !scans.empty() && random.uniform() < options.scanShare;
+        const KnownPatch patch = scanned ? scannedPatch(scans, options, random) : drawnPatch(seed, number * size + i, options);
+        copyPhotograph(patch.rgb, batch.photographs.data() + 3 * pixels * i);
+        cv::Mat relief(options.side, options.side, CV_32F, batch.reliefs.data() + pixels * i);
+        cv::subtract(patch.reliefPx, cv::mean(patch.reliefPx), relief);
+        batch.logPitches.push_back(static_cast<float>(std::log(patch.mmPerPixel / pitchUnitMm)));
+        batch.logFrictions.push_back(patch.logFriction);
+    }
+    return batch;
+}
+
+}  // namespace rendering::models

@@ -1,0 +1,47 @@
+// Batches of cloth whose relief is known pixel by pixel: drawn fabrics, made when they are needed and never shown twice, and
+// scanned fabrics, photographed anew by the simulated camera. No torch here.
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core/mat.hpp>
+#include <string>
+#include <vector>
+
+#include "rendering/fabrics/dataset.h"
+
+namespace rendering::models {
+
+/// A piece of scanned cloth.
+struct ScannedCloth {
+    std::string fabric;
+    cv::Mat reflectance;  ///< CV_32FC3, linear, 0 to 1
+    cv::Mat heightMm;     ///< CV_32FC1 of the same size
+    double mmPerPixel = 0.2;
+};
+
+/// The pictures of a data set whose light is "colour", with their surfaces in mm. Fabrics of `heldOut` are left out. Throws
+/// badInput where none remains.
+std::vector<ScannedCloth> readScannedCloth(const fabrics::Dataset& dataset, const std::vector<protocols::FabricId>& heldOut);
+
+/// In the layout of the networks (N x C x H x W, row-major).
+struct ClothBatch {
+    int size = 0, side = 0;
+    std::vector<float> photographs;  ///< [N, 3, side, side], 0 to 1
+    std::vector<float> reliefs;      ///< [N, 1, side, side], pixels
+    std::vector<float> logPitches;   ///< [N, 1]: logarithm of mm a pixel over pitchUnitMm (seeing_networks.h)
+    std::vector<float>
+        logFrictions;  ///< [N, 1]: logarithm of the mean coefficient; NaN for scans, whose friction nobody measured
+};
+
+struct ClothBatchOptions {
+    int size = 8;
+    int side = 128;          ///< px, a multiple of 16
+    double scanShare = 0.3;  ///< share of scanned cloth, where there is any
+    double flatShare = 0.3;  ///< share of pictures with the light taken out, as published scans are
+};
+
+/// Batch `number` of the family `seed`; equal arguments give an equal batch. Drawn fabric `number` x size + i appears in it only.
+ClothBatch drawClothBatch(const std::vector<ScannedCloth>& scans, const ClothBatchOptions& options, std::uint64_t seed,
+                          std::uint64_t number);
+
+}  // namespace rendering::models

@@ -1,0 +1,52 @@
+// One training step of the networks that see, and their figures on drawn fabrics that training never shows.
+// Only the torch sources include it.
+#pragma once
+
+#include <future>
+#include <nlohmann/json_fwd.hpp>
+
+#include "rendering/models/seeing/cloth_batches.h"
+#include "rendering/models/seeing/cloth_training.h"
+#include "rendering/models/seeing/seeing_weights.h"
+
+namespace rendering::models {
+
+struct ClothLosses {
+    double relief = 0;    ///< reliefLoss()
+    double friction = 0;  ///< mean negative log-likelihood of log friction
+};
+
+class ClothTraining {
+public:
+    /// `scans` and `options` must outlive this object.
+    ClothTraining(const Architecture& architecture, const std::vector<ScannedCloth>& scans, const ClothTrainingOptions& options);
+
+    /// Runs one step; `fraction` of the training is done, which sets the learning rate. Step `number` always draws the same
+    /// batch, so a resumed run draws the batches of an uninterrupted one.
+    ClothLosses step(int number, double fraction);
+    bool finite();
+
+    /// Moving average of the weights: the result.
+    SeeingNetworks& result() { return m_average; }
+
+    /// Networks and optimiser, always the same tensors in the same order.
+    std::vector<StoredTensor> tensors();
+    void continueFrom(const std::vector<StoredTensor>& tensors);
+
+private:
+    ClothBatch takeBatch(int number);
+
+    const std::vector<ScannedCloth>& m_scans;
+    const ClothTrainingOptions& m_options;
+    SeeingNetworks m_networks, m_average;
+    torch::optim::Adam m_steps;
+    std::future<ClothBatch> m_next;  ///< drawn during the computation of the present step
+    int m_nextNumber = -1;
+};
+
+/// Figures over `patches` drawn fabrics of a family of their own: relief_correlation (mean and median, without slow parts),
+/// sq_ratio_low and sq_ratio_high (5 and 95 % of generated over known Sq), friction_error (mean relative error of the mean
+/// coefficient), friction_constant_error (the same of one constant), friction_coverage (share inside the 90 % interval).
+nlohmann::ordered_json clothFigures(SeeingNetworks& networks, int side, int patches, std::uint64_t seed);
+
+}  // namespace rendering::models

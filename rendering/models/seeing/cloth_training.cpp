@@ -1,0 +1,188 @@
+#include "rendering/models/seeing/cloth_training.h"
+
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
+#include "rendering/models/seeing/checkpoint.h"
+#include "rendering/models/seeing/cloth_steps.h"
+#include "rendering/models/seeing/friction_target.h"
+#include "rendering/models/training_log.h"
+
+namespace rendering::models {
+
+namespace {
+
+using std::chrono::steady_clock;
+
+constexpr int stepsPerLogRow = 50;
+
+void checkOptions(const ClothTrainingOptions& options)
+{
+    const auto refuse = [](const std::string& what, const std::string& expected) {
+        throw protocols::badInput({what, "train", expected, "correct the option"});
+    };
+    if (options.steps.has_value() == options.minutes.has_value())
+        refuse("both or neither of --steps and --minutes were given", "one of them");
+    if (options.steps && *options.steps < 1) refuse("--steps is " + std::to_string(*options.steps), "at least 1");
+    if (options.minutes && !(*options.minutes > 0)) refuse("--minutes is not positive", "minutes of wall time");
+    if (options.side < 48 || options.side > largestCrop || options.side % 16 != 0)
+        refuse("--crop is " + std::to_string(options.side), "a multiple of 16 from 48 to " + std::to_string(largestCrop));
+    if (options.baseChannels < 1 || options.baseChannels > mostChannels)
+        refuse("--channels is " + std::to_string(options.baseChannels), "1 to " + std::to_string(mostChannels));
+    if (options.batch < 2 || options.checkpointEvery < 1 || options.validateEvery < 1 || options.validationPatches < 1 ||
+        !(options.learningRate > 0))
+        refuse("a count or rate is too small", "positive numbers, and a batch of at least 2");
+    if (!(options.scanShare >= 0 && options.scanShare <= 1)) refuse("--scan-share is out of range", "0 to 1");
+}
+
+Architecture architectureFor(const ClothTrainingOptions& options)
+{
+    Architecture architecture;
+    architecture.sees = true;
+    architecture.baseChannels = options.baseChannels;
+    architecture.crop = options.side;
+    architecture.imposesSpectrum = false;
+    setSpectrogramShape(architecture);
+    return architecture;
+}
+
+/// The settings that must agree for a checkpoint to be resumed.
+std::string fingerprint(const ClothTrainingOptions& options, const std::string& scansHash)
+{
+    std::string text =
+        "cloth|" + scansHash + "|" + std::to_string(options.seed) + "|" + std::to_string(options.scanShare) + "|" +
+        std::to_string(options.learningRate) + "|" +
+        (options.steps ? "steps " + std::to_string(*options.steps) : "minutes " + std::to_string(*options.minutes));
+    for (const int number : {options.batch, options.side, options.baseChannels}) text += "|" + std::to_string(number);
+    for (const protocols::FabricId& id : options.heldOut) text += "|" + id.value;
+    return text;
+}
+
+/// The loop around ClothTraining::step with its time, checkpoints and model card.
+class ClothRun {
+public:
+    ClothRun(const fabrics::Dataset* scans, const ClothTrainingOptions& options, std::ostream& log, bool terminal)
+        : m_dataset(scans), m_options(options), m_out(log), m_terminal(terminal), m_architecture(architectureFor(options))
+    {
+        if (scans == nullptr) return;
+        m_scans = readScannedCloth(*scans, options.heldOut);
+        m_scansHash = fabrics::hashOf(*scans);
+    }
+
+    void run()
+    {
+        torch::manual_seed(m_options.seed);
+        ClothTraining training(m_architecture, m_scans, m_options);
+        Checkpoint state;
+        state.fingerprint = fingerprint(m_options, m_scansHash);
+        const std::filesystem::path checkpoint = checkpointOf(m_options.out);
+        if (m_options.resume) {
+            StoredRun stored = readCheckpoint(checkpoint, state.fingerprint, kindsOf(training.tensors()));
+            training.continueFrom(stored.tensors);
+            state = std::move(stored.state);
+            m_out << "resumed at step " << state.step << std::endl;
+        }
+        TrainingLog log(logOf(m_options.out), m_options.resume ? std::optional(state.step) : std::nullopt);
+        m_out << "training on drawn fabrics of family " << m_options.seed << " and " << m_scans.size() << " pictures of scans"
+              << std::endl;
+        const steady_clock::time_point started = steady_clock::now();
+        const double before = state.elapsedS;
+        while (fractionDone(state) < 1) {
+            const ClothLosses losses = training.step(state.step, fractionDone(state));
+            if (!std::isfinite(losses.relief + losses.friction)) stopAt(state.step + 1);
+            ++state.step;
+            state.elapsedS = before + std::chrono::duration<double>(steady_clock::now() - started).count();
+            const bool last = fractionDone(state) >= 1;
+            if (state.step % stepsPerLogRow == 0 || last) report(state, losses, log);
+            if (state.step % m_options.validateEvery == 0 && !last) validate(training, state, log);
+            if (last || state.step % m_options.checkpointEvery == 0) {
+                if (!training.finite()) stopAt(state.step);
+                writeCheckpoint(checkpoint, state, training.tensors());
+            }
+        }
+        finish(training, state);
+        std::filesystem::remove(checkpoint);
+    }
+
+private:
+    [[noreturn]] void stopAt(int step) const
+    {
+        throw protocols::workFailed({"the loss is not finite at step " + std::to_string(step), m_options.out.string(),
+                                     "finite losses",
+                                     "continue from the last checkpoint with --resume, or train again with a "
+                                     "smaller --learning-rate"});
+    }
+
+    double fractionDone(const Checkpoint& state) const
+    {
+        return m_options.steps ? static_cast<double>(state.step) / *m_options.steps : state.elapsedS / (*m_options.minutes * 60);
+    }
+
+    void report(const Checkpoint& state, const ClothLosses& losses, TrainingLog& log) const
+    {
+        log.losses(state.step, std::vector<NamedValue>{{"relief", losses.relief}, {"friction", losses.friction}});
+        const double fraction = fractionDone(state);
+        const int minutesLeft = static_cast<int>(std::ceil(state.elapsedS / fraction * (1 - fraction) / 60));
+        m_out << (m_terminal ? "\r" : "") << "step " << state.step << ", relief " << std::round(1000 * losses.relief) / 1000
+              << ", friction " << std::round(1000 * losses.friction) / 1000 << ", about " << minutesLeft << " min left"
+              << (m_terminal ? "   " : "\n") << std::flush;
+    }
+
+    nlohmann::ordered_json validate(ClothTraining& training, const Checkpoint& state, TrainingLog& log) const
+    {
+        const nlohmann::ordered_json figures =
+            clothFigures(training.result(), m_options.side, m_options.validationPatches, m_options.seed);
+        std::vector<NamedValue> values;
+        for (const auto& [name, value] : figures.items()) values.push_back({name, value.get<double>()});
+        log.validation(state.step, values);
+        m_out << (m_terminal ? "\n" : "") << "validation " << figures.dump() << std::endl;
+        return figures;
+    }
+
+    void finish(ClothTraining& training, const Checkpoint& state)
+    {
+        ModelCardFields card;
+        card.summary.name = m_options.out.stem().string();
+        card.summary.trainedOnProceduralSet = m_dataset == nullptr;
+        card.summary.trainingCommand = m_options.command;
+        card.architecture = m_architecture;
+        card.seed = m_options.seed;
+        card.steps = card.bestStep = state.step;
+        card.trainingMinutes = std::round(state.elapsedS / 6) / 10;
+        for (const protocols::FabricId& id : m_options.heldOut) card.heldOut.push_back(id.value);
+        card.datasetName = m_dataset != nullptr ? m_dataset->name : "drawn fabrics";
+        card.datasetHash = m_scansHash;
+        TrainingLog log(logOf(m_options.out), state.step);
+        card.validationJson = validate(training, state, log).dump();
+        writeSeeingModel(m_options.out, training.result(), card);
+        m_out << "wrote " << m_options.out.string() << " after " << state.step << " steps, " << card.trainingMinutes << " min"
+              << std::endl;
+    }
+
+    const fabrics::Dataset* m_dataset;
+    const ClothTrainingOptions& m_options;
+    std::ostream& m_out;
+    bool m_terminal;
+    Architecture m_architecture;
+    std::vector<ScannedCloth> m_scans;
+    std::string m_scansHash;
+};
+
+}  // namespace
+
+void trainOnCloth(const fabrics::Dataset* scans, const ClothTrainingOptions& options, std::ostream& log, bool terminal)
+{
+    checkOptions(options);
+    protocols::requireWritable(options.out);
+    // Drawing the next batch takes about as long as a step, so one thread is left to it.
+    const int threads =
+        options.threads > 0 ? options.threads : static_cast<int>(std::max(2U, std::thread::hardware_concurrency()));
+    torch::set_num_threads(std::max(1, threads - 1));
+    ClothRun(scans, options, log, terminal).run();
+}
+
+}  // namespace rendering::models

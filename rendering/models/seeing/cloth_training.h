@@ -1,0 +1,40 @@
+// Training of the networks that see, on drawn fabrics without end and on scanned cloth. Checkpoints let an interrupted run
+// continue bit for bit. No torch in this header.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "rendering/fabrics/dataset.h"
+
+namespace rendering::models {
+
+struct ClothTrainingOptions {
+    std::filesystem::path out;                 ///< weights file; the model card is written beside it
+    std::optional<int> steps;                  ///< exactly one of steps and minutes is set
+    std::optional<double> minutes;             ///< wall time of the optimisation
+    std::uint64_t seed = 1;                    ///< of the first weights and of the drawn fabrics
+    std::vector<protocols::FabricId> heldOut;  ///< scans that are left out
+    bool resume = false;
+    int batch = 8;
+    int side = 128;              ///< px of a patch, multiple of 16
+    int baseChannels = 24;       ///< of the relief network
+    double scanShare = 0.3;      ///< share of scanned cloth, where there is any
+    double learningRate = 2e-3;  ///< falls to a fiftieth along a cosine
+    int checkpointEvery = 500;   ///< steps
+    int validateEvery = 1000;    ///< steps
+    int validationPatches = 96;
+    int threads = 0;      ///< 0: all threads of the machine
+    std::string command;  ///< as typed, for the model card
+};
+
+/// Trains and writes the moving average of the networks. `scans`: a data set of `vis2hap import scans`, or nullptr. Reports to
+/// `log`. Throws badInput (options, data set, a checkpoint of other settings), environmentFault where nothing can be written,
+/// workFailed where the loss stops being finite; the last good checkpoint stays.
+void trainOnCloth(const fabrics::Dataset* scans, const ClothTrainingOptions& options, std::ostream& log, bool terminal);
+
+}  // namespace rendering::models

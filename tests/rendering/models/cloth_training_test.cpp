@@ -1,0 +1,192 @@
+// Training of the networks that see through the real command, and their signals. Tiny networks: this tests the way, not the
+// skill.
+#include <QElapsedTimer>
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <opencv2/core.hpp>
+
+#include "rendering/fabrics/drawn/drawn_patch.h"
+#include "rendering/models/generation.h"
+#include "rendering/models/model_card_fields.h"
+#include "rendering/models/process/child_process.h"
+
+using namespace rendering;
+
+namespace {
+
+struct Outcome {
+    int exitCode = 0;
+    QString output, errors;
+};
+
+QString program() { return QString::fromStdString(models::generatorProgram().string()); }
+
+Outcome run(const QStringList& arguments)
+{
+    QProcess process;
+    process.start(program(), arguments);
+    process.waitForFinished(300000);
+    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1, process.readAllStandardOutput(),
+            process.readAllStandardError()};
+}
+
+QByteArray bytesOf(const QString& file)
+{
+    QFile opened(file);
+    return opened.open(QIODevice::ReadOnly) ? opened.readAll() : QByteArray();
+}
+
+}  // namespace
+
+class ClothTrainingTest : public QObject {
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_folder;
+
+    QString at(const char* name) const { return m_folder.filePath(name); }
+
+    QStringList smallRun(const char* out, int steps, const QStringList& more = {}) const
+    {
+        return QStringList{"train-cloth",
+                           "--out",
+                           at(out),
+                           "--steps",
+                           QString::number(steps),
+                           "--crop",
+                           "48",
+                           "--channels",
+                           "4",
+                           "--batch",
+                           "2",
+                           "--seed",
+                           "5",
+                           "--threads",
+                           "1",
+                           "--checkpoint-every",
+                           "4",
+                           "--validation-patches",
+                           "8"} +
+               more;
+    }
+
+    models::GeneratedSignals signalsOf(const cv::Mat& rgb, double mmPerPixel) const
+    {
+        models::GenerationOptions options;
+        options.model = at("model.safetensors").toStdString();
+        return models::generate(std::vector<models::InputPhotograph>{{rgb, mmPerPixel}}, options).front();
+    }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        for (const auto& [name, value] : models::missingThreadSettings())
+            qputenv(name.c_str(), QByteArray::fromStdString(value));  // Otherwise each run starts twice, to set it.
+    }
+
+    void trainingLowersTheLossesAndTheCardTellsItsFigures()
+    {
+        const Outcome outcome = run(smallRun("model.safetensors", 150));
+        QVERIFY2(outcome.exitCode == 0, qPrintable(outcome.errors));
+        const models::ModelCardFields card = models::readModelCardFields(at("model.safetensors").toStdString());
+        QVERIFY(card.architecture.sees);
+        QCOMPARE(card.steps, 150);
+        const auto figures = nlohmann::ordered_json::parse(card.validationJson);
+        QCOMPARE(figures.at("patches").get<int>(), 8);
+        QVERIFY2(figures.at("relief_correlation").get<double>() > 0.1, qPrintable(QString::fromStdString(card.validationJson)));
+        QVERIFY(!QFile::exists(at("model.safetensors.checkpoint")));
+        QVERIFY(QFile::exists(at("model.safetensors.log/losses.csv")));
+    }
+
+    void killedRunResumesToTheSameWeights()
+    {
+        const Outcome whole = run(smallRun("whole.safetensors", 12));
+        QVERIFY2(whole.exitCode == 0, qPrintable(whole.errors));
+        QProcess broken;
+        broken.start(program(), smallRun("broken.safetensors", 12));
+        QElapsedTimer waited;
+        waited.start();
+        while (!QFile::exists(at("broken.safetensors.checkpoint")) && waited.elapsed() < 120000) QTest::qWait(2);
+        broken.kill();
+        broken.waitForFinished();
+        QVERIFY2(!QFile::exists(at("broken.safetensors")), "the run ended before it was interrupted");
+        const Outcome resumed = run(smallRun("broken.safetensors", 12, {"--resume"}));
+        QVERIFY2(resumed.exitCode == 0, qPrintable(resumed.errors));
+        QVERIFY(resumed.output.contains("resumed at step"));
+        QCOMPARE(bytesOf(at("broken.safetensors")), bytesOf(at("whole.safetensors")));
+    }
+
+    void checkpointOfOtherSettingsIsRefused()
+    {
+        QProcess broken;
+        broken.start(program(), smallRun("other.safetensors", 400));
+        QElapsedTimer waited;
+        waited.start();
+        while (!QFile::exists(at("other.safetensors.checkpoint")) && waited.elapsed() < 120000) QTest::qWait(2);
+        broken.kill();
+        broken.waitForFinished();
+        const Outcome outcome = run(smallRun("other.safetensors", 500, {"--resume"}));
+        QCOMPARE(outcome.exitCode, 2);
+        QVERIFY2(outcome.errors.contains("other.safetensors.checkpoint"), qPrintable(outcome.errors));
+    }
+
+    void reliefGrowsWithThePitchAndKeepsThePixelsOfThePhotograph()
+    {
+        const fabrics::DrawnPatch patch = fabrics::drawPatch(3, 2, {150});
+        const models::GeneratedSignals once = signalsOf(patch.rgb, 0.05), twice = signalsOf(patch.rgb, 0.1);
+        QCOMPARE(once.heightMm.size(), patch.rgb.size());
+        QCOMPARE(once.heightMmPerPixel, 0.05);
+        QVERIFY(cv::norm(once.heightMm) > 0);
+        QVERIFY2(cv::norm(twice.heightMm - 2 * once.heightMm, cv::NORM_INF) < 1e-5, "twice the pitch is twice the height");
+        QVERIFY(once.meanFriction > 0 && once.meanFriction != twice.meanFriction);
+        QVERIFY(!once.trace.empty());
+    }
+
+    void extremePicturesGiveFiniteSignals_data()
+    {
+        QTest::addColumn<int>("width");
+        QTest::addColumn<int>("height");
+        QTest::addColumn<int>("grey");
+        QTest::newRow("one pixel") << 1 << 1 << 128;
+        QTest::newRow("a line") << 700 << 3 << 90;
+        QTest::newRow("black") << 100 << 100 << 0;
+        QTest::newRow("white") << 100 << 33 << 255;
+    }
+    void extremePicturesGiveFiniteSignals()
+    {
+        QFETCH(int, width);
+        QFETCH(int, height);
+        QFETCH(int, grey);
+        const models::GeneratedSignals signals = signalsOf(cv::Mat(height, width, CV_8UC3, cv::Scalar::all(grey)), 0.05);
+        QCOMPARE(signals.heightMm.size(), cv::Size(width, height));
+        QVERIFY(cv::checkRange(signals.heightMm) && std::isfinite(signals.meanFriction));
+    }
+
+    void badOptionsAreRefused_data()
+    {
+        QTest::addColumn<QStringList>("options");
+        QTest::addColumn<QString>("named");
+        QTest::newRow("crop") << QStringList{"--crop", "100"} << "--crop is 100";
+        QTest::newRow("steps") << QStringList{"--steps", "0"} << "--steps is 0";
+        QTest::newRow("batch") << QStringList{"--batch", "1"} << "batch of at least 2";
+        QTest::newRow("share") << QStringList{"--scan-share", "2"} << "--scan-share is out of range";
+        QTest::newRow("scans") << QStringList{"--scans", "nowhere"} << "nowhere";
+    }
+    void badOptionsAreRefused()
+    {
+        QFETCH(QStringList, options);
+        QFETCH(QString, named);
+        const Outcome outcome = run(QStringList{"train-cloth", "--out", at("refused.safetensors")} + options);
+        QCOMPARE(outcome.exitCode, 2);
+        QVERIFY2(outcome.errors.contains(named), qPrintable(outcome.errors));
+        QVERIFY(!QFile::exists(at("refused.safetensors")));
+    }
+};
+
+QTEST_GUILESS_MAIN(ClothTrainingTest)
+#include "cloth_training_test.moc"

@@ -1,0 +1,155 @@
+// What the networks that see are told: textures, batches of cloth with known relief, and the losses of relief.
+#include <QTemporaryDir>
+#include <QTest>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <opencv2/core.hpp>
+
+#include "rendering/fabrics/sample_places.h"
+#include "rendering/images/image_io.h"
+#include "rendering/models/seeing/cloth_batches.h"
+#include "rendering/models/seeing/relief_losses.h"
+#include "rendering/models/seeing/seen_texture.h"
+#include "tests/rendering/refusal.h"
+
+using namespace rendering;
+using namespace rendering::models;
+
+namespace {
+
+double number(const torch::Tensor& tensor) { return tensor.item<double>(); }
+
+/// Map [1, 1, 128, 128] with one wave along the rows.
+torch::Tensor wave(double periodPx, double amplitude)
+{
+    const torch::Tensor place = torch::arange(128).to(torch::kFloat).view({1, 1, 1, 128}).expand({1, 1, 128, 128});
+    return amplitude * torch::sin(2 * std::numbers::pi / periodPx * place);
+}
+
+torch::Tensor photograph()
+{
+    torch::manual_seed(4);
+    return 0.3 + 0.25 * torch::avg_pool2d(torch::randn({1, 3, 132, 132}), 5, 1);
+}
+
+/// A scan: a wave of 12 px and 0.1 mm, coloured evenly.
+cv::Mat scannedHeight(int side)
+{
+    cv::Mat height(side, side, CV_32F);
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) height.at<float>(y, x) = static_cast<float>(0.1 * std::sin(2 * std::numbers::pi * x / 12));
+    return height;
+}
+
+fabrics::Dataset scans(const std::filesystem::path& folder)
+{
+    fabrics::Dataset dataset;
+    dataset.folder = folder;
+    dataset.name = "two scans";
+    dataset.surfaceIsFree = true;
+    std::vector<fabrics::SamplePlace> places;
+    for (const char* id : {"F01", "F02"}) {
+        fabrics::FabricInfo fabric;
+        fabric.id = protocols::FabricId(id);
+        fabric.name = id;
+        dataset.fabrics.push_back(fabric);
+        const auto photo = fabrics::samplePath(dataset, fabric.id, fabrics::Modality::Visual, 0);
+        const auto surface = fabrics::surfacePath(dataset, fabric.id, 0);
+        std::filesystem::create_directories(photo.parent_path());
+        std::filesystem::create_directories(surface.parent_path());
+        writePng(photo, cv::Mat(300, 300, CV_8UC3, cv::Scalar(128, 90, 60)));
+        writeTiff(surface, scannedHeight(300));
+        fabrics::SamplePlace place;
+        place.fabric = fabric.id;
+        place.mmPerPixel = 0.1;
+        place.light = "colour";
+        places.push_back(place);
+    }
+    fabrics::writeDatasetJson(dataset);
+    fabrics::writeSamplePlaces(dataset, places);
+    return fabrics::readDataset(folder);
+}
+
+}  // namespace
+
+class SeeingTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void exposureWhiteBalanceAndPlainDyeAreNotSeen()
+    {
+        const torch::Tensor seen = seenTexture(photograph());
+        QCOMPARE(seen.size(1), std::int64_t{seenChannels});
+        const torch::Tensor gains = torch::tensor({0.5F, 0.2F, 1.8F}).view({1, 3, 1, 1});
+        QVERIFY(number((seenTexture(photograph() * gains) - seen).abs().max()) < 2e-3);
+        QVERIFY2(number((seenTexture(photograph().pow(1.5)) - seen).narrow(1, 0, 1).abs().max()) < 0.05,
+                 "gamma moves the first channel");
+        QVERIFY(number(seen.narrow(1, 0, 1).abs().mean()) > 0.3);
+    }
+
+    void blackAndWhitePicturesGiveFiniteTextures()
+    {
+        for (const double grey : {0.0, 1.0})
+            QVERIFY(torch::isfinite(seenTexture(torch::full({1, 3, 48, 48}, grey))).all().item<bool>());
+    }
+
+    void slowWavesAreFreeAndFastOnesCount()
+    {
+        QVERIFY(number(withoutSlowPart(wave(8, 1)).square().mean()) > 0.45);
+        QVERIFY(number(withoutSlowPart(wave(640, 1)).narrow(3, 32, 64).square().mean()) < 1e-3);
+        QVERIFY(number(reliefCorrelation(wave(8, 1), wave(8, 0.2) + wave(640, 2))) > 0.97);
+        QVERIFY(number(reliefCorrelation(wave(8, 1), -wave(8, 1))) < -0.999);
+    }
+
+    void reliefLossPrefersTheKnownReliefToWrongOnes()
+    {
+        const torch::Tensor known = wave(8, 0.5);
+        QVERIFY(number(reliefLoss(known, known, {})) < 1e-3);
+        const double half = number(reliefLoss(0.5 * known, known, {})), none = number(reliefLoss(0 * known, known, {})),
+                     turned = number(reliefLoss(-known, known, {}));
+        QVERIFY2(0.05 < half && half < none && none < turned, qPrintable(QString("%1 %2 %3").arg(half).arg(none).arg(turned)));
+        QVERIFY(std::isfinite(number(reliefLoss(0 * known, 0 * known, {}))));
+    }
+
+    void batchesOfDrawnClothAreRepeatableAndNeverShowAFabricTwice()
+    {
+        const ClothBatchOptions options{2, 64, 0};
+        const ClothBatch first = drawClothBatch({}, options, 7, 0), again = drawClothBatch({}, options, 7, 0);
+        QCOMPARE(first.photographs, again.photographs);
+        QCOMPARE(first.reliefs, again.reliefs);
+        QVERIFY(drawClothBatch({}, options, 7, 1).photographs != first.photographs);
+        QVERIFY(drawClothBatch({}, options, 8, 0).photographs != first.photographs);
+        QCOMPARE(first.photographs.size(), std::size_t{2 * 3 * 64 * 64});
+        for (const float friction : first.logFrictions) QVERIFY(std::exp(friction) > 0.05F && std::exp(friction) < 1.5F);
+        for (const float value : first.photographs) QVERIFY(value >= 0 && value <= 1);
+    }
+
+    void scansArePhotographedAnewWithTheirSlopesAndWithoutFriction()
+    {
+        QTemporaryDir folder;
+        const fabrics::Dataset dataset = scans(folder.path().toStdString());
+        const std::vector<ScannedCloth> cloth = readScannedCloth(dataset, {});
+        QCOMPARE(cloth.size(), std::size_t{2});
+        QCOMPARE(readScannedCloth(dataset, {protocols::FabricId("F02")}).front().fabric, std::string("F01"));
+        const ClothBatch batch = drawClothBatch(cloth, {4, 64, 1}, 1, 0);
+        double steepest = 0;
+        for (int i = 0; i < 4; ++i) {
+            QVERIFY(std::isnan(batch.logFrictions[static_cast<std::size_t>(i)]));
+            const cv::Mat relief(64, 64, CV_32F, const_cast<float*>(batch.reliefs.data()) + 64 * 64 * i);
+            for (int y = 1; y < 64; ++y)
+                for (int x = 1; x < 64; ++x)
+                    steepest = std::max(
+                        steepest, static_cast<double>(std::max(std::abs(relief.at<float>(y, x) - relief.at<float>(y, x - 1)),
+                                                               std::abs(relief.at<float>(y, x) - relief.at<float>(y - 1, x)))));
+        }
+        // A zoom keeps slopes: 0.1 mm times 2 pi over 1.2 mm.
+        QVERIFY2(std::abs(steepest - 0.524) < 0.06, qPrintable(QString::number(steepest)));
+        QVERIFY(refusalOf([&] {
+                    readScannedCloth(dataset, {protocols::FabricId("F01"), protocols::FabricId("F02")});
+                }).contains("no scanned cloth remains"));
+    }
+};
+
+QTEST_GUILESS_MAIN(SeeingTest)
+#include "seeing_test.moc"

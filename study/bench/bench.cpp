@@ -1,6 +1,7 @@
 #include "study/bench/bench.h"
 
 #include "protocols/files/errors.h"
+#include "study/bench/bench_fabrics.h"
 #include "study/bench/bench_generators.h"
 #include "study/bench/bench_recordings.h"
 #include "study/bench/bench_session.h"
@@ -50,6 +51,7 @@ const std::vector<NamedStage>& stages()
 {
     static const std::vector<NamedStage> all{
         {"signals", signalStage},
+        {"fabrics", [](const BenchOptions&) { return benchFabrics(); }},
         {"statistics", [](const BenchOptions& options) { return benchStatistics(options.peers); }},
         {"session", [](const BenchOptions&) { return benchSession(); }},
         {"generators", [](const BenchOptions& options) { return benchGenerators(options.peers); }}};
@@ -73,7 +75,7 @@ std::vector<BenchRow> benchStage(const std::string& stage, const BenchOptions& o
     for (const auto& one : stages())
         if (one.name == stage) return one.run(options);
     throw protocols::badInput(
-        {"there is no stage " + stage, "bench", "signals, statistics, session or generators", "check the spelling"});
+        {"there is no stage " + stage, "bench", "signals, fabrics, statistics, session or generators", "check the spelling"});
 }
 
 }  // namespace study::bench

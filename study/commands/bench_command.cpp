@@ -41,7 +41,7 @@ void addBench(CLI::App& app, Action& action)
 {
     auto* command = app.add_subcommand("bench", "print speed and error of every stage on this machine");
     auto call = std::make_shared<BenchCall>();
-    command->add_option("STAGE", call->stages, "signals, statistics, session, generators (default: all)")
+    command->add_option("STAGE", call->stages, "signals, fabrics, statistics, session, generators (default: all)")
         ->check(CLI::IsMember(bench::benchStages()));
     command->add_flag("--peers", call->options.peers, "also time R and packages of Python on the same work");
     command->add_option("--data", call->options.recordings,

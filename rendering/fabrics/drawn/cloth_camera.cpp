@@ -16,8 +16,8 @@ namespace {
 
 using protocols::Random;
 
-constexpr double finePixelsPerThread = 7;
-constexpr int finestFactor = 4;
+constexpr double finePixelsPerThread = 6;
+constexpr int finestFactor = 3;
 constexpr int toneSteps = 4096;
 
 bool happens(Random& random, double share) { return random.uniform() < share; }

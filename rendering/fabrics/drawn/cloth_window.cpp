@@ -17,9 +17,12 @@ namespace {
 constexpr std::uint64_t waveLattice = 0xA4D1, creaseLattice = 0xA4D2, speckleLattice = 0xA4D3;
 constexpr int slackStep = 8;  // Slack is smooth, so every eighth pixel is enough.
 
+/// What is seen between the yarns: the table, or the roots of a pile.
 float groundOf(const DrawnFabric& fabric)
 {
-    return -1.5f * float(std::max(fabric.warp.diameterMm * fabric.warp.flatness, fabric.weft.diameterMm * fabric.weft.flatness));
+    if (fabric.kind == ClothKind::CutPile || fabric.kind == ClothKind::Fleece)
+        return -float(0.8 * fabric.pile.heightMm + 0.2 * fabric.pile.widthMm);
+    return -0.95f * float(std::max(fabric.warp.diameterMm * fabric.warp.flatness, fabric.weft.diameterMm * fabric.weft.flatness));
 }
 
 void layFabric(StrandCanvas& canvas, const DrawnFabric& fabric, const ClothFrame& frame)

@@ -89,7 +89,8 @@ void drawWoven(DrawnFabric& fabric, Random& random)
     const double spacing = coarse ? logUniform(random, 0.7, 3.0)
                            : fine ? logUniform(random, 0.15, 0.5)
                                   : logUniform(random, 0.17, 1.5);
-    const bool open = coarse ? chance(random, 0.8) : fabric.weave.longestFloat < 1.5 && chance(random, 0.25);
+    const bool open =
+        coarse ? fabric.weave.longestFloat < 2.5 && chance(random, 0.8) : fabric.weave.longestFloat < 1.5 && chance(random, 0.25);
     const double cover = open ? random.uniform(0.4, 0.8) : random.uniform(0.85, 1.12);
     fabric.warp = drawYarns(spacing, cover, fabric.fibre, random);
     const double ratio = chance(random, 0.5) ? spreadAround(random, 0.08) : spreadAround(random, 0.32);
@@ -100,7 +101,8 @@ void drawWoven(DrawnFabric& fabric, Random& random)
     // A system that shows most lies over the other, which hardly bends.
     const auto& ups = fabric.weave.draft.ups;
     const double shown = double(std::count(ups.begin(), ups.end(), 1)) / double(ups.size());
-    fabric.crimpShare = std::clamp(0.5 + 0.9 * (shown - 0.5) + 0.15 * random.normal(), 0.12, 0.88);
+    if (fabric.weave.isFine) (shown > 0.5 ? fabric.warp : fabric.weft).spread += random.uniform(0.05, 0.3);
+    fabric.crimpShare = std::clamp(0.5 + 0.55 * (shown - 0.5) + 0.15 * random.normal(), 0.12, 0.88);
     fabric.looseness = random.uniform(0.45, 1.05);
     const double napped = fabric.hairiness > 0.3 && chance(random, 0.3) ? 1 : 0;
     if (napped > 0) {
@@ -136,7 +138,7 @@ void drawPiled(DrawnFabric& fabric, Random& random)
         case ClothKind::CutPile:
             pile.spacingMm = logUniform(random, 0.15, 0.6);
             pile.heightMm = random.uniform(0.25, 0.9) * pile.spacingMm;
-            pile.widthMm = pile.spacingMm * random.uniform(0.7, 1.3);
+            pile.widthMm = pile.spacingMm * random.uniform(1.0, 1.7);
             pile.lengthMm = pile.spacingMm * random.uniform(0.8, 3.0);
             pile.order = random.uniform(0.5, 1.0);
             break;

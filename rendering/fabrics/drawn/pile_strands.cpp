@@ -64,7 +64,7 @@ void layTufts(StrandCanvas& canvas, const DrawnFabric& fabric, const ClothFrame&
 {
     const DrawnPile& pile = fabric.pile;
     const bool nap = fabric.kind == ClothKind::Weave, cut = fabric.kind == ClothKind::CutPile;
-    const double step = pile.spacingMm;
+    const double step = cut ? 0.65 * pile.spacingMm : pile.spacingMm;  // The tips of a cut pile close over their roots.
     const ClothExtent extent = frame.extent(pile.lengthMm + 2 * step);
     const CellRange cells = cellsIn(extent, step, step);
     const float lump = nap ? 0.f : 1.f;

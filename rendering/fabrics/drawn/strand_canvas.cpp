@@ -36,7 +36,14 @@ const Section& sectionOf(bool isDome)
     return isDome ? dome : yarn;
 }
 
-float triangleWave(float turns) { return std::abs(2 * (turns - std::floor(turns)) - 1); }
+/// The whole number below; several times as fast as std::floor, which is a call here.
+std::int64_t wholeBelow(float value)
+{
+    const auto whole = std::int64_t(value);
+    return whole - (float(whole) > value ? 1 : 0);
+}
+
+float triangleWave(float turns) { return std::abs(2 * (turns - float(wholeBelow(turns))) - 1); }
 
 /// Fades what is finer than the pixels.
 float visibleShare(float pixelsPerTurn) { return std::clamp((pixelsPerTurn - 2) / 2, 0.f, 1.f); }
@@ -121,7 +128,7 @@ public:
         const float groove = m_plySeen > 0 ? m_plySeen * triangleWave(phase * float(m_style.plies) + 0.32f * point.side) : 0;
         const float depth = groove + m_style.fibreDepth * m_fibreSeen * triangleWave(turns);
         const float speck =
-            inUnitRange(std::uint32_t(hashAt(m_style.seed, std::int64_t(std::floor(turns + 0.5f)), std::int64_t(phase * 2.5f))));
+            inUnitRange(std::uint32_t(hashAt(m_style.seed, wholeBelow(turns + 0.5f), std::int64_t(phase * 2.5f))));
         const float aside = 0.10f * speck + mixOf(m_from.turn, m_to.turn, point.along);
         Surface surface{};
         surface.height = heightAt(point) - mixOf(m_from.halfHeight, m_to.halfHeight, point.along) * depth;

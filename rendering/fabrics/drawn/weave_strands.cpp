@@ -70,7 +70,7 @@ public:
         const float freed = std::min(1.f, (place.length - 1) / 3);
         const float jitter = inUnitRange(std::uint32_t(hashAt(m_fabric.seed ^ crossingLattice, warp, weft)));
         const float bow = 1 + 0.45f * freed * place.middle + (0.10f + 0.12f * freed) * jitter;
-        const float sunk = up && place.length < 1.5f ? 0.8f * neighbourFreedom(yarn, k) : 0;
+        const float sunk = up && place.length < 1.5f ? 0.5f * neighbourFreedom(yarn, k) : 0;
         const std::uint64_t own = hashAt(m_fabric.seed ^ glintLattice, yarn, 2 * k + (m_isWarp ? 1 : 0));
         return {(up ? m_crimp : -m_crimp) * bow * (1 - sunk), up ? freed * (0.4f + 0.6f * place.middle) - 0.4f * sunk : -0.2f,
                 1 + 0.07f * inUnitRange(std::uint32_t(own)), m_glint * inUnitRange(std::uint32_t(own >> 32))};

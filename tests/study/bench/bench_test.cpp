@@ -38,6 +38,17 @@ private Q_SLOTS:
         QVERIFY(row("spectrogram inversion", "accurate").error < 10);
     }
 
+    void patchesOfDrawnFabricsAreTimedAlone()
+    {
+        const auto rows = study::bench::benchStage("fabrics", {});
+        QCOMPARE(rows.size(), std::size_t(2));
+        for (const auto& row : rows) {
+            QVERIFY(row.milliseconds && *row.milliseconds > 0);
+            QVERIFY(row.note.find("patches a second") != std::string::npos);
+        }
+        QVERIFY_EXCEPTION_THROWN(study::bench::benchStage("fabric", {}), protocols::Error);
+    }
+
     void aRowIsALineAndAnObject()
     {
         const study::bench::BenchRow row{"ssim", "double", 21.5, {}, "-", "goal 30 ms", {{"R", 40.26}, {"scipy", {}}}};

@@ -6,7 +6,6 @@
 #include "protocols/files/folder_draft.h"
 #include "rendering/fabrics/drawn/drawn_friction.h"
 #include "rendering/fabrics/drawn/drawn_patch.h"
-#include "rendering/fabrics/procedural/stroke_rig.h"
 #include "rendering/fabrics/procedural/tactile_press.h"
 #include "rendering/fabrics/sample_places.h"
 #include "rendering/images/image_png.h"
@@ -112,14 +111,10 @@ void makeDrawnSample(const Dataset& dataset, const DrawnCloth& cloth, Modality m
             writeTiff(knownHeightPath(dataset, cloth.info.id, index), press.heightMm, Sync::Later);
             return;
         }
-        case Modality::Friction: {
-            const auto relief = [&](const FabricPlace& centre, cv::Size size, double pitchMm) {
-                return clothWindow(cloth.fabric, centre, size, pitchMm, SlackShown::No).heightMm;
-            };
-            protocols::writeWholeFile(file, toCsv(strokeRelief(relief, cloth.friction, place, dataset.friction, random)),
+        case Modality::Friction:
+            protocols::writeWholeFile(file, toCsv(strokeDrawn(cloth.fabric, cloth.friction, place, dataset.friction, random)),
                                       Sync::Later);
             return;
-        }
     }
 }
 

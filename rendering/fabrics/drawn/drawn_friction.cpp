@@ -27,6 +27,15 @@ double meanFriction(const DrawnFabric& fabric, double forceN)
     return visible * fabric.unseen * std::pow(forceN / 15, -0.08);
 }
 
+ForceRecord strokeDrawn(const DrawnFabric& fabric, double mean, const FabricPlace& start, const FrictionRecording& recording,
+                        protocols::Random& random)
+{
+    const auto relief = [&](const FabricPlace& centre, cv::Size size, double pitchMm) {
+        return clothWindow(fabric, centre, size, pitchMm, SlackShown::No).heightMm;
+    };
+    return strokeRelief(relief, mean, start, recording, random);
+}
+
 std::string frictionLaw()
 {
     return "mu = (A (1 - 0.6 sheen) + 1.5 tanh(0.3 s) + 0.20 hairiness) (F / 15 N)^-0.08, unseen spread " +

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "rendering/fabrics/drawn/drawn_fabric.h"
+#include "rendering/fabrics/procedural/stroke_rig.h"
 
 namespace rendering::fabrics {
 
@@ -15,6 +16,11 @@ inline constexpr double unseenFrictionSpread = 0.06;
 
 /// Mean coefficient of friction. Samples a patch of at least twelve threads at a fixed place.
 double meanFriction(const DrawnFabric& fabric, double forceN = 15);
+
+/// A stroke of the simulated rig over the fabric, from `start` along its direction; `mean` is meanFriction(). Texture, noise and
+/// the variation between places are those of stroke_rig.
+ForceRecord strokeDrawn(const DrawnFabric& fabric, double mean, const FabricPlace& start, const FrictionRecording& recording,
+                        protocols::Random& random);
 
 /// The law in one line, with its unseen spread.
 std::string frictionLaw();

@@ -10,7 +10,9 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <opencv2/core.hpp>
 #include <string>
+#include <vector>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
@@ -91,21 +93,23 @@ protocols::Error notATiff(const std::filesystem::path& file, const std::string& 
                                 "one channel of 32-bit float, 16-bit or 8-bit samples in strips", "export it again"});
 }
 
-int typeOf(TIFF* tiff, const std::filesystem::path& file)
+int typeOf(TIFF* tiff, const std::filesystem::path& file, bool mayHaveColours)
 {
-    std::uint16_t bits = 1, samples = 1, format = SAMPLEFORMAT_UINT;
+    std::uint16_t bits = 1, samples = 1, format = SAMPLEFORMAT_UINT, planes = PLANARCONFIG_CONTIG;
+    TIFFGetFieldDefaulted(tiff, TIFFTAG_PLANARCONFIG, &planes);
     TIFFGetFieldDefaulted(tiff, TIFFTAG_BITSPERSAMPLE, &bits);
     TIFFGetFieldDefaulted(tiff, TIFFTAG_SAMPLESPERPIXEL, &samples);
     TIFFGetFieldDefaulted(tiff, TIFFTAG_SAMPLEFORMAT, &format);
+    if (mayHaveColours && (samples == 3 || samples == 4) && planes == PLANARCONFIG_CONTIG && format == SAMPLEFORMAT_UINT &&
+        (bits == 8 || bits == 16))
+        return CV_MAKETYPE(bits == 8 ? CV_8U : CV_16U, samples);
     if (samples != 1) throw notATiff(file, std::to_string(samples) + " channels");
     if (format == SAMPLEFORMAT_IEEEFP && bits == 32) return CV_32FC1;
     if (format == SAMPLEFORMAT_UINT && (bits == 8 || bits == 16)) return bits == 8 ? CV_8UC1 : CV_16UC1;
     throw notATiff(file, std::to_string(bits) + " bits of sample format " + std::to_string(format));
 }
 
-}  // namespace
-
-cv::Mat readTiff(const std::filesystem::path& file)
+cv::Mat readPixels(const std::filesystem::path& file, bool mayHaveColours)
 {
     Memory memory{protocols::readWholeFile(file), 0, {}};
     const OpenTiff tiff = open(memory, file, "rm");
@@ -113,7 +117,7 @@ cv::Mat readTiff(const std::filesystem::path& file)
     std::uint32_t width = 0, height = 0;
     TIFFGetField(tiff.get(), TIFFTAG_IMAGEWIDTH, &width);
     TIFFGetField(tiff.get(), TIFFTAG_IMAGELENGTH, &height);
-    const int type = typeOf(tiff.get(), file);
+    const int type = typeOf(tiff.get(), file, mayHaveColours);
     const std::uint64_t pixels = std::uint64_t(width) * height;
     if (pixels == 0 || pixels > mostTiffPixels)
         throw notATiff(file, std::to_string(width) + " x " + std::to_string(height) + " pixels");
@@ -126,6 +130,19 @@ cv::Mat readTiff(const std::filesystem::path& file)
         if (TIFFReadScanline(tiff.get(), image.ptr(row), std::uint32_t(row)) < 0)
             throw notATiff(file, memory.message.empty() ? "truncated" : memory.message);
     return image;
+}
+
+}  // namespace
+
+cv::Mat readTiff(const std::filesystem::path& file) { return readPixels(file, false); }
+
+cv::Mat readColourTiff(const std::filesystem::path& file)
+{
+    const cv::Mat image = readPixels(file, true);
+    if (image.channels() != 4) return image;
+    cv::Mat colours(image.size(), CV_MAKETYPE(image.depth(), 3));
+    cv::mixChannels(std::vector<cv::Mat>{image}, std::vector<cv::Mat>{colours}, {0, 0, 1, 1, 2, 2});
+    return colours;
 }
 
 void writeTiff(const std::filesystem::path& file, const cv::Mat& image, protocols::Sync sync)

@@ -1,20 +1,23 @@
 // vis2hap import KIND FROM... --out DIR [--fabric ID]; friction records: [--normal COLUMN] [--tangential COLUMNS]
-// [--force-unit UNIT] [--zero WHEN] [--trim WHEN] [--rate HZ] [--plots DIR]
+// [--force-unit UNIT] [--zero WHEN] [--trim WHEN] [--rate HZ] [--plots DIR]; scans: [--tile-mm W] [--tile NAME=W]... [--patch PX]
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
+#include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/fabrics/recordings/import.h"
 #include "rendering/images/image_io.h"
+#include "rendering/scans/import_scans.h"
 #include "rendering/signals/friction_trace.h"
 #include "rendering/signals/spectrogram_file.h"
 #include "rendering/signals/tactile/calibration.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
 #include "study/commands/parts/number_checks.h"
+#include "study/commands/progress.h"
 #include "study/looking/picture_decoder.h"
 
 namespace study::commands {
@@ -27,7 +30,9 @@ struct ImportCall {
     std::string out;
     std::string fabric;
     std::string calibration, normal, tangential, forceUnit, zero = "auto", trim = "auto", plots;
-    std::optional<double> rate;
+    std::optional<double> rate, tileMm;
+    std::vector<std::string> tiles;  ///< NAME=W
+    std::optional<int> patchPx;
 };
 
 rendering::fabrics::FrictionOptions frictionOptions(const ImportCall& call)
@@ -90,8 +95,43 @@ rendering::fabrics::ImportedSensor sensorFrom(const std::filesystem::path& file)
     return sensor;
 }
 
+rendering::scans::TileOptions tilesFrom(const ImportCall& call)
+{
+    rendering::scans::TileOptions tiles{call.tileMm, {}};
+    for (const std::string& text : call.tiles) {
+        const auto equals = text.rfind('=');
+        const auto width = equals == std::string::npos ? std::nullopt : protocols::numberIn(text.substr(equals + 1));
+        if (!width || equals == 0)
+            throw protocols::badInput({"\"" + text + "\" is no width of a tile", "--tile", "NAME=WIDTH, such as weave=268.1",
+                                       "give the name of the fabric and the width of its whole image in mm"});
+        tiles.ofFabric[text.substr(0, equals)] = *width;
+    }
+    return tiles;
+}
+
+int importScans(const ImportCall& call)
+{
+    if (call.from.size() != 1)
+        throw protocols::badInput({std::to_string(call.from.size()) + " folders are named", "FROM", "one folder of scans",
+                                   "import one folder after another into the same data set"});
+    if (!call.fabric.empty() || !call.calibration.empty() || !call.plots.empty())
+        throw protocols::badInput({"--fabric, --calibration and --plots do not apply to scans", "import scans",
+                                   "--tile-mm, --tile and --patch", "leave them out"});
+    rendering::scans::ScanImport request{call.from.front(), call.out, tilesFrom(call)};
+    request.patchPx = call.patchPx.value_or(request.patchPx);
+    request.decodeOther = looking::decodeByQt;
+    Progress progress("importing");
+    request.progress = [&](int done, int total) { progress.show(done, total, "fabrics"); };
+    for (const auto& line : rendering::scans::importScans(request)) std::printf("%s\n", line.c_str());
+    return 0;
+}
+
 int import(const ImportCall& call)
 {
+    if (call.kind == "scans") return importScans(call);
+    if (call.tileMm || !call.tiles.empty() || call.patchPx)
+        throw protocols::badInput(
+            {"--tile-mm, --tile and --patch apply to scans only", "import " + call.kind, "import scans", "leave them out"});
     rendering::fabrics::ImportRequest request;
     request.kind = rendering::fabrics::importKindNamed(call.kind);
     request.from.assign(call.from.begin(), call.from.end());
@@ -118,12 +158,20 @@ void addImport(CLI::App& app, Action& action)
 {
     auto* command = app.add_subcommand("import", "import recordings into a data set");
     auto call = std::make_shared<ImportCall>();
-    command->add_option("KIND", call->kind, "photos, gelsight, friction-csv, tribometer, labview or slide")->required();
+    command->add_option("KIND", call->kind, "photos, scans, gelsight, friction-csv, tribometer, labview or slide")->required();
     command->add_option("FROM", call->from, "files or folders to import")->required();
     command->add_option("--out", call->out, "the data set; recordings are added to an existing one")->required();
     command->add_option("--fabric", call->fabric, "import everything as recordings of this fabric, e.g. F03");
     command->add_option("--calibration", call->calibration,
                         "calibration of the sensor that took the gelsight frames, from vis2hap calibrate");
+    const char* scans = "Scanned materials";
+    command->add_option("--tile-mm", call->tileMm, "width of the whole image of every scan in mm")->group(scans);
+    command->add_option("--tile", call->tiles, "NAME=W: width of one fabric's image in mm; may be given several times")
+        ->allow_extra_args(false)
+        ->group(scans);
+    command->add_option("--patch", call->patchPx, "side of the photographs cut from a scan, px (default: 256)")
+        ->check(CLI::Range(rendering::scans::leastPatchPx, 2048))
+        ->group(scans);
     const char* friction = "Friction records";
     command->add_option("--normal", call->normal, "column of the normal force; a minus reverses its sign: --normal=-fz")
         ->group(friction);

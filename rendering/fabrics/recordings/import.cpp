@@ -43,8 +43,8 @@ ImportKind importKindNamed(std::string_view name)
         if (importer.name == name) return importer.kind;
         known += (known.empty() ? "" : ", ") + std::string(importer.name);
     }
-    throw protocols::badInput(
-        {"\"" + std::string(name) + "\" is not a kind of recording", "KIND", "one of " + known, "choose one of these kinds"});
+    throw protocols::badInput({"\"" + std::string(name) + "\" is not a kind of recording", "KIND", "one of " + known + ", scans",
+                               "choose one of these kinds"});
 }
 
 std::vector<std::string> importRecordings(const ImportRequest& request)

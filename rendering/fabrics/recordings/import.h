@@ -15,6 +15,7 @@
 
 namespace rendering::fabrics {
 
+/// Kinds whose files become one signal. Scanned materials have an importer of their own, rendering/scans.
 enum class ImportKind { Photos, Gelsight, FrictionCsv, Tribometer, Labview, Slide };
 ImportKind importKindNamed(std::string_view name);  ///< throws badInput naming the kinds
 

@@ -65,6 +65,19 @@ ImportStage::SampleSlot ImportStage::addSample(const FabricId& fabric, Modality 
     return {index, m_draft.file(samplePath(m_dataset, fabric, modality, index).lexically_relative(m_dataset.folder))};
 }
 
+ImportStage::SampleSlot ImportStage::addPhotograph(const SamplePlace& place)
+{
+    const SampleSlot slot = addSample(place.fabric, Modality::Visual);
+    m_added.back() = place;
+    m_added.back().index = slot.index;
+    return slot;
+}
+
+fs::path ImportStage::surfaceOf(const FabricId& fabric, const SampleSlot& photograph)
+{
+    return m_draft.file(surfacePath(m_dataset, fabric, photograph.index).lexically_relative(m_dataset.folder));
+}
+
 fs::path ImportStage::beside(const SampleSlot& slot, const std::string& ending)
 {
     fs::path file = slot.file;

@@ -31,6 +31,11 @@ public:
     /// Reserves the next sample of a fabric and signal. Its place is unknown, and it forms its own group.
     SampleSlot addSample(const protocols::FabricId& fabric, Modality modality);
 
+    /// The same for a photograph whose place, group, scale and light are known; the index of `place` is ignored.
+    SampleSlot addPhotograph(const SamplePlace& place);
+    /// Path at which the caller writes the surface that a photograph shows.
+    std::filesystem::path surfaceOf(const protocols::FabricId& fabric, const SampleSlot& photograph);
+
     /// Path for an additional file of a sample, beside it and with its name: "000.json".
     std::filesystem::path beside(const SampleSlot& slot, const std::string& ending);
 

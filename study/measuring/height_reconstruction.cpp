@@ -96,15 +96,15 @@ cv::Mat backgroundFor(const FramesRequest& request, const signals::Calibration& 
     return background;
 }
 
-/// Empty where the whole frame is in contact.
-cv::Mat contactPlaces(const ContactChoice& contact, const signals::Slopes& slopes, const signals::Pitch& pitch,
-                      const cv::Mat& light)
+/// Its places are empty where the whole frame is in contact.
+signals::Contact contactIn(const ContactChoice& contact, const signals::Slopes& slopes, const signals::Pitch& pitch,
+                           const cv::Mat& light)
 {
     using Where = ContactChoice::Where;
-    if (contact.where == Where::Mask) return maskOf(contact.mask, light.size());
+    if (contact.where == Where::Mask) return {maskOf(contact.mask, light.size()), 0};
     if (contact.where == Where::Whole || (contact.where == Where::Auto && !signals::hasOutside(light))) return {};
     const cv::Mat calm = (cv::abs(slopes.x) < calmSlope) & (cv::abs(slopes.y) < calmSlope);
-    return signals::contactOf(signals::withoutTilt(signals::integrate(slopes, pitch), calm), slopes);
+    return signals::contactOf(signals::withoutTilt(signals::integrate(slopes, pitch), calm), light);
 }
 
 void settleWholeFrame(Reconstruction& result, const cv::Mat& height, const signals::Pitch& pitch,
@@ -134,7 +134,14 @@ public:
     /// Refuses a frame that the sensor cannot have taken, before any work.
     void requireOfSensor(const fs::path& file, const cv::Mat& frame) const
     {
-        if (m_background.empty() || (frame.size() == m_background.size() && frame.type() == m_background.type())) return;
+        if (m_background.empty()) return;
+        if (frame.size() == m_background.size() && frame.type() == m_background.type()) {
+            if (const auto difference = signals::foreignLight(m_background, frame))
+                throw protocols::badInput({"the calibrated sensor cannot have taken this frame: " + *difference, file.string(),
+                                           "the light of its background, where nothing touches the sensor",
+                                           "name frames of this sensor, or its own background with --background"});
+            return;
+        }
         const auto kind = [](const cv::Mat& image) {
             return sizeText(image.size()) + (image.channels() == 1 ? ", grey, " : ", colour, ") +
                    std::to_string(8 * image.elemSize1()) + " bits";
@@ -148,19 +155,20 @@ public:
         const signals::Pitch pitch{m_calibration.mmPerPixel, m_calibration.mmPerPixel};
         Reconstruction result{name, signals::slopesFromFrame(frame, m_background, m_calibration), {}, {}};
         const cv::Mat light = signals::lightOf(frame, m_background, m_calibration.light);
-        const cv::Mat contact = contactPlaces(m_request.contact, result.slopes, pitch, light);
+        const auto contact = contactIn(m_request.contact, result.slopes, pitch, light);
         result.facts = {{"from", "frame"},
                         {"calibration", m_request.calibration.string()},
                         {"map", signals::kindOf(m_calibration.map)},
                         {"pitch_mm", {pitch.x, pitch.y}}};
         const cv::Mat height = signals::integrate(result.slopes, pitch, signals::SlopeKind::Point, m_options.quality);
         result.facts["curl_residual"] = signals::curlResidual(result.slopes, height, pitch);
-        if (contact.empty()) {
+        if (contact.places.empty()) {
             settleWholeFrame(result, height, pitch, m_calibration, m_options);
         } else {
-            result.heightMm = signals::heightInContact(result.slopes, contact, pitch, m_options.quality);
+            result.heightMm = signals::heightInContact(result.slopes, contact.places, pitch, m_options.quality);
             result.facts["contact"] = "part";
-            result.facts["contact_share"] = shareOf(contact);
+            result.facts["contact_share"] = shareOf(contact.places);
+            if (contact.levelErrorMm > 0) result.facts["level_error_mm"] = contact.levelErrorMm;
             result.facts["zero"] = "edge of contact; 0 outside, where the gel's shape is not the object's";
         }
         result.facts["saturated_share"] = shareOf(frame.reshape(1) == (frame.depth() == CV_16U ? 65535 : 255));

@@ -13,8 +13,12 @@ namespace rendering::signals {
 
 namespace {
 
-constexpr double otherSensorAbove = 0.06;  ///< mean difference of colour, 0 to 1; frames of one sensor differ by about 0.01
-constexpr int fitGrid = 96;                ///< number of fitted places along the longer side
+constexpr double otherSensorAbove = 0.06;  ///< mean difference of colour, 0 to 1; untouched frames of one sensor differ by 0.01
+/// The same of a frame with an object in it. Real presses of a ball differ by 0.025 from their background (at most 0.034),
+/// pressed fabrics by 0.003 (at most 0.012), photographs and frames of other sensors by 0.087 and more.
+constexpr double foreignFrameAbove = 0.06;
+constexpr double swappedAbove = 0.02, swappedFrameAbove = 0.04;  ///< smaller differences do not show an order of channels
+constexpr int fitGrid = 96;                                      ///< number of fitted places along the longer side
 constexpr int cubicTerms = 10;
 
 double fullScale(const cv::Mat& frame) { return frame.depth() == CV_16U ? 65535 : 255; }
@@ -128,7 +132,10 @@ SensorAppearance appearanceOf(const cv::Mat& reference)
     return {reference.cols, reference.rows, std::vector<double>(flat.begin<float>(), flat.end<float>())};
 }
 
-std::optional<std::string> differenceOf(const SensorAppearance& known, const SensorAppearance& found)
+namespace {
+
+std::optional<std::string> differenceAbove(const SensorAppearance& known, const SensorAppearance& found, double swapAbove,
+                                           double otherAbove)
 {
     if (known.width != found.width || known.height != found.height)
         return "it has " + std::to_string(found.width) + " x " + std::to_string(found.height) + " pixels, but the sensor has " +
@@ -139,12 +146,24 @@ std::optional<std::string> differenceOf(const SensorAppearance& known, const Sen
     const double asItIs = meanDifference(known, found, order);
     if (order.size() == 3) {
         const double swapped = meanDifference(known, found, {2, 1, 0});
-        if (asItIs > 0.02 && swapped < 0.5 * asItIs) return "its red and blue are swapped";
+        if (asItIs > swapAbove && swapped < 0.5 * asItIs) return "its red and blue are swapped";
     }
-    if (asItIs > otherSensorAbove)
+    if (asItIs > otherAbove)
         return "its colours differ by " + std::to_string(std::lround(100 * asItIs)) +
                " % of full scale, so it shows another sensor or other light";
     return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> differenceOf(const SensorAppearance& known, const SensorAppearance& found)
+{
+    return differenceAbove(known, found, swappedAbove, otherSensorAbove);
+}
+
+std::optional<std::string> foreignLight(const cv::Mat& background, const cv::Mat& frame)
+{
+    return differenceAbove(appearanceOf(background), appearanceOf(frame), swappedFrameAbove, foreignFrameAbove);
 }
 
 }  // namespace rendering::signals

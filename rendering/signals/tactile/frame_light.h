@@ -39,4 +39,8 @@ SensorAppearance appearanceOf(const cv::Mat& reference);
 /// Returns nullopt where they match. Swapped channels are only recognised among three.
 std::optional<std::string> differenceOf(const SensorAppearance& known, const SensorAppearance& found);
 
+/// Reason why a frame cannot be of the sensor with this background, in the same form; an object in the frame is allowed for.
+/// Returns nullopt where its light may be the sensor's.
+std::optional<std::string> foreignLight(const cv::Mat& background, const cv::Mat& frame);
+
 }  // namespace rendering::signals

@@ -15,7 +15,8 @@ namespace rendering::signals {
 namespace {
 
 constexpr int contourLevels = 64;
-constexpr float flattestNormal = 0.02F;  ///< nz; larger slopes than 1 / 0.02 come from rounding
+constexpr double nearlyStrongest = 0.99;  ///< of the strongest level; so much the noise of a frame changes it
+constexpr float flattestNormal = 0.02F;   ///< nz; larger slopes than 1 / 0.02 come from rounding
 
 /// Value that `percent` of the pixels do not exceed.
 double percentile(const cv::Mat& values, double percent)
@@ -26,44 +27,50 @@ double percentile(const cv::Mat& values, double percent)
     return sorted[static_cast<std::size_t>(place)];
 }
 
-cv::Mat steepness(const Slopes& slopes)
+/// Norm of the light over its channels.
+cv::Mat strengthOf(const cv::Mat& light)
 {
-    cv::Mat x, y, result;
-    slopes.x.convertTo(x, CV_32F);
-    slopes.y.convertTo(y, CV_32F);
-    cv::magnitude(x, y, result);
-    return result;
+    cv::Mat squares = light.mul(light), strength;
+    cv::reduce(squares.reshape(1, static_cast<int>(light.total())), strength, 1, cv::REDUCE_SUM);
+    cv::sqrt(strength.reshape(1, light.rows), strength);
+    return strength;
 }
 
-/// Mean steepness of the pixels between neighbouring levels of height; 0 for levels without pixels.
-std::array<double, contourLevels> steepnessByLevel(const cv::Mat& height, const cv::Mat& steep, double top)
+/// Mean strength of the pixels between neighbouring levels of height; 0 for levels without pixels.
+std::array<double, contourLevels> strengthByLevel(const cv::Mat& height, const cv::Mat& strength, double top)
 {
     std::array<double, contourLevels> sum{}, count{};
     for (int i = 0; i < height.rows; ++i)
         for (int j = 0; j < height.cols; ++j) {
             const int level = static_cast<int>(contourLevels * height.at<float>(i, j) / top);
             if (level < 0 || level >= contourLevels) continue;
-            sum[static_cast<std::size_t>(level)] += steep.at<float>(i, j);
+            sum[static_cast<std::size_t>(level)] += strength.at<float>(i, j);
             count[static_cast<std::size_t>(level)] += 1;
         }
     for (std::size_t level = 0; level < contourLevels; ++level) sum[level] = count[level] > 0 ? sum[level] / count[level] : 0;
     return sum;
 }
 
-/// Level between a tenth and nine tenths of the height with the largest steepness, summed over five levels.
-double edgeLevel(const std::array<double, contourLevels>& steep)
+/// Levels are shares of the height.
+struct EdgeLevel {
+    double level = 0.5;
+    double halfWidth = 0;  ///< of the levels that are nearly as strong
+};
+
+/// Level between a tenth and nine tenths of the height with the largest strength, summed over five levels.
+EdgeLevel edgeLevel(const std::array<double, contourLevels>& strength)
 {
-    std::size_t best = contourLevels / 2;
-    double most = -1;
-    for (std::size_t level = contourLevels / 10; level < contourLevels * 9 / 10; ++level) {
-        double around = 0;
-        for (std::size_t k = level - 2; k <= level + 2; ++k) around += steep[k];
-        if (around > most) {
-            most = around;
-            best = level;
-        }
-    }
-    return (static_cast<double>(best) + 0.5) / contourLevels;
+    constexpr std::size_t first = contourLevels / 10, last = contourLevels * 9 / 10;
+    std::array<double, contourLevels> around{};
+    for (std::size_t level = first; level < last; ++level)
+        for (std::size_t k = level - 2; k <= level + 2; ++k) around[level] += strength[k];
+    const auto most = std::max_element(around.begin() + first, around.begin() + last);
+    const auto isNear = [&](double some) { return some >= nearlyStrongest * *most; };
+    auto low = most, high = most;
+    while (low > around.begin() + first && isNear(*(low - 1))) --low;
+    while (high + 1 < around.begin() + last && isNear(*(high + 1))) ++high;
+    return {(static_cast<double>(most - around.begin()) + 0.5) / contourLevels,
+            (static_cast<double>(high - low) + 1) / (2 * contourLevels)};
 }
 
 }  // namespace
@@ -98,23 +105,21 @@ cv::Mat heightFromFrame(const cv::Mat& frame, const cv::Mat& reference, const Ca
 
 bool hasOutside(const cv::Mat& light)
 {
-    cv::Mat squares = light.mul(light), strength;
-    cv::reduce(squares.reshape(1, static_cast<int>(light.total())), strength, 1, cv::REDUCE_SUM);
-    cv::sqrt(strength.reshape(1, light.rows), strength);
+    cv::Mat strength = strengthOf(light);
     cv::blur(strength, strength, {3, 3});
     const double strongest = percentile(strength, 99.5);
     return strongest > 0.1 && cv::countNonZero(strength < 0.25 * strongest) > 0.6 * static_cast<double>(strength.total());
 }
 
-cv::Mat contactOf(const cv::Mat& gelHeightMm, const Slopes& slopes)
+Contact contactOf(const cv::Mat& gelHeightMm, const cv::Mat& light)
 {
     cv::Mat height;
     gelHeightMm.convertTo(height, CV_32F);
     cv::GaussianBlur(height, height, {}, 1);
     const double top = percentile(height, 99.9);
-    if (!(top > 0)) return cv::Mat::zeros(height.size(), CV_8UC1);
-    const double level = top * edgeLevel(steepnessByLevel(height, steepness(slopes), top));
-    return height > level;
+    if (!(top > 0)) return {cv::Mat::zeros(height.size(), CV_8UC1), 0};
+    const auto edge = edgeLevel(strengthByLevel(height, strengthOf(light), top));
+    return {height > top * edge.level, top * edge.halfWidth};
 }
 
 cv::Mat heightInContact(const Slopes& slopes, const cv::Mat& contact, const Pitch& pitch, IntegrationQuality quality)

@@ -25,10 +25,16 @@ cv::Mat zeroedRelief(const cv::Mat& heightMm, const Pitch& pitch, std::optional<
 /// True where most of the frame is untouched: over 60 % of it, the light is weaker than a quarter of the strongest light.
 bool hasOutside(const cv::Mat& light);
 
-/// Mask of the contact between object and gel, CV_8UC1. Around an object the gel returns to its rest surface, and it is
-/// steepest at the edge of contact. So the edge is the contour of `gelHeightMm` (levelled, rest surface at 0) with the
-/// largest mean slope.
-cv::Mat contactOf(const cv::Mat& gelHeightMm, const Slopes& slopes);
+/// Contact between object and gel.
+struct Contact {
+    cv::Mat places;           ///< CV_8UC1, 255 in contact
+    double levelErrorMm = 0;  ///< half the range of heights at which the edge is nearly as clear
+};
+
+/// Around an object the gel returns to its rest surface, and it is steepest at the edge of contact. The edge is the contour of
+/// `gelHeightMm` (levelled, rest surface at 0) with the largest mean change of light (lightOf()). Slopes would place it too
+/// far out: the map from light to slope extrapolates beyond the steepest place of its calibration.
+Contact contactOf(const cv::Mat& gelHeightMm, const cv::Mat& light);
 
 /// Height of the object above the edge of its contact, mm, >= 0, CV_32FC1. 0 outside the contact, where the gel does not
 /// follow the object.

@@ -5,6 +5,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "rendering/images/image_png.h"
 #include "rendering/signals/tactile/ball_calibration.h"
 #include "rendering/signals/tactile/photometric_stereo.h"
 #include "rendering/signals/tactile/press_folder.h"
@@ -156,7 +157,8 @@ private Q_SLOTS:
         const auto slopes = slopesFromFrame(frame, made.presses.background, calibration);
         const Pitch pitch{0.125, 0.125};
         const cv::Mat calm = (cv::abs(slopes.x) < 0.05) & (cv::abs(slopes.y) < 0.05);
-        const cv::Mat contact = contactOf(withoutTilt(integrate(slopes, pitch), calm), slopes);
+        const cv::Mat light = lightOf(frame, made.presses.background, calibration.light);
+        const cv::Mat contact = contactOf(withoutTilt(integrate(slopes, pitch), calm), light).places;
         const double radius = std::sqrt(cv::countNonZero(contact) / CV_PI);
         QVERIFY2(std::abs(radius - 13) < 1.5, qPrintable(QString::number(radius)));
         double top = 0;
@@ -164,6 +166,79 @@ private Q_SLOTS:
         cv::minMaxLoc(height, nullptr, &top);
         QVERIFY2(std::abs(top - (2 - std::sqrt(4 - 1.625 * 1.625))) < 0.2, qPrintable(QString::number(top)));
         QCOMPARE(cv::norm(height, cv::NORM_INF, contact == 0), 0.0);
+    }
+
+    void heightsOfPressesEndAtTheRimOfContact_data()
+    {
+        QTest::addColumn<double>("contactPx");
+        QTest::newRow("real presses") << 0.0;
+        for (const double radius : {9.0, 11.0, 13.0, 14.5}) QTest::addRow("simulated, %.1f px", radius) << radius;
+    }
+    void foreignFrameOfTheRightSizeIsRecognisedByItsLight()
+    {
+        const auto made = tests::simulatedPresses(12);
+        const auto& background = made.presses.background;
+        for (const auto& press : made.presses.presses) QVERIFY2(!foreignLight(background, press.frame), press.name.c_str());
+        cv::Mat dark = made.presses.presses[3].frame.clone(), swapped = dark.clone(), picture(dark.size(), dark.type());
+        for (int i = 0; i < dark.rows; ++i)
+            for (int j = 0; j < dark.cols; ++j) {
+                auto& level = swapped.at<cv::Vec3b>(i, j);
+                std::swap(level[0], level[2]);
+                dark.at<cv::Vec3b>(i, j)[0] = 40;  // one lamp is off
+                picture.at<cv::Vec3b>(i, j) = cv::Vec3b(static_cast<uchar>(2 * i), static_cast<uchar>(255 - j), 60);
+            }
+        for (const cv::Mat& foreign : {dark, picture})
+            QVERIFY(foreignLight(background, foreign).value().find("% of full scale") != std::string::npos);
+        const auto folder = sharedData("taxim_gelsight");
+        if (!std::filesystem::exists(folder)) QSKIP("the shared ball presses do not exist");
+        const auto real = rendering::readBallPresses(folder, 2.0, 0.1245);
+        for (const auto& press : real.presses) QVERIFY2(!foreignLight(real.background, press.frame), press.name.c_str());
+        for (const char* name : {"satin1_R.png", "satin3_R.png", "twill1_R.png", "twill3_R.png", "twill2_T.png"}) {
+            cv::Mat photograph;
+            cv::resize(rendering::readPng(sharedData("fabricbtdf_photos") / name), photograph, real.background.size());
+            QVERIFY2(foreignLight(real.background, photograph), name);
+        }
+    }
+
+    /// Mean height above the ball in the outermost two pixels of contact, over presses that the calibration has not seen.
+    void heightsOfPressesEndAtTheRimOfContact()
+    {
+        QFETCH(double, contactPx);
+        const auto folder = sharedData("taxim_gelsight");
+        const bool real = contactPx == 0;
+        if (real && !std::filesystem::exists(folder)) QSKIP("the shared ball presses do not exist");
+        const auto presses =
+            real ? rendering::readBallPresses(folder, 2.0, 0.1245) : tests::simulatedPresses(16, contactPx).presses;
+        auto circles = locate(presses).circles;
+        std::vector<std::size_t> known;
+        for (std::size_t i = 0; i < circles.size(); i += 2) known.push_back(i);
+        const auto calibration = calibrationFrom(presses, circles, known, MapQuality::Balanced);
+        const Pitch pitch{presses.mmPerPixel, presses.mmPerPixel};
+        double above = 0, stated = 0;
+        for (std::size_t i = 1; i < circles.size(); i += 2) {
+            circles[i].radiusPx = real ? 13.9 : contactPx;  // 2.0 mm ball, 1.0 mm deep
+            const auto& frame = presses.presses[i].frame;
+            const auto slopes = slopesFromFrame(frame, presses.background, calibration);
+            const cv::Mat calm = (cv::abs(slopes.x) < 0.05) & (cv::abs(slopes.y) < 0.05);
+            const auto contact =
+                contactOf(withoutTilt(integrate(slopes, pitch), calm), lightOf(frame, presses.background, calibration.light));
+            const cv::Mat difference = heightInContact(slopes, contact.places, pitch) - ballHeight(presses, circles[i]);
+            double sum = 0, count = 0;
+            for (int y = 0; y < frame.rows; ++y)
+                for (int x = 0; x < frame.cols; ++x) {
+                    const double inside = circles[i].radiusPx - std::hypot(x - circles[i].centrePx.x, y - circles[i].centrePx.y);
+                    if (inside < 0.5 || inside > 2.5) continue;
+                    sum += difference.at<float>(y, x);
+                    ++count;
+                }
+            above += sum / count;
+            stated += contact.levelErrorMm;
+        }
+        const auto presented = static_cast<double>(circles.size() / 2);
+        qInfo("rim %+.3f mm, stated error of the level %.3f mm", above / presented, stated / presented);
+        QVERIFY(std::abs(above / presented) <=
+                (contactPx > 14 ? 0.04 : 0.03));  // A slope of 2.1 at the rim, 45 degrees elsewhere.
+        QVERIFY(stated > 0 && stated / presented < 0.2);
     }
 
     /// Freezes the accuracy, so that a change of the method is noticed; `vis2hap bench signals --data` prints these figures.

@@ -14,6 +14,11 @@ namespace study::bench {
 
 namespace {
 
+void begin(const BenchOptions& options, const std::string& part)
+{
+    if (options.begins) options.begins(part);
+}
+
 void addSignalPeers(std::vector<BenchRow>& rows)
 {
     for (const auto& [stage, times] : signalPeerTimes())
@@ -28,7 +33,7 @@ void addRecordings(std::vector<BenchRow>& rows, const BenchOptions& options)
         throw protocols::badInput({"there is no folder of recordings", options.recordings.string(),
                                    "the folders that README describes under \"Bench on recordings\"",
                                    "check the path of --data"});
-    auto recordings = benchRecordings(options.recordings, looking::decodeByQt);
+    auto recordings = benchRecordings(options.recordings, looking::decodeByQt, options.begins);
     if (options.skipped)
         for (const auto& line : recordings.skipped) options.skipped(line);
     for (auto& row : recordings.rows) rows.push_back(std::move(row));
@@ -36,8 +41,12 @@ void addRecordings(std::vector<BenchRow>& rows, const BenchOptions& options)
 
 std::vector<BenchRow> signalStage(const BenchOptions& options)
 {
+    begin(options, "signals: known surfaces and traces");
     auto rows = benchSignals();
-    if (options.peers) addSignalPeers(rows);
+    if (options.peers) {
+        begin(options, "signals: other programs");
+        addSignalPeers(rows);
+    }
     if (!options.recordings.empty()) addRecordings(rows, options);
     return rows;
 }
@@ -73,7 +82,10 @@ const std::vector<std::string>& benchStages()
 std::vector<BenchRow> benchStage(const std::string& stage, const BenchOptions& options)
 {
     for (const auto& one : stages())
-        if (one.name == stage) return one.run(options);
+        if (one.name == stage) {
+            if (stage != "signals") begin(options, stage);  // which names its parts itself
+            return one.run(options);
+        }
     throw protocols::badInput(
         {"there is no stage " + stage, "bench", "signals, fabrics, statistics, session or generators", "check the spelling"});
 }

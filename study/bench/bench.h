@@ -14,6 +14,7 @@ struct BenchOptions {
     bool peers = false;                                    ///< also times other programs on the same work
     std::filesystem::path recordings;                      ///< folder for the stage "signals"; empty: no recordings
     std::function<void(const std::string& line)> skipped;  ///< gets each part that the folder lacks
+    std::function<void(const std::string& part)> begins;   ///< gets the name of each part of the work before it begins
 };
 
 /// "signals", "statistics", "session" and "generators", in the order of a whole run.

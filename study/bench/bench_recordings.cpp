@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 #include <regex>
@@ -129,6 +130,27 @@ cv::Mat integrated(const signals::Slopes& slopes, const signals::Pitch& pitch, s
     return whole ? signals::integrate(slopes, pitch, kind) : signals::integrateAround(slopes, {}, pitch, kind);
 }
 
+/// The same differences without a border of 8 % of each side: nothing measured joins the four lattices of central differences.
+BenchRow withoutBorder(const DifferencedMap& map, const std::string& stage)
+{
+    const cv::Size size = map.heightMm.size();
+    const cv::Rect inner(size.width * 2 / 25, size.height * 2 / 25, size.width - 2 * (size.width * 2 / 25),
+                         size.height - 2 * (size.height * 2 / 25));
+    cv::Mat measured(size, CV_8UC1, cv::Scalar(0));
+    measured(inner) = 255;
+    cv::Mat height;
+    const double time =
+        millisecondsOf([&] { height = signals::integrateAround(map.slopes, measured, map.pitch, signals::SlopeKind::Central); });
+    const cv::Mat known = map.heightMm(inner);
+    return {stage,
+            "border missing",
+            time,
+            100 * rms(height(inner), known) / sqOf(known),
+            "% of Sq",
+            text("%.0f %% of the points are missing; required at most 0.1",
+                 100 - 100.0 * static_cast<double>(inner.area()) / static_cast<double>(size.area()))};
+}
+
 void addIntegration(std::vector<BenchRow>& rows, const fs::path& file)
 {
     const auto map = differenced(readTrueMap(file));
@@ -143,6 +165,7 @@ void addIntegration(std::vector<BenchRow>& rows, const fs::path& file)
     height = integrated(rough, map.pitch, signals::SlopeKind::Central);
     rows.push_back({stage, "2 % noise", time, 100 * rms(height, map.heightMm) / sqOf(map.heightMm), "% of Sq",
                     "noise of 2 % of the slopes' RMS on each"});
+    rows.push_back(withoutBorder(map, stage));
     height = integrated(map.slopes, map.pitch, signals::SlopeKind::Point);
     rows.push_back({stage, "as point", time, 100 * rms(height, map.heightMm) / sqOf(map.heightMm), "% of Sq",
                     "the same differences treated as point slopes: the error of a wrong kind"});
@@ -255,6 +278,20 @@ void addPresses(RecordingsBench& bench, const fs::path& folder, const Decode& de
     }
 }
 
+/// Discs of 2 to 23 pixels without slopes, one for every 7,000 pixels.
+signals::Slopes withHoles(const signals::Slopes& slopes)
+{
+    protocols::Random random(1);
+    const auto drawn = [&](int below) { return static_cast<int>(random.below(static_cast<std::uint64_t>(below))); };
+    cv::Mat holes = cv::Mat::zeros(slopes.x.size(), CV_8UC1);
+    for (std::size_t k = 0; k < holes.total() / 7000; ++k)
+        cv::circle(holes, {drawn(holes.cols), drawn(holes.rows)}, 2 + drawn(22), cv::Scalar(255), cv::FILLED);
+    signals::Slopes result{slopes.x.clone(), slopes.y.clone()};
+    result.x.setTo(std::numeric_limits<double>::quiet_NaN(), holes);
+    result.y.setTo(std::numeric_limits<double>::quiet_NaN(), holes);
+    return result;
+}
+
 void addGrain(RecordingsBench& bench, const fs::path& folder, const Decode& decodeOther)
 {
     const auto files = filesIn(folder / "gelsight_wear_surfaces", "S\\d+.*normalmap");
@@ -273,6 +310,13 @@ void addGrain(RecordingsBench& bench, const fs::path& folder, const Decode& deco
             height(cv::Rect((height.cols - part.width) / 2, (height.rows - part.height) / 2, part.width, part.height));
         const double length = signals::autocorrelationLengthMm(signals::withoutLowFrequency(middle, {}, grainCutoffPx), {});
         byGrit.emplace_back(std::stoi(grit[1]), length);
+        const auto holed = withHoles(slopes);
+        cv::Mat around;
+        const double timeOfHoled = millisecondsOf([&] { around = signals::integrateAround(holed, {}, {}); });
+        bench.rows.push_back(
+            {"grain " + name.substr(0, 24), "gaps", timeOfHoled, 100 * rms(around, height) / sqOf(height), "% of Sq",
+             text("%.1f %% of the slopes missing in discs; difference from the whole map; required at most 10 s",
+                  100 - 100.0 * cv::countNonZero(signals::measuredPlaces(holed)) / static_cast<double>(height.total()))});
         bench.rows.push_back(
             {"grain " + name.substr(0, 24), "full", time, length, "px to 0.2",
              text("autocorrelation length; %d x %d, waves over %.0f px out", height.cols, height.rows, grainCutoffPx)});
@@ -287,13 +331,18 @@ void addGrain(RecordingsBench& bench, const fs::path& folder, const Decode& deco
 
 }  // namespace
 
-RecordingsBench benchRecordings(const fs::path& folder, const Decode& decodeOther)
+RecordingsBench benchRecordings(const fs::path& folder, const Decode& decodeOther,
+                                const std::function<void(const std::string& part)>& begins)
 {
     RecordingsBench bench;
-    addMaps(bench, folder);
-    addGroove(bench, folder, decodeOther);
-    addPresses(bench, folder, decodeOther);
-    addGrain(bench, folder, decodeOther);
+    const auto part = [&](const char* name, const auto& add) {
+        if (begins) begins(std::string("recordings: ") + name);
+        add();
+    };
+    part("height maps", [&] { addMaps(bench, folder); });
+    part("groove", [&] { addGroove(bench, folder, decodeOther); });
+    part("ball presses", [&] { addPresses(bench, folder, decodeOther); });
+    part("normal maps", [&] { addGrain(bench, folder, decodeOther); });
     return bench;
 }
 

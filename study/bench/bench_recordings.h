@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct RecordingsBench {
 ///                                half and tested on the bottom half; shape from shading with an unknown direction of light
 /// taxim_gelsight/                background.png and press_NN.png: ball of 2.0 mm, 0.1245 mm per pixel; cross-validated
 /// gelsight_wear_surfaces/*S<grit>*normalmap.*   grain order: the coarser paper (lower grit) has the longer autocorrelation
-RecordingsBench benchRecordings(const std::filesystem::path& folder, const rendering::Decode& decodeOther);
+/// `begins` gets the name of each part before its work; may be empty.
+RecordingsBench benchRecordings(const std::filesystem::path& folder, const rendering::Decode& decodeOther,
+                                const std::function<void(const std::string& part)>& begins = {});
 
 }  // namespace study::bench

@@ -1,5 +1,8 @@
 // vis2hap bench: speed and error of every stage.
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -18,13 +21,42 @@ struct BenchCall {
     JsonTarget target;
 };
 
+/// One line on a terminal: the part of the work that runs, and the time since the beginning. Nothing elsewhere.
+class RunningPart {
+public:
+    ~RunningPart() { clear(); }
+
+    void show(const std::string& part)
+    {
+        if (!m_terminal) return;
+        const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(std::chrono::steady_clock::now() - m_start);
+        std::fprintf(stderr, "\r\033[Kbench: %s (%lld s so far)", part.c_str(), static_cast<long long>(seconds.count()));
+        std::fflush(stderr);
+    }
+
+    void clear()
+    {
+        if (m_terminal) std::fputs("\r\033[K", stderr);
+    }
+
+private:
+    bool m_terminal = isatty(STDERR_FILENO) != 0;
+    std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+};
+
 int runBench(const BenchCall& call)
 {
     auto options = call.options;
-    options.skipped = [](const std::string& line) { std::fprintf(stderr, "skipped: %s\n", line.c_str()); };
+    RunningPart running;
+    options.begins = [&running](const std::string& part) { running.show(part); };
+    options.skipped = [&running](const std::string& line) {
+        running.clear();
+        std::fprintf(stderr, "skipped: %s\n", line.c_str());
+    };
     std::vector<bench::BenchRow> rows;
     for (const auto& stage : call.stages.empty() ? bench::benchStages() : call.stages)
         for (auto& row : bench::benchStage(stage, options)) rows.push_back(std::move(row));
+    running.clear();
     if (!call.target) {
         std::fputs(bench::tableOf(rows).c_str(), stdout);
         return 0;

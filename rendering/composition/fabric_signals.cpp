@@ -31,6 +31,9 @@ constexpr RecordingKind recordingKinds[] = {
     {Signal::FrictionRecord, Modality::Friction, &SampleChoice::friction, "friction records"},
 };
 
+/// A photograph with fewer times the pixels of the screen is turned into a relief as a whole, in about a second.
+constexpr std::size_t leastPhotographs = 8;
+
 std::string ofFabric(const protocols::FabricId& fabric, const protocols::Condition& condition)
 {
     return " of fabric " + fabric.value + ", which condition " + std::string(condition.id) + " needs";
@@ -139,6 +142,18 @@ cv::Mat SignalComputation::tactileHeight(const protocols::FabricId& fabric, int 
     return signals::heightFromFrame(frame, m_reference, *m_calibration, quality);
 }
 
+cv::Mat SignalComputation::reliefOf(const cv::Mat& photograph, FabricSignals& result) const
+{
+    const cv::Size kept(std::min(photograph.cols, m_shown.width), std::min(photograph.rows, m_shown.height));
+    const bool small = m_shown.empty() || photograph.total() < leastPhotographs * static_cast<std::size_t>(m_shown.area());
+    if (small || m_shading.method != signals::ShadingMethod::Linear || m_shading.quality != signals::ShadingQuality::Accurate)
+        return signals::shapeFromShading(photograph, m_shading);
+    const cv::Point first((photograph.cols - kept.width) / 2, (photograph.rows - kept.height) / 2);
+    auto part = signals::reliefOfPart(photograph, {first, kept}, *result.light, m_shading);
+    result.shapeLeftOut = part.varianceLeftOut;
+    return part.height;
+}
+
 FabricSignals SignalComputation::measured(const protocols::FabricId& fabric, const SampleChoice& samples,
                                           const std::set<Signal>& needed, RenderedFabrics& counts)
 {
@@ -155,7 +170,7 @@ FabricSignals SignalComputation::measured(const protocols::FabricId& fabric, con
         const cv::Mat& photograph = imageOf(result, Signal::Photograph);
         result.light = signals::estimateLight(photograph, m_shading.highPassPx);
         result.colourVariation = signals::colourVariation(photograph, m_shading.highPassPx);
-        return signals::shapeFromShading(photograph, m_shading);
+        return reliefOf(photograph, result);
     });
     compute(Signal::GreyTactile, [&] { return signals::grey(imageOf(result, Signal::TactileFrame)); });
     compute(Signal::PhotometricHeight,
@@ -199,6 +214,7 @@ Sources sourcesOf(const protocols::Condition& condition, const FabricSignals& si
     Sources sources;
     if (const auto relief = reliefSignal(condition)) {
         sources.relief = imageOf(signals, *relief);
+        if (*relief == Signal::ShapeFromShading) sources.reliefLeftOut = signals.shapeLeftOut;
         sources.reliefMmPerPixel = isGenerated(*relief)                         ? signals.generatedMmPerPixel
                                    : recordingOf(*relief) == Signal::Photograph ? signals.photographMmPerPixel
                                                                                 : signals.tactileMmPerPixel;

@@ -22,8 +22,10 @@ std::optional<protocols::Fault> missingInput(const fabrics::Dataset& dataset, co
 /// Reads and computes signals, each at most once; counts them and measures their time.
 class SignalComputation {
 public:
-    SignalComputation(const fabrics::Dataset& dataset, models::Quality quality, const signals::ShadingOptions& shading = {})
-        : m_dataset(dataset), m_quality(quality), m_shading(shading)
+    /// `shown`: of larger photographs, only the middle of this size is turned into a relief by the linear method. Empty: all.
+    SignalComputation(const fabrics::Dataset& dataset, models::Quality quality, const signals::ShadingOptions& shading = {},
+                      cv::Size shown = {})
+        : m_dataset(dataset), m_quality(quality), m_shading(shading), m_shown(shown)
     {
         if (quality == models::Quality::Fast) m_shading.quality = signals::ShadingQuality::Fast;
     }
@@ -33,11 +35,13 @@ public:
                            RenderedFabrics& counts);
 
 private:
+    cv::Mat reliefOf(const cv::Mat& photograph, FabricSignals& result) const;
     cv::Mat tactileHeight(const protocols::FabricId& fabric, int index, const cv::Mat& frame);
 
     const fabrics::Dataset& m_dataset;
     models::Quality m_quality;
     signals::ShadingOptions m_shading;
+    cv::Size m_shown;
     cv::Mat m_reference;
     std::optional<signals::Calibration> m_calibration;
 };

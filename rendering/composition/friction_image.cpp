@@ -93,6 +93,10 @@ ScaledMap compose(const protocols::Condition& condition, const Sources& sources,
     if (relief.type() != CV_32FC1) sources.relief.convertTo(relief, CV_32F);
     const double pitch = scale == DisplayScale::Physical ? requirePitch(sources.reliefMmPerPixel.value_or(0), condition) : 1;
     ScaledMap map = onScreen(relief, pitch, scale, extension);
+    if (sources.reliefLeftOut) {
+        map.varianceLost = sources.reliefLeftOut;
+        if (map.extension == "none") map.extension = "none (cropped)";
+    }
     if (condition.friction == protocols::FrictionSource::None) return map;
     if (!sources.meanFriction || !std::isfinite(*sources.meanFriction))
         throw protocols::workFailed({.what = "the mean friction of " + std::string(condition.id) + " is missing",

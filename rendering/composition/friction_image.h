@@ -20,9 +20,10 @@ inline constexpr double displayMmPerPixel = 0.170;
 struct Sources {
     cv::Mat relief;  ///< CV_32FC1 in any unit that increases with height; at least 1x1
     std::optional<double> reliefMmPerPixel;
-    std::vector<double> trace;           ///< friction over the stroke
-    double traceMmPerSample = 0;         ///< stroke speed divided by sample rate
-    std::optional<double> meanFriction;  ///< f_avg
+    std::optional<double> reliefLeftOut;  ///< set where `relief` is the shown part of a larger one: share of variance outside it
+    std::vector<double> trace;            ///< friction over the stroke
+    double traceMmPerSample = 0;          ///< stroke speed divided by sample rate
+    std::optional<double> meanFriction;   ///< f_avg
 };
 
 /// m' of one fabric on the screen.

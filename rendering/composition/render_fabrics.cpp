@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <opencv2/core/types.hpp>
 #include <utility>
 
 #include "protocols/files/errors.h"
@@ -133,12 +134,23 @@ RenderedCondition renderCondition(const ConditionId& id, const std::vector<Fabri
     result.rangeOver = rangeOver;
     // Two passes, because composing again is fast, while keeping the maps of all fabrics would take 4 MB each.
     const auto keyOf = [&](const FabricId& fabric) { return rangeKey(condition, rendering.signals.at(fabric)); };
-    for (const auto& fabric : rangeOver) result.ranges[keyOf(fabric)].include(mapOf(fabric));
+    std::map<std::string, RenderedCondition::RangeSetters> setters;
+    for (const auto& fabric : rangeOver) {
+        auto& range = result.ranges[keyOf(fabric)];
+        const MapRange before = range;
+        range.include(mapOf(fabric));
+        auto& set = setters[keyOf(fabric)];
+        if (before.empty || range.min < before.min) set.lowest = fabric;
+        if (before.empty || range.max > before.max) set.highest = fabric;
+    }
     if (!request.percentiles.whole()) makeRobust(result.ranges, keyOf, mapOf, rangeOver, request.percentiles);
     for (const auto& fabric : request.fabrics) {
         const auto map = mapOf(fabric);
         const auto& range = result.ranges.at(keyOf(fabric));
-        if (result.images.empty()) result.range = range;
+        if (result.images.empty()) {
+            result.range = range;
+            result.rangeSetBy = setters.at(keyOf(fabric));
+        }
         result.images[fabric] = mapToDisplay(map, range, request.mapping);
         result.maps[fabric] = {map.extension, map.agreement, map.varianceLost,
                                request.percentiles.whole() ? 0 : shareOutside(map, range)};
@@ -161,7 +173,8 @@ RenderedFabrics renderFabrics(const fabrics::Dataset& dataset, const RenderReque
         if (progress) progress(done, total, what);
         ++done;
     };
-    SignalComputation computation(dataset, request.generation.quality, request.shading);
+    SignalComputation computation(dataset, request.generation.quality, request.shading,
+                                  request.scale == DisplayScale::Pixels ? cv::Size(displayWidthPx, displayHeightPx) : cv::Size());
     for (const auto& [fabric, needed] : plan.needed) {
         report("signals of " + fabric.value);
         rendering.signals[fabric] = computation.measured(fabric, rendering.samples.at(fabric), needed, rendering);

@@ -53,6 +53,7 @@ struct FabricSignals {
     std::map<Signal, std::vector<double>> traces;
     std::optional<double> measuredMeanFriction, generatedMeanFriction;
     std::optional<signals::Light> light;                ///< light that shape from shading used
+    std::optional<double> shapeLeftOut;                 ///< where v_shape was computed for the screen only: signals::ReliefPart
     std::optional<double> colourVariation;              ///< measured on the photograph that shape from shading used
     std::optional<models::PhotographFacts> photograph;  ///< set where signals were generated from it
     std::string measuredQuantity = "mu";                ///< quantity of the measured trace; "mu" for a coefficient
@@ -74,6 +75,10 @@ struct RenderedCondition {
     /// Ranges by quantity of the measured friction ("" where none is used), because a coefficient and a count of sensor units
     /// have no common range.
     std::map<std::string, MapRange> ranges;
+    /// Fabrics with the least and the greatest value of the first range (of the whole range where percentiles are asked for).
+    struct RangeSetters {
+        protocols::FabricId lowest, highest;
+    } rangeSetBy = {};
     std::vector<protocols::FabricId> rangeOver;     ///< fabrics whose maps set the ranges
     std::map<protocols::FabricId, MapFacts> maps;   ///< for each of RenderRequest::fabrics
     std::map<protocols::FabricId, cv::Mat> images;  ///< [800 x 1280], CV_8UC1 or CV_16UC1, for each of RenderRequest::fabrics

@@ -27,12 +27,12 @@ cv::Mat slowPart(const cv::Mat& values, double longestPx)
 
 /// Brightness relative to the surroundings, minus 1. This removes uneven light and exposure and keeps the slope along the
 /// light.
-cv::Mat shadingOf(const cv::Mat& photograph, double longestPx)
+cv::Mat shadingOf(const cv::Mat& photograph, double longestPx, std::optional<double> meanLight = {})
 {
     const cv::Mat light = grey(photograph);
     const cv::Mat surroundings = slowPart(light, longestPx);
     // Black surroundings have no relative brightness, so divide by at least a hundredth of the mean.
-    const double floor = std::max(1e-6, 0.01 * cv::mean(light)[0]);
+    const double floor = std::max(1e-6, 0.01 * meanLight.value_or(cv::mean(light)[0]));
     cv::Mat difference, shading;
     cv::subtract(light, surroundings, difference);
     cv::divide(difference, cv::max(surroundings, floor), shading);
@@ -54,6 +54,11 @@ cv::Mat faded(const cv::Mat& shading, int margin, cv::Size full)
         for (int j = 0; j < wide.cols; ++j) wide.at<float>(i, j) *= fade(i, shading.rows) * fade(j, shading.cols);
     return wide;
 }
+
+/// Photographs with more pixels are judged by tiles: the direction of the light and the variation of colour.
+constexpr std::size_t largestWholePx = 4'200'000;
+constexpr int partMarginPx = 512;  ///< a wave at the regularisation's limit has fallen to 1e-6 over so many pixels
+constexpr int tilesAlong = 4, lightTilePx = 512, colourTilePx = 256;
 
 /// Sine of the angle across the light's axis at which half of a slope passes. Slopes nearly across the light only leave
 /// harmonics and noise in a photograph, and the division would amplify them.
@@ -83,17 +88,44 @@ cv::Mat linearRelief(const cv::Mat& shading, double azimuthDeg, double regularis
         }
     cv::Mat height;
     cv::dft(spectrum, height, cv::DFT_INVERSE | cv::DFT_SCALE | cv::DFT_REAL_OUTPUT);
-    const cv::Mat inside = height(cv::Rect(margin, margin, shading.cols, shading.rows));
-    return inside - cv::mean(inside)[0];
+    return height(cv::Rect(margin, margin, shading.cols, shading.rows));
 }
 
-Light lightOf(const cv::Mat& shading)
+cv::Mat levelled(const cv::Mat& height) { return height - cv::mean(height)[0]; }
+
+/// Sums of products of the derivatives of brightness.
+struct StructureTensor {
+    double xx = 0, yy = 0, xy = 0;
+
+    void add(const cv::Mat& shading)
+    {
+        cv::Mat smooth, x, y;
+        cv::GaussianBlur(shading, smooth, {}, 1.0);
+        cv::Sobel(smooth, x, CV_32F, 1, 0);
+        cv::Sobel(smooth, y, CV_32F, 0, 1);
+        xx += x.dot(x);
+        yy += y.dot(y);
+        xy += x.dot(y);
+    }
+};
+
+/// The photograph or, of a large one, tiles that are evenly spread over it.
+std::vector<cv::Mat> sampledTiles(const cv::Mat& photograph, int sidePx)
 {
-    cv::Mat smooth, x, y;
-    cv::GaussianBlur(shading, smooth, {}, 1.0);
-    cv::Sobel(smooth, x, CV_32F, 1, 0);
-    cv::Sobel(smooth, y, CV_32F, 0, 1);
-    const double xx = x.dot(x), yy = y.dot(y), xy = x.dot(y);
+    if (photograph.total() <= largestWholePx) return {photograph};
+    std::vector<cv::Mat> tiles;
+    const cv::Size tile(std::min(sidePx, photograph.cols), std::min(sidePx, photograph.rows));
+    const auto start = [](int k, int length, int part) { return (length - part) * k / (tilesAlong - 1); };
+    for (int i = 0; i < tilesAlong; ++i)
+        for (int j = 0; j < tilesAlong; ++j)
+            tiles.push_back(
+                photograph(cv::Rect({start(j, photograph.cols, tile.width), start(i, photograph.rows, tile.height)}, tile)));
+    return tiles;
+}
+
+Light lightOf(const StructureTensor& tensor)
+{
+    const auto& [xx, yy, xy] = tensor;
     Light light;
     if (!(xx + yy > 0)) return light;
     light.coherence = std::hypot(xx - yy, 2 * xy) / (xx + yy);
@@ -223,35 +255,71 @@ cv::Mat bumpsThatShade(const cv::Mat& shading, double azimuthDeg)
 double colourVariation(const cv::Mat& photograph, double highPassPx)
 {
     if (photograph.channels() != 3) return 0;
-    std::vector<cv::Mat> channels;
-    cv::split(photograph, channels);
-    for (auto& channel : channels) channel = shadingOf(channel, highPassPx);
-    // The mean of the channels contains the shading, because shading changes them equally. The rest of each channel is
-    // colour.
-    const cv::Mat brightness = (channels[0] + channels[1] + channels[2]) / 3;
-    double colour = 0;
-    for (const auto& channel : channels) {
-        cv::Mat calm;
-        cv::GaussianBlur(channel - brightness, calm, {}, 1.0);  // Suppresses camera noise, which differs between channels.
-        colour += std::pow(cv::norm(calm), 2) / 3;
+    double colour = 0, all = 0;
+    for (const auto& tile : sampledTiles(photograph, colourTilePx)) {
+        std::vector<cv::Mat> channels;
+        cv::split(tile, channels);
+        for (auto& channel : channels) channel = shadingOf(channel, highPassPx);
+        // The mean of the channels contains the shading, because shading changes them equally. The rest of each channel is
+        // colour.
+        const cv::Mat brightness = (channels[0] + channels[1] + channels[2]) / 3;
+        for (const auto& channel : channels) {
+            cv::Mat calm;
+            cv::GaussianBlur(channel - brightness, calm, {}, 1.0);  // Suppresses camera noise, which differs between channels.
+            colour += std::pow(cv::norm(calm), 2) / 3;
+        }
+        all += std::pow(cv::norm(brightness), 2);
     }
-    const double all = cv::norm(brightness);
-    return all > 0 ? std::sqrt(colour) / all : 0;
+    return all > 0 ? std::sqrt(colour / all) : 0;
 }
 
-Light estimateLight(const cv::Mat& photograph, double highPassPx) { return lightOf(shadingOf(photograph, highPassPx)); }
+Light estimateLight(const cv::Mat& photograph, double highPassPx)
+{
+    StructureTensor tensor;
+    for (const auto& tile : sampledTiles(photograph, lightTilePx)) tensor.add(shadingOf(tile, highPassPx));
+    return lightOf(tensor);
+}
+
+ReliefPart reliefOfPart(const cv::Mat& photograph, const cv::Rect& part, const Light& light, const ShadingOptions& options)
+{
+    const cv::Rect whole({}, photograph.size());
+    const cv::Rect around =
+        cv::Rect(part.x - partMarginPx, part.y - partMarginPx, part.width + 2 * partMarginPx, part.height + 2 * partMarginPx) &
+        whole;
+    cv::Mat sparse;
+    const int step = std::max(1, std::min(photograph.rows, photograph.cols) / 512);
+    cv::resize(photograph, sparse, {photograph.cols / step, photograph.rows / step}, 0, 0, cv::INTER_NEAREST);
+    const cv::Mat shading = shadingOf(photograph(around), options.highPassPx, cv::mean(grey(sparse))[0]);
+    const double azimuthDeg = options.lightAzimuthDeg.value_or(light.azimuthDeg + (options.lightFromBelow ? 180 : 0));
+    const cv::Rect inside(part.x - around.x, part.y - around.y, part.width, part.height);
+    double power = 0, pixels = 0;
+    for (const auto& tile : sampledTiles(photograph, lightTilePx)) {
+        power += std::pow(cv::norm(shadingOf(tile, options.highPassPx)), 2);
+        pixels += static_cast<double>(tile.total());
+    }
+    const double own = std::pow(cv::norm(shading(inside)), 2), all = power / pixels * static_cast<double>(photograph.total());
+    return {linearRelief(shading, azimuthDeg, options.regularisation)(inside).clone(),
+            all > 0 ? std::clamp(1 - own / all, 0.0, 1.0) : 0};
+}
 
 cv::Mat shapeFromShading(const cv::Mat& photograph, const ShadingOptions& options)
 {
     const cv::Mat shading = shadingOf(photograph, options.highPassPx);
-    const double estimated = options.lightAzimuthDeg ? 0 : lightOf(shading).azimuthDeg + (options.lightFromBelow ? 180 : 0);
-    const double azimuthDeg = options.lightAzimuthDeg.value_or(estimated);
+    const auto estimated = [&] {
+        if (photograph.total() > largestWholePx) return estimateLight(photograph, options.highPassPx);
+        StructureTensor tensor;
+        tensor.add(shading);
+        return lightOf(tensor);
+    };
+    const double azimuthDeg =
+        options.lightAzimuthDeg ? *options.lightAzimuthDeg : estimated().azimuthDeg + (options.lightFromBelow ? 180 : 0);
     if (options.method == ShadingMethod::GaussianBumps) return bumpsThatShade(shading, azimuthDeg);
-    if (options.quality == ShadingQuality::Accurate) return linearRelief(shading, azimuthDeg, options.regularisation);
+    if (options.quality == ShadingQuality::Accurate) return levelled(linearRelief(shading, azimuthDeg, options.regularisation));
     cv::Mat small, large;
     cv::resize(shading, small, {std::max(1, shading.cols / 2), std::max(1, shading.rows / 2)}, 0, 0, cv::INTER_AREA);
     // A pixel of the small image is two pixels of the large one, so wavelengths and heights are halved there.
-    cv::resize(2 * linearRelief(small, azimuthDeg, 2 * options.regularisation), large, shading.size(), 0, 0, cv::INTER_LINEAR);
+    cv::resize(2 * levelled(linearRelief(small, azimuthDeg, 2 * options.regularisation)), large, shading.size(), 0, 0,
+               cv::INTER_LINEAR);
     return large;
 }
 

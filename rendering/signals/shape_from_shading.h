@@ -35,7 +35,8 @@ struct Light {
 /// Estimates the axis along which brightness changes most, from the structure tensor of the high-passed photograph. Its
 /// energy is proportional to the squared cosine of the angle to the light; a small prior favours light from above. Of the
 /// two ends of the axis the upper one is returned or, within 10 degrees of horizontal, the left one: azimuth 10 to 190.
-/// Below a coherence of 0.02 the azimuth is 90. `photograph`: as signals::grey() takes it.
+/// Below a coherence of 0.02 the azimuth is 90. Photographs of more than 4.2 megapixels are judged by 16 tiles of 512 pixels,
+/// evenly spread. `photograph`: as signals::grey() takes it.
 Light estimateLight(const cv::Mat& photograph, double highPassPx = 200);
 
 /// RMS of the high-passed differences between the channels over the RMS of the brightness; 0 for a grey surface. Shading
@@ -47,5 +48,15 @@ inline constexpr double coloursSpoilShading = 0.35;
 /// Height in pixels times the tangent of the light's slant (GaussianBumps: slant of 45 degrees), mean 0, CV_32FC1 of the
 /// photograph's size. A uniform photograph gives a flat relief. Throws badInput for an empty image.
 cv::Mat shapeFromShading(const cv::Mat& photograph, const ShadingOptions& options = {});
+
+struct ReliefPart {
+    cv::Mat height;              ///< CV_32FC1 of the part's size
+    double varianceLeftOut = 0;  ///< share of the photograph's relief outside the part, estimated from the shading; 0 to 1
+};
+
+/// The part of shapeFromShading()'s relief that lies in `part`, from the part and 512 pixels around it. The method is Linear and
+/// Accurate; `light` is estimateLight() of the whole photograph. Its difference from the whole relief, whose mean is 0, is far
+/// below a grey level of the display.
+ReliefPart reliefOfPart(const cv::Mat& photograph, const cv::Rect& part, const Light& light, const ShadingOptions& options = {});
 
 }  // namespace rendering::signals

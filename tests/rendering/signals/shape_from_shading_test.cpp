@@ -220,6 +220,24 @@ private Q_SLOTS:
         QVERIFY(std::isfinite(colourVariation(cv::Mat(1, 1, CV_8UC3, cv::Scalar::all(0)))));
     }
 
+    /// Only the part that a display shows is computed, with its surroundings.
+    void partOfALargePhotographHasTheReliefOfTheWhole()
+    {
+        cv::Mat tile = randomRelief(300, 400), relief;
+        cv::repeat(tile, 7, 6, relief);  // 2100 x 2400
+        const cv::Mat photograph = lambertian(relief, 70, 30);
+        const cv::Rect part((photograph.cols - 1280) / 2, (photograph.rows - 800) / 2, 1280, 800);
+        const auto found = reliefOfPart(photograph, part, estimateLight(photograph));
+        const cv::Mat whole = shapeFromShading(photograph)(part);
+        double low = 0, high = 0;
+        cv::minMaxLoc(whole, &low, &high);
+        const double levels = 255 * cv::norm(found.height, whole, cv::NORM_INF) / (high - low);
+        qInfo("%.3f grey levels, %.3f of the variance left out", levels, found.varianceLeftOut);
+        QVERIFY(levels < 1);
+        const double outside = 1 - 1280.0 * 800 / static_cast<double>(photograph.total());
+        QVERIFY(std::abs(found.varianceLeftOut - outside) < 0.05);
+    }
+
     void anEmptyPhotographIsRefused()
     {
         QVERIFY(!refusalOf([] { shapeFromShading(cv::Mat()); }).isEmpty());

@@ -1,6 +1,7 @@
 #include "study/app/pages/new_study_page.h"
 
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -31,6 +32,13 @@ constexpr int shortestPassphrase = 8;
 
 std::filesystem::path pathOf(const QLineEdit& line) { return line.text().trimmed().toStdString(); }
 
+/// Where a dialog for the folder begins: the folder itself, or the one that will hold it. A dialog chooses none that is missing.
+QString nearestFolder(const QString& folder)
+{
+    const QString typed = folder.trimmed();
+    return typed.isEmpty() || QFileInfo(typed).isDir() ? typed : QFileInfo(typed).absolutePath();
+}
+
 }  // namespace
 
 NewStudyPage::NewStudyPage(MakeStudy make, QWidget* parent)
@@ -52,7 +60,8 @@ NewStudyPage::NewStudyPage(MakeStudy make, QWidget* parent)
     title->setText(tr("New study"));
     auto* lead = quietLabel("newStudyLead", page);
     lead->setText(
-        tr("Sessions need no passphrase. Reports before the end and the unblinding do; nobody can restore a lost one."));
+        tr("No data set yet? Go back to “Data set from photographs”. To practise, `vis2hap fabrics make FOLDER` makes one. "
+           "Sessions need no passphrase. Reports before the end and the unblinding do; nobody can restore a lost one."));
     m_participants->setPlaceholderText(tr("empty: the number in the protocol"));
     m_seed->setText(QStringLiteral("1"));
     name(*m_bar, "makingBar", tr("Progress of creating the study"));
@@ -152,7 +161,8 @@ void NewStudyPage::browseFor(QLineEdit& target, Browse browse)
         chosen = QFileDialog::getOpenFileName(this, tr("Protocol file"), target.text(), tr("Protocols (*.json)"));
     else
         chosen = QFileDialog::getExistingDirectory(
-            this, browse == Browse::Folder ? tr("Fabric data set") : tr("Folder for the new study"), target.text());
+            this, browse == Browse::Folder ? tr("Fabric data set") : tr("Folder for the new study"),
+            nearestFolder(target.text()));
     if (!chosen.isEmpty()) target.setText(browse == Browse::NewFolder ? chosen + QStringLiteral("/study") : chosen);
 }
 

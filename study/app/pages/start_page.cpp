@@ -26,6 +26,7 @@ StartPage::StartPage(QWidget* parent)
       m_display(button("displayButton", tr("Display…"), this)),
       m_keys(button("keysButton", tr("Keys and pedals…"), this)),
       m_participant(button("participantScreenButton", tr("Participant's screen… (F4)"), this)),
+      m_firstSteps(label("firstSteps", Type::Body, this)),
       m_message(new MessageBar("startMessage", this))
 {
     setObjectName("startPage");
@@ -61,6 +62,7 @@ StartPage::StartPage(QWidget* parent)
     column->addWidget(caption);
     column->addLayout(folderRow);
     column->addWidget(m_message);
+    column->addWidget(m_firstSteps);
     column->addSpacing(10);
     column->addLayout(actionsRow({m_open, m_new, m_photographs, m_data, m_display, m_keys, m_participant}));
     column->addStretch(2);
@@ -92,6 +94,9 @@ void StartPage::present(const QStringList& recentFolders, const Offered& offered
     m_recent->setVisible(!recentFolders.isEmpty());
     m_recentCaption->setVisible(!recentFolders.isEmpty());
     if (!recentFolders.isEmpty()) m_recent->setCurrentRow(0);
+    showText(*m_firstSteps, recentFolders.isEmpty() && offered.newStudies && offered.photographs
+                                ? tr("No study yet? Photographs of fabrics become a data set, and a data set becomes a study.")
+                                : QString());
     m_new->setVisible(offered.newStudies);
     m_data->setVisible(offered.dataSets);
     m_photographs->setVisible(offered.photographs);

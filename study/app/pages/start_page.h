@@ -54,6 +54,7 @@ private:
     QPushButton* m_display;
     QPushButton* m_keys;
     QPushButton* m_participant;
+    QLabel* m_firstSteps;  ///< where to begin without a study
     MessageBar* m_message;
 };
 

@@ -14,6 +14,7 @@
 #include "study/commands/progress.h"
 #include "study/evaluation/evaluation_json.h"
 #include "study/evaluation/evaluation_text.h"
+#include "study/evaluation/surfaces.h"
 #include "study/evaluation/weaves.h"
 
 namespace study::commands {
@@ -59,6 +60,16 @@ int evaluate(const EvaluateCall& call)
     request.samplesPerFabric = call.samples;
     request.boundsFraction = call.bounds;
     request.threads = std::min(stats::threadCount(0), mostThreads);
+    std::optional<evaluation::SurfaceReport> surfaces;
+    if (evaluation::hasSurfaces(dataset)) {
+        StagesShown stages;
+        surfaces = evaluation::evaluateSurfaces(
+            dataset, request, [&](const std::string& stage, int done, int total) { stages.show(stage, done, total); });
+        const bool isAll = !hasMeasurements(dataset);
+        if (call.json && isAll) writeJson(call.json, evaluation::surfacesJson(*surfaces));
+        if (!call.json || !call.json->empty()) std::fputs(evaluation::surfacesText(*surfaces).c_str(), stdout);
+        if (isAll) return 0;
+    }
     if (!hasMeasurements(dataset)) {
         StagesShown stages;
         const auto weaves = evaluation::evaluateWeaves(
@@ -73,7 +84,11 @@ int evaluate(const EvaluateCall& call)
         result = evaluation::evaluate(dataset, request,
                                       [&](const std::string& stage, int done, int total) { stages.show(stage, done, total); });
     }
-    if (call.json) writeJson(call.json, evaluation::evaluationJson(result));
+    if (call.json) {
+        auto json = evaluation::evaluationJson(result);
+        if (surfaces) json["surfaces"] = evaluation::surfacesJson(*surfaces).at("surfaces");
+        writeJson(call.json, json);
+    }
     if (!call.json || !call.json->empty()) std::fputs(evaluation::evaluationText(result).c_str(), stdout);
     return 0;
 }

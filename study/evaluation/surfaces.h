@@ -1,0 +1,51 @@
+// Evaluation on photographs with the surface that they show: generated relief against it, pixel by pixel, beside relief that
+// needs no training (shape from shading, the photograph itself) and a ridge regression that never saw the fabric.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/evaluation/evaluation.h"
+
+namespace study::evaluation {
+
+/// Correlation with the surface, both high-passed: at 16 px of the photograph, and at 4 mm where its scale is known.
+struct SurfaceCorrelation {
+    double at16Px = 0;
+    std::optional<double> at4Mm;
+};
+
+/// Sources of relief, in the order of the table.
+enum class SeenRelief { Generated, ShapeFromShading, Photograph, Ridge };
+inline constexpr SeenRelief allSeenReliefs[] = {SeenRelief::Generated, SeenRelief::ShapeFromShading, SeenRelief::Photograph,
+                                                SeenRelief::Ridge};
+std::string nameOf(SeenRelief source);  ///< "generated", "v_shape", "photograph", "ridge"
+
+/// Means over the photographs of one fabric under one light.
+struct SurfaceRow {
+    protocols::FabricId fabric;
+    std::string name, light;
+    int photographs = 0;
+    std::vector<SurfaceCorrelation> correlations;  ///< in the order of allSeenReliefs; Ridge is 0 without other fabrics
+};
+
+struct SurfaceReport {
+    std::string dataset, model;
+    std::vector<SurfaceRow> rows;  ///< by light, then in the order of the fabrics
+};
+
+/// True where a photograph has its surface.
+bool hasSurfaces(const rendering::fabrics::Dataset& dataset);
+
+/// Compares the photographs that have a surface: at most `request.samplesPerFabric` of a fabric and light (4 if not set), evenly
+/// spread over its places. The ridge regression learns from all other fabrics under the same light.
+SurfaceReport evaluateSurfaces(const rendering::fabrics::Dataset& dataset, const EvaluationRequest& request,
+                               const Report& report = {}, const Generate& generate = rendering::models::generate);
+
+/// The report as JSON, schema vis2hap.evaluation/1.
+nlohmann::ordered_json surfacesJson(const SurfaceReport& surfaces);
+std::string surfacesText(const SurfaceReport& surfaces);
+
+}  // namespace study::evaluation

@@ -1,0 +1,172 @@
+// Evaluation on photographs with the surface that they show: each source of relief gets what it deserves, and the ridge
+// regression never sees the fabric that it is tested on.
+#include <QTemporaryDir>
+#include <QTest>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "rendering/fabrics/sample_places.h"
+#include "rendering/images/image_io.h"
+#include "study/evaluation/pixel_ridge.h"
+#include "study/evaluation/surfaces.h"
+#include "tests/rendering/signals/oblique_waves.h"
+
+namespace fabrics = rendering::fabrics;
+namespace models = rendering::models;
+using namespace study::evaluation;
+using protocols::FabricId;
+
+namespace {
+
+constexpr int sidePx = 128, fabricCount = 4, places = 3;
+
+/// A photograph whose brightness is the slope to the right, as under a lamp on the right: the height itself is not in it.
+cv::Mat lit(const scan_folders::KnownSurface& cloth, double sign)
+{
+    cv::Mat grey, rgb;
+    cv::Mat(cloth.slopes.x * (-200 * sign) + 128).convertTo(grey, CV_8U);
+    cv::cvtColor(grey, rgb, cv::COLOR_GRAY2RGB);
+    return rgb;
+}
+
+scan_folders::KnownSurface clothAt(int fabric, int place)
+{
+    return scan_folders::unevenCloth({sidePx, sidePx}, 30, std::uint64_t(100 * fabric + place + 1));
+}
+
+/// Correlation with all waves.
+double correlationOfAll(const cv::Mat& a, const cv::Mat& b)
+{
+    const cv::Mat first = a - cv::mean(a), second = b - cv::mean(b);
+    return first.dot(second) / std::sqrt(first.dot(first) * second.dot(second));
+}
+
+}  // namespace
+
+class EvaluationSurfacesTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        m_temporary = std::make_unique<QTemporaryDir>();
+        m_dataset = {};
+        m_dataset.folder = m_temporary->path().toStdString();
+        m_dataset.name = "scans";
+        m_places.clear();
+        m_surfaces.clear();
+    }
+
+    void eachSourceIsComparedPixelByPixel()
+    {
+        makeSet(fabricCount, {});
+        const auto report = evaluateSurfaces(m_dataset, {}, {}, knowsAll());
+        QCOMPARE(report.rows.size(), std::size_t(fabricCount));
+        for (const SurfaceRow& row : report.rows) {
+            QCOMPARE(row.light, std::string("one_lamp"));
+            QCOMPARE(row.photographs, places);
+            QVERIFY2(of(row, SeenRelief::Generated) > 0.98, qPrintable(QString::number(of(row, SeenRelief::Generated))));
+            QVERIFY2(of(row, SeenRelief::Ridge) > 0.8, qPrintable(QString::number(of(row, SeenRelief::Ridge))));
+            QVERIFY2(std::abs(of(row, SeenRelief::Photograph)) < 0.1,
+                     qPrintable(QString::number(of(row, SeenRelief::Photograph))));
+            QVERIFY(row.correlations.front().at4Mm.has_value());
+        }
+    }
+
+    /// The light of one fabric comes from the other side: a regression that had seen it would not see its relief upside down.
+    void ridgeNeverSeesTheFabricItIsTestedOn()
+    {
+        makeSet(fabricCount, {FabricId("F02")});
+        const auto report = evaluateSurfaces(m_dataset, {}, {}, knowsAll());
+        QVERIFY2(of(report.rows[1], SeenRelief::Ridge) < -0.8,
+                 qPrintable(QString::number(of(report.rows[1], SeenRelief::Ridge))));
+        QVERIFY(of(report.rows[0], SeenRelief::Ridge) > 0.3);
+    }
+
+    void oneFabricHasNoRidge()
+    {
+        makeSet(1, {});
+        QCOMPARE(of(evaluateSurfaces(m_dataset, {}, {}, knowsAll()).rows.front(), SeenRelief::Ridge), 0.0);
+    }
+
+    void textAndJsonNameEverySource()
+    {
+        makeSet(2, {});
+        EvaluationRequest request;
+        request.samplesPerFabric = 1;
+        const auto report = evaluateSurfaces(m_dataset, request, {}, knowsAll());
+        QCOMPARE(report.rows.front().photographs, 1);
+        const QString text = QString::fromStdString(surfacesText(report));
+        const auto json = surfacesJson(report);
+        QCOMPARE(json.at("schema").get<std::string>(), std::string("vis2hap.evaluation/1"));
+        for (const SeenRelief source : allSeenReliefs) {
+            QVERIFY(text.contains(QString::fromStdString(nameOf(source))));
+            QVERIFY(json.at("surfaces").at(0).at(nameOf(source)).at("at_16_px").is_number());
+        }
+        QVERIFY(text.contains("one_lamp, 1 photographs of each fabric"));
+    }
+
+    void longWavesAndShiftsAreNoAgreement()
+    {
+        const cv::Mat surface = clothAt(1, 1).heightMm;
+        cv::Mat tilted = surface.clone();
+        for (int x = 0; x < sidePx; ++x) tilted.col(x) += 0.002 * x;
+        QVERIFY(correlationOfAll(tilted, surface) < 0.9 && reliefCorrelation(tilted, surface) > 0.99);
+        QVERIFY(std::abs(reliefCorrelation(clothAt(1, 2).heightMm, surface)) < 0.3);
+        QCOMPARE(reliefCorrelation(-surface, surface), -1.0);
+        QCOMPARE(reliefCorrelation(cv::Mat::ones(surface.size(), CV_32FC1), surface), 0.0);
+    }
+
+private:
+    static double of(const SurfaceRow& row, SeenRelief source) { return row.correlations.at(std::size_t(source)).at16Px; }
+
+    /// A generator that knows the surfaces, at twice the pitch of the photographs.
+    Generate knowsAll()
+    {
+        return [this](std::span<const models::InputPhotograph> photographs, const models::GenerationOptions&) {
+            std::vector<models::GeneratedSignals> answers;
+            for (const auto& one : photographs)
+                for (const auto& [photograph, surface] : m_surfaces)
+                    if (cv::norm(photograph, one.photograph, cv::NORM_INF) == 0) {
+                        answers.emplace_back();
+                        cv::resize(surface, answers.back().heightMm, {}, 2, 2, cv::INTER_CUBIC);
+                    }
+            return answers;
+        };
+    }
+
+    void makeSet(int count, const std::vector<FabricId>& litFromTheLeft)
+    {
+        for (int fabric = 0; fabric < count; ++fabric) {
+            const FabricId id("F0" + std::to_string(fabric + 1));
+            m_dataset.fabrics.push_back({id, "cloth " + id.value, ""});
+            const bool isTurned = std::find(litFromTheLeft.begin(), litFromTheLeft.end(), id) != litFromTheLeft.end();
+            for (int place = 0; place < places; ++place) {
+                const auto cloth = clothAt(fabric, place);
+                const cv::Mat photograph = lit(cloth, isTurned ? -1 : 1);
+                const auto file = fabrics::samplePath(m_dataset, id, fabrics::Modality::Visual, place);
+                const auto surface = fabrics::surfacePath(m_dataset, id, place);
+                std::filesystem::create_directories(file.parent_path());
+                std::filesystem::create_directories(surface.parent_path());
+                rendering::writePng(file, photograph);
+                rendering::writeTiff(surface, cloth.heightMm);
+                m_surfaces.emplace_back(photograph, cloth.heightMm);
+                fabrics::SamplePlace where{id, fabrics::Modality::Visual, place, {}, {}, {}, ""};
+                where.light = "one_lamp";
+                where.mmPerPixel = 30.0 / sidePx;
+                m_places.push_back(where);
+            }
+        }
+        fabrics::writeDatasetJson(m_dataset);
+        fabrics::writeSamplePlaces(m_dataset, m_places);
+    }
+
+    std::unique_ptr<QTemporaryDir> m_temporary;
+    fabrics::Dataset m_dataset;
+    std::vector<fabrics::SamplePlace> m_places;
+    std::vector<std::pair<cv::Mat, cv::Mat>> m_surfaces;
+};
+
+QTEST_GUILESS_MAIN(EvaluationSurfacesTest)
+#include "evaluation_surfaces_test.moc"

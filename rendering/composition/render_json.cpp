@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "rendering/composition/image_warnings.h"
+
 namespace rendering {
 
 namespace {
@@ -36,6 +38,7 @@ ordered_json jsonOf(const RenderedCondition& rendered, const RenderRequest& requ
     ordered_json json{
         {"range", jsonOf(rendered.range)}, {"range_over", ordered_json::array()}, {"signals", ordered_json::array()}};
     for (const auto& fabric : rendered.rangeOver) json["range_over"].push_back(fabric.value);
+    json["range_set_by"] = {{"lowest", rendered.rangeSetBy.lowest.value}, {"highest", rendered.rangeSetBy.highest.value}};
     if (rendered.ranges.size() > 1)
         for (const auto& [quantity, range] : rendered.ranges) json["ranges"][quantity] = jsonOf(range);
     for (const Signal signal : signalsFor(protocols::conditionNamed(rendered.condition.value)))
@@ -161,6 +164,7 @@ std::string renderJson(const fabrics::Dataset& dataset, const RenderRequest& req
                       {"signals_computed", ordered_json::object()},
                       {"signals_ms", ordered_json::object()}};
     for (const auto& rendered : rendering.conditions) json["conditions"][rendered.condition.value] = jsonOf(rendered, request);
+    json["image_faults"] = jsonOf(imageFaults(rendering));
     for (const auto& [fabric, samples] : rendering.samples) json["samples"][fabric.value] = samplesOf(samples, rendering);
     for (const auto& [signal, count] : rendering.computed) json["signals_computed"][nameOf(signal)] = count;
     for (const auto& [signal, milliseconds] : rendering.milliseconds) json["signals_ms"][nameOf(signal)] = rounded(milliseconds);

@@ -9,6 +9,7 @@
 #include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/composition/earlier_render.h"
+#include "rendering/composition/image_warnings.h"
 #include "rendering/composition/photograph_warnings.h"
 #include "rendering/composition/render_fabrics.h"
 #include "rendering/composition/render_json.h"
@@ -124,7 +125,8 @@ int render(const RenderCall& call)
     if (sheet) looking::writeContactSheet(call.sheet, *sheet);
     for (const auto& warning : saved.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
     for (const auto& warning : rendering::shadingWarnings(rendering)) std::fprintf(stderr, "warning: %s\n", warning.c_str());
-    for (const auto& warnings : {rendering::unfamiliarPhotographs(rendering), rendering::cutPhotographs(rendering)})
+    for (const auto& warnings : {rendering::unfamiliarPhotographs(rendering), rendering::cutPhotographs(rendering),
+                                 rendering::describe(rendering::imageFaults(rendering), rendering)})
         for (const auto& warning : warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
     for (const auto& line : rendering::describeMaps(rendering)) std::printf("%s\n", line.c_str());
     std::printf(

@@ -5,16 +5,20 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/random.h"
+#include "rendering/composition/image_warnings.h"
 #include "rendering/composition/photograph_warnings.h"
 #include "rendering/composition/render_json.h"
 #include "study/making/image_folder.h"
 #include "study/making/sample_choice.h"
 #include "study/making/signal_controls.h"
 #include "study/making/signal_quality.h"
+#include "study/records/stored_study.h"
 
 namespace study::making {
 
 namespace {
+
+using records::imageWarningsField;
 
 using rendering::Signal;
 using rendering::fabrics::Dataset;
@@ -33,7 +37,13 @@ std::string comparedSignals(const NewStudy& request, const StudyMaterial& materi
 {
     auto json = signalQuality(rendering.signals);
     addControls(json, {material, rendering, facts.datasetSha256, request.seed}, progress.comparison);
+    if (const auto lines = describe(imageFaults(rendering), rendering); !lines.empty()) json[imageWarningsField] = lines;
     return json.dump();
+}
+
+std::vector<std::string> warningsIn(const std::string& signalsJson)
+{
+    return nlohmann::json::parse(signalsJson).value(imageWarningsField, std::vector<std::string>{});
 }
 
 StudyImages rendered(const NewStudy& request, const StudyMaterial& material, const std::string& key,
@@ -43,7 +53,8 @@ StudyImages rendered(const NewStudy& request, const StudyMaterial& material, con
     StudyImages images;
     images.signalsJson = comparedSignals(request, material, facts, rendering, progress);
     for (const auto& line : unfamiliarPhotographs(rendering)) images.stamps.push_back(sentence(line));
-    images.warnings = shadingWarnings(rendering);
+    images.warnings = warningsIn(images.signalsJson);
+    for (const auto& line : shadingWarnings(rendering)) images.warnings.push_back(line);
     for (const auto& line : cutPhotographs(rendering)) images.warnings.push_back(line);
     if (!request.images.empty())
         writeImageFolder(request.images, key, renderJson(material.dataset, material.render, rendering), rendering,
@@ -70,7 +81,7 @@ StudyImages imagesFor(const NewStudy& request, const StudyMaterial& material, co
     const std::string key = imageFolderKey(facts, material.render);
     if (!request.images.empty())
         if (auto kept = readImageFolder(request.images, key, material.render))
-            return {std::move(kept->images), kept->signalsJson, true, kept->stamps, {}};
+            return {std::move(kept->images), kept->signalsJson, true, kept->stamps, warningsIn(kept->signalsJson)};
     return rendered(request, material, key, facts, progress);
 }
 

@@ -15,7 +15,7 @@ struct StudyImages {
     std::string signalsJson = "{}";     ///< generated against measured signals, for the report
     bool reused = false;                ///< read from the request's folder of images, not rendered
     std::vector<std::string> stamps;    ///< sentences that every report must carry
-    std::vector<std::string> warnings;  ///< about photographs; empty where images are reused
+    std::vector<std::string> warnings;  ///< about images and photographs; about images only where these are reused
 };
 
 /// Reads the images from `request.images` if they were made from the same material; otherwise renders them and stores them there.

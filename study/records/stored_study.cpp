@@ -139,6 +139,20 @@ void readOperatorTaps(const database::StudyStore& store, reports::StudyData& dat
                                      run.medianMs, run.q1Ms, run.q3Ms});
 }
 
+/// The compared signals, and the warnings about images as sentences of the page.
+void readSignals(const std::string& text, reports::StudyData& data)
+{
+    auto json = nlohmann::ordered_json::parse(text, nullptr, false);
+    if (!json.is_object() || !json.contains(imageWarningsField)) {
+        data.signals = reports::signalsFromJson(text);
+        return;
+    }
+    for (const auto& line : json[imageWarningsField])
+        if (line.is_string()) data.stamps.push_back("Before the study: " + line.get<std::string>() + ".");
+    json.erase(imageWarningsField);
+    data.signals = reports::signalsFromJson(json.dump());
+}
+
 /// Everything but the answers and their names.
 reports::StudyData describedStudy(const database::StudyStore& store, const database::StudyFacts& facts,
                                   const protocols::Protocol& protocol)
@@ -225,7 +239,7 @@ std::optional<reports::StudyData> studyData(const database::StudyStore& store, c
     if (!naming) return std::nullopt;
     auto data = describedStudy(store, facts, protocol);
     data.conditions = naming->conditions;
-    if (!data.blinded) data.signals = reports::signalsFromJson(facts.signalsJson);
+    if (!data.blinded) readSignals(facts.signalsJson, data);
     for (const auto& fabric : facts.fabrics) data.fabrics.push_back(fabric.value);
     readAnswers(answers, protocol, *naming, data);
     readTouches(store, *naming, data);

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 
+#include "rendering/composition/image_warnings.h"
 #include "rendering/composition/photograph_warnings.h"
 #include "rendering/composition/render_json.h"
 #include "rendering/images/image_png.h"
@@ -418,6 +419,63 @@ private Q_SLOTS:
         QVERIFY(json["F03"]["unfamiliar"].is_null());
         const auto none = requestFor(small, "v_grey", asked);
         QVERIFY(unfamiliarPhotographs(renderFabrics(small.dataset, none)).empty());
+    }
+
+    /// Stripes of 20 levels about the middle; a shift moves them along.
+    static cv::Mat stripes(int shift, double depth, double period = 9)
+    {
+        cv::Mat image(800, 1280, CV_8UC1);
+        for (int i = 0; i < image.rows; ++i)
+            for (int j = 0; j < image.cols; ++j)
+                image.at<uchar>(i, j) = cv::saturate_cast<uchar>(128 + depth * std::sin(2 * CV_PI * (j + shift) / period));
+        return image;
+    }
+
+    void imagesThatNobodyCanTellApartAreNamed()
+    {
+        RenderedFabrics rendering;
+        const FabricId f01("F01"), f02("F02"), f03("F03"), f04("F04");
+        RenderedCondition plain, scaled;
+        plain.condition = protocols::ConditionId("h_g");
+        scaled.condition = protocols::ConditionId("h_g&f_g");
+        plain.rangeSetBy = scaled.rangeSetBy = {f02, f03};
+        plain.images = {{f01, stripes(0, 100)}, {f02, stripes(0, 100)}, {f03, stripes(0, 100)}, {f04, stripes(0, 8)}};
+        scaled.images = {{f01, stripes(0, 101)}, {f02, stripes(4, 100)}, {f03, stripes(0, 60)}, {f04, stripes(0, 40, 14)}};
+        rendering.conditions = {plain, scaled};
+        const auto faults = imageFaults(rendering);
+        QCOMPARE(faults.same.size(), std::size_t{2});  // Nearly the same, and the same pattern elsewhere.
+        QCOMPARE(faults.same[0].fabric, f01);
+        QVERIFY(faults.same[0].distance.greyLevels < 1);
+        QCOMPARE(faults.same[1].fabric, f02);
+        QVERIFY(faults.same[1].distance.greyLevels > 50 && faults.same[1].distance.decibels < 0.5);
+        const auto weaker = distanceOf(plain.images.at(f03), scaled.images.at(f03));
+        QVERIFY2(weaker.decibels > 1 && weaker.greyLevels > 20, "a weaker relief is another image");
+        QCOMPARE(faults.flat.size(), std::size_t{1});
+        QCOMPARE(faults.flat[0].fabric, f04);
+        QVERIFY(std::abs(faults.flat[0].rangeUsed - 16.0 / 255) < 0.01);
+        const auto lines = describe(faults, rendering);
+        QCOMPARE(lines.size(), std::size_t{2});
+        QVERIFY2(lines[0].starts_with("conditions h_g and h_g&f_g give the same image for F01, F02 (at most"), lines[0].c_str());
+        QVERIFY2(lines[1].find("is used by F04 (6.3 %); F02 sets the lower end of the range, F03 the upper") != std::string::npos,
+                 lines[1].c_str());
+        QCOMPARE(jsonOf(faults)["same"].size(), std::size_t{2});
+    }
+
+    void fabricsThatSetTheRangeAreStated()
+    {
+        const SmallDataset small;
+        GeneratorCalls asked;
+        const auto request = requestFor(small, "v_grey", asked);
+        const auto rendering = renderFabrics(small.dataset, request);
+        const auto json = nlohmann::json::parse(renderJson(small.dataset, request, rendering));
+        const auto& set = rendering.conditions.front().rangeSetBy;
+        double low = 0, high = 0;
+        cv::minMaxLoc(rendering.conditions.front().images.at(set.lowest), &low);
+        cv::minMaxLoc(rendering.conditions.front().images.at(set.highest), nullptr, &high);
+        QCOMPARE(low, 0.0);
+        QCOMPARE(high, 255.0);
+        QCOMPARE(json["conditions"]["v_grey"]["range_set_by"]["highest"].get<std::string>(), set.highest.value);
+        QVERIFY(json["image_faults"]["same"].is_array());
     }
 
     void jsonContainsRangeSamplesAndSignals()

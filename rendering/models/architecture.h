@@ -11,13 +11,13 @@ struct Architecture {
     /// True: the networks of rendering/models/seeing, which work at any pitch; then mmPerPixel, heightScaleMm,
     /// meanFrictionScale, imposesSpectrum and zeroPercentile have no meaning.
     bool sees = false;
-    int baseChannels = 16;   ///< channels of G_h at full resolution; the other layers have multiples of it
+    int baseChannels = 16;      ///< channels of G_h at full resolution; the other layers have multiples of it
     int frictionChannels = 16;  ///< of the friction network that sees
-    int crop = 128;          ///< side in px of a training crop, and of the photograph that G_s takes; a multiple of 16
-    int window = 64;         ///< samples in a window of the short-time Fourier transform
-    int hop = 16;            ///< samples between windows
-    int traceSamples = 480;  ///< 40 mm at 5 mm/s and 60 Hz
-    int rows = 33;           ///< frequencies of the spectrogram
+    int crop = 128;             ///< side in px of a training crop, and of the photograph that G_s takes; a multiple of 16
+    int window = 64;            ///< samples in a window of the short-time Fourier transform
+    int hop = 16;               ///< samples between windows
+    int traceSamples = 480;     ///< 40 mm at 5 mm/s and 60 Hz
+    int rows = 33;              ///< frequencies of the spectrogram
     int frames = 31;
     double mmPerPixel = 0.05;  ///< pitch of the photographs and heights in the networks
     double traceMmPerSample = 5.0 / 60.0;

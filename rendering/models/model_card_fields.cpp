@@ -75,12 +75,13 @@ Architecture architectureFrom(const ordered_json& json)
 bool sensible(const Architecture& a)
 {
     const auto within = [](double value, double low, double high) { return value >= low && value <= high; };
-    return within(a.baseChannels, 1, mostChannels) && within(a.frictionChannels, 1, mostChannels) && within(a.crop, 16, largestCrop) && a.crop % 16 == 0 &&
-           within(a.mmPerPixel, 1e-5, 100) && within(a.heightScaleMm, 1e-9, 1e3) && within(a.meanFrictionScale, 1e-9, 1e3) &&
-           within(a.window, 4, 4096) && within(a.hop, 1, a.window) && within(a.traceSamples, 4, 1 << 20) &&
-           within(a.rows, 2, 2049) && within(a.frames, 1, 1 << 16) && within(a.traceMmPerSample, 1e-9, 1e3) &&
-           within(a.zeroPercentile, 0, 50) &&
-           0.25 * std::pow(std::max(a.baseChannels, a.frictionChannels), 2) * (a.rows + 3.0) * (a.frames + 3.0) <= mostSeedParameters;
+    return within(a.baseChannels, 1, mostChannels) && within(a.frictionChannels, 1, mostChannels) &&
+           within(a.crop, 16, largestCrop) && a.crop % 16 == 0 && within(a.mmPerPixel, 1e-5, 100) &&
+           within(a.heightScaleMm, 1e-9, 1e3) && within(a.meanFrictionScale, 1e-9, 1e3) && within(a.window, 4, 4096) &&
+           within(a.hop, 1, a.window) && within(a.traceSamples, 4, 1 << 20) && within(a.rows, 2, 2049) &&
+           within(a.frames, 1, 1 << 16) && within(a.traceMmPerSample, 1e-9, 1e3) && within(a.zeroPercentile, 0, 50) &&
+           0.25 * std::pow(std::max(a.baseChannels, a.frictionChannels), 2) * (a.rows + 3.0) * (a.frames + 3.0) <=
+               mostSeedParameters;
 }
 
 protocols::Error notUsable(const std::filesystem::path& card, const std::string& why)

@@ -75,7 +75,7 @@ std::optional<protocols::Fault> missingHeight(const fabrics::Dataset& dataset, c
 std::optional<double> statedPitch(const fabrics::Dataset& dataset, const protocols::FabricId& fabric, const SampleChoice& samples,
                                   Signal signal)
 {
-    return recordingOf(signal) == Signal::Photograph ? fabrics::PhotographPitches(dataset).of(fabric, samples.visual)
+    return recordingOf(signal) == Signal::Photograph ? fabrics::PhotographViews(dataset).mmPerPixel(fabric, samples.visual)
                                                      : dataset.tactileMmPerPixel;
 }
 
@@ -158,7 +158,9 @@ FabricSignals SignalComputation::measured(const protocols::FabricId& fabric, con
                                           const std::set<Signal>& needed, RenderedFabrics& counts)
 {
     FabricSignals result;
-    result.photographMmPerPixel = fabrics::PhotographPitches(m_dataset).of(fabric, samples.visual);
+    const fabrics::PhotographViews views(m_dataset);
+    result.photographMmPerPixel = views.mmPerPixel(fabric, samples.visual);
+    result.photographLightDeg = views.lightDeg(fabric, samples.visual);
     result.tactileMmPerPixel = m_dataset.tactileMmPerPixel;
     const auto compute = [&](Signal signal, const auto& work) {
         if (needed.contains(signal)) computed(counts, signal, [&] { result.images[signal] = work(); });

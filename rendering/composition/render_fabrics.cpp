@@ -73,7 +73,7 @@ void generate(const RenderPlan& plan, const RenderRequest& request, RenderedFabr
         wanted.insert(generated.begin(), generated.end());
         const auto& signals = rendering.signals.at(fabric);
         fabrics.push_back(fabric);
-        photographs.push_back({signals.images.at(Signal::Photograph), signals.photographMmPerPixel});
+        photographs.push_back({signals.images.at(Signal::Photograph), signals.photographMmPerPixel, signals.photographLightDeg});
     }
     if (fabrics.empty()) return;
     auto options = request.generation;

@@ -59,6 +59,7 @@ struct FabricSignals {
     std::string measuredQuantity = "mu";                ///< quantity of the measured trace; "mu" for a coefficient
     std::optional<double> photographMmPerPixel, tactileMmPerPixel, generatedMmPerPixel, traceMmPerSample,
         generatedTraceMmPerSample;
+    std::optional<double> photographLightDeg;  ///< side of the lamp, where samples.csv states it
 };
 
 /// Facts on the conversion of a source to a map on the screen.

@@ -170,16 +170,25 @@ std::optional<double> photographPitch(const Dataset& dataset, const SamplePlace&
     return place.mmPerPixel ? place.mmPerPixel : dataset.cameraMmPerPixel;
 }
 
-PhotographPitches::PhotographPitches(const Dataset& dataset) : m_camera(dataset.cameraMmPerPixel)
+PhotographViews::PhotographViews(const Dataset& dataset) : m_camera(dataset.cameraMmPerPixel)
 {
-    for (const SamplePlace& place : readSamplePlaces(dataset))
-        if (place.modality == Modality::Visual && place.mmPerPixel) m_own[{place.fabric, place.index}] = *place.mmPerPixel;
+    for (const SamplePlace& place : readSamplePlaces(dataset)) {
+        if (place.modality != Modality::Visual) continue;
+        if (place.mmPerPixel) m_pitches[{place.fabric, place.index}] = *place.mmPerPixel;
+        if (place.lightDeg) m_lights[{place.fabric, place.index}] = *place.lightDeg;
+    }
 }
 
-std::optional<double> PhotographPitches::of(const protocols::FabricId& fabric, int index) const
+std::optional<double> PhotographViews::mmPerPixel(const protocols::FabricId& fabric, int index) const
 {
-    const auto own = m_own.find({fabric, index});
-    return own == m_own.end() ? m_camera : own->second;
+    const auto own = m_pitches.find({fabric, index});
+    return own == m_pitches.end() ? m_camera : own->second;
+}
+
+std::optional<double> PhotographViews::lightDeg(const protocols::FabricId& fabric, int index) const
+{
+    const auto own = m_lights.find({fabric, index});
+    return own == m_lights.end() ? std::nullopt : std::optional(own->second);
 }
 
 std::vector<std::pair<SamplePlace, Part>> splitBySample(const Dataset& dataset, std::uint64_t seed)

@@ -21,7 +21,7 @@ struct SamplePlace {
     std::string group;
     std::optional<double> mmPerPixel = {};  ///< of this photograph, where it differs from that of the camera
     std::string light = {};  ///< how this photograph was lit: "one_lamp", "four_lamps", "colour", …; empty where unknown
-    std::optional<double> lightDeg = {};  ///< side from which the light comes: 0 right, 90 top, anticlockwise
+    std::optional<double> lightDeg = {};  ///< side of a single lamp: 0 right, 90 top, anticlockwise
 };
 std::vector<SamplePlace> readSamplePlaces(const Dataset& dataset);  ///< empty where there is no samples.csv
 /// Writes the columns mm_per_pixel, light and light_deg only where a place has them.
@@ -30,15 +30,16 @@ void writeSamplePlaces(const Dataset& dataset, const std::vector<SamplePlace>& p
 /// Scale of a photograph: its own in samples.csv, otherwise that of the camera; nullopt where unknown.
 std::optional<double> photographPitch(const Dataset& dataset, const SamplePlace& place);
 
-/// The scales of all photographs of a data set, read from samples.csv once.
-class PhotographPitches {
+/// Scale and lamp of all photographs of a data set, read from samples.csv once.
+class PhotographViews {
 public:
-    explicit PhotographPitches(const Dataset& dataset);
-    std::optional<double> of(const protocols::FabricId& fabric, int index) const;  ///< mm per pixel; nullopt where unknown
+    explicit PhotographViews(const Dataset& dataset);
+    std::optional<double> mmPerPixel(const protocols::FabricId& fabric, int index) const;  ///< nullopt where unknown
+    std::optional<double> lightDeg(const protocols::FabricId& fabric, int index) const;    ///< SamplePlace::lightDeg
 
 private:
     std::optional<double> m_camera;
-    std::map<std::pair<protocols::FabricId, int>, double> m_own;
+    std::map<std::pair<protocols::FabricId, int>, double> m_pitches, m_lights;
 };
 
 enum class Part { Training, Validation, Testing };

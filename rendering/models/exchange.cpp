@@ -124,14 +124,15 @@ void RequestWriter::add(const InputPhotograph& photograph)
     const std::string name = "photo" + std::to_string(m_photographs.size()) + ".npy";
     const cv::Mat whole = photograph.photograph.isContinuous() ? photograph.photograph : photograph.photograph.clone();
     writeNpy(m_folder / name, whole.reshape(1), protocols::Sync::Later);
-    m_photographs.push_back({name, photograph.mmPerPixel});
+    m_photographs.push_back({name, photograph.mmPerPixel, photograph.lightDeg});
 }
 
 void RequestWriter::finish() const
 {
     ordered_json photographs = ordered_json::array();
-    for (const auto& [file, mmPerPixel] : m_photographs)
-        photographs.push_back({{"file", file.string()}, {"mm_per_pixel", numberOrNull(mmPerPixel)}});
+    for (const auto& [file, mmPerPixel, lightDeg] : m_photographs)
+        photographs.push_back(
+            {{"file", file.string()}, {"mm_per_pixel", numberOrNull(mmPerPixel)}, {"light_deg", numberOrNull(lightDeg)}});
     const ordered_json json{
         {"schema", requestSchema},    {"model", m_options.model.string()}, {"quality", nameOf(m_options.quality)},
         {"height", m_options.height}, {"friction", m_options.friction},    {"photographs", photographs}};
@@ -154,9 +155,10 @@ GenerationRequest readRequest(const fs::path& folder)
         request.options.height = json.at("height").get<bool>();
         request.options.friction = json.at("friction").get<bool>();
         for (const nlohmann::json& item : json.at("photographs")) {
-            const bool hasPitch = !item.at("mm_per_pixel").is_null();
-            request.photographs.push_back(
-                {fileIn(folder, item.at("file")), hasPitch ? std::optional(positive(item, "mm_per_pixel")) : std::nullopt});
+            RequestedPhotograph photograph{fileIn(folder, item.at("file"))};
+            if (!item.at("mm_per_pixel").is_null()) photograph.mmPerPixel = positive(item, "mm_per_pixel");
+            if (!item.at("light_deg").is_null()) photograph.lightDeg = item.at("light_deg").get<double>();
+            request.photographs.push_back(photograph);
         }
     } catch (const nlohmann::json::exception& fault) {
         throw refused(fault.what());
@@ -172,7 +174,7 @@ InputPhotograph readPhotograph(const RequestedPhotograph& photograph)
     if (flat.type() != CV_8UC1 || flat.cols < 3 || flat.cols % 3 != 0)
         throw protocols::badInput(
             {"is not a photograph", photograph.file.string(), "uint8 [height x 3 width]", "build both executables again"});
-    return {flat.reshape(3), photograph.mmPerPixel};
+    return {flat.reshape(3), photograph.mmPerPixel, photograph.lightDeg};
 }
 
 AnswerWriter::AnswerWriter(fs::path folder) : m_folder(std::move(folder)) {}

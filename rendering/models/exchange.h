@@ -1,7 +1,7 @@
 // Files between the program and vis2hap-nn. A folder holds request.json and one .npy file for each photograph; vis2hap-nn
 // adds answer.json and its .npy files. Both sides use these functions and hold one photograph at a time.
 //   request.json {"schema":"vis2hap.generate/1","model":FILE,"quality":"fast"|"balanced"|"accurate",
-//                 "height":bool,"friction":bool,"photographs":[{"file":"photo0.npy","mm_per_pixel":X|null}]}
+//                 "height":bool,"friction":bool,"photographs":[{"file":"photo0.npy","mm_per_pixel":X|null,"light_deg":X|null}]}
 //   photoN.npy   uint8 [height x 3 width], R G B interleaved
 //   answer.json  {"schema":"vis2hap.generated/1","signals":[{"height":FILE|null,"height_mm_per_pixel":X,
 //                 "spectrogram":FILE|null,"spectrogram_parameters":{"window":N,"hop":N,"fft":N,"samples_per_mm":X},
@@ -21,7 +21,7 @@ namespace rendering::models {
 
 struct RequestedPhotograph {
     std::filesystem::path file;
-    std::optional<double> mmPerPixel;
+    std::optional<double> mmPerPixel = {}, lightDeg = {};
 };
 
 struct GenerationRequest {

@@ -22,6 +22,9 @@ void checkPhotographs(std::span<const InputPhotograph> photographs)
         if (photograph.mmPerPixel && !(*photograph.mmPerPixel > 1e-5 && *photograph.mmPerPixel < 100))
             throw protocols::badInput({"the pitch of the photograph is out of range", "generators", "0.00001 to 100 mm per pixel",
                                        "correct the pitch of the camera"});
+        if (photograph.lightDeg && !(*photograph.lightDeg >= -360 && *photograph.lightDeg <= 360))
+            throw protocols::badInput({"the side of the lamp is out of range", "generators", "-360 to 360 degrees",
+                                       "correct the side, or leave it out"});
     }
 }
 
@@ -65,7 +68,7 @@ std::vector<GeneratedSignals> generate(std::span<const InputPhotograph> photogra
         const double pitchOfNetworks = card.architecture.sees ? pitch : card.architecture.mmPerPixel;
         const PhotographAtPitch seen = photographAtPitch({photograph.photograph, pitch}, pitchOfNetworks);
         megapixels += static_cast<double>(seen.rgb.total()) / 1e6;
-        request.add({seen.rgb, pitchOfNetworks});
+        request.add({seen.rgb, pitchOfNetworks, photograph.lightDeg});
         parts.push_back({seen.part.size(), seen.middleOnly, photograph.mmPerPixel ? std::nullopt : std::optional(pitch)});
     }
     request.finish();

@@ -25,6 +25,8 @@ struct GenerationOptions {
 struct InputPhotograph {
     cv::Mat photograph;                ///< CV_8UC3, RGB, any size
     std::optional<double> mmPerPixel;  ///< nullopt: assumedMmPerPixel() of photograph_at_pitch.h is used
+    /// Side from which a single lamp lights the cloth, degrees: 0 right, 90 top, anticlockwise. nullopt: nobody knows.
+    std::optional<double> lightDeg = {};
 };
 
 /// Information on a photograph besides its signals.

@@ -103,12 +103,13 @@ std::vector<std::vector<models::GeneratedSignals>> generatedFor(const Evaluation
                                                                 const std::vector<OpenModel>& opened, std::size_t first,
                                                                 std::size_t count, const Generate& generate)
 {
-    const fabrics::PhotographPitches pitches(context.dataset);
+    const fabrics::PhotographViews views(context.dataset);
     std::vector<models::InputPhotograph> photographs;
     for (std::size_t i = first; i < first + count; ++i) {
         const PlannedSample& photograph = context.plan.pairs[i].photograph;
         photographs.push_back({fabrics::readPhotograph(context.dataset, photograph.fabric, photograph.index),
-                               pitches.of(photograph.fabric, photograph.index)});
+                               views.mmPerPixel(photograph.fabric, photograph.index),
+                               views.lightDeg(photograph.fabric, photograph.index)});
     }
     std::vector<std::vector<models::GeneratedSignals>> answers;
     for (const OpenModel& model : opened) {

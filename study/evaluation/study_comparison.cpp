@@ -64,11 +64,12 @@ ControlSignals controlSignals(const rendering::fabrics::Dataset& dataset, const 
         const auto any = [&](const auto& has) { return std::any_of(request.generated.begin(), request.generated.end(), has); };
         options.height = any([](const auto& one) { return !one.heightMm.empty(); });
         options.friction = any([](const auto& one) { return !one.trace.empty(); });
-        const rendering::fabrics::PhotographPitches pitches(dataset);
+        const rendering::fabrics::PhotographViews views(dataset);
         std::vector<models::InputPhotograph> photographs;
         for (const TestPair& pair : plan.pairs)
             photographs.push_back({rendering::fabrics::readPhotograph(dataset, pair.photograph.fabric, pair.photograph.index),
-                                   pitches.of(pair.photograph.fabric, pair.photograph.index)});
+                                   views.mmPerPixel(pair.photograph.fabric, pair.photograph.index),
+                                   views.lightDeg(pair.photograph.fabric, pair.photograph.index)});
         control.signals = generate(photographs, options);
     } catch (const protocols::Error& fault) {
         control.whyNone = std::string("the L1-only control could not be used: ") + fault.what();

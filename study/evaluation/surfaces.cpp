@@ -30,6 +30,7 @@ constexpr double longestWaveMm = 4;
 struct SurfacePair {
     int index = 0;
     std::optional<double> mmPerPixel;
+    std::optional<double> lightDeg;  ///< told where all photographs have the same lamp
 };
 /// By light, then by fabric.
 using SurfacePairs = std::map<std::string, std::map<protocols::FabricId, std::vector<SurfacePair>>>;
@@ -46,7 +47,8 @@ SurfacePairs pairsOf(const fabrics::Dataset& dataset)
             const auto place = places.find({fabric.id, index});
             const bool isListed = place != places.end();
             pairs[isListed ? place->second.light : ""][fabric.id].push_back(
-                {index, isListed ? fabrics::photographPitch(dataset, place->second) : dataset.cameraMmPerPixel});
+                {index, isListed ? fabrics::photographPitch(dataset, place->second) : dataset.cameraMmPerPixel,
+                 isListed && place->second.light == "one_lamp" ? place->second.lightDeg : std::nullopt});
         }
     return pairs;
 }
@@ -108,11 +110,15 @@ SurfaceRow rowOf(const fabrics::Dataset& dataset, const fabrics::FabricInfo& fab
                  const std::vector<SurfacePair>& pairs, const cv::Mat& weights, const models::GenerationOptions& options,
                  const Generate& generate)
 {
-    SurfaceRow row{fabric.id, fabric.name, light, static_cast<int>(pairs.size()),
+    SurfaceRow row{fabric.id,
+                   fabric.name,
+                   light,
+                   static_cast<int>(pairs.size()),
+                   std::ranges::all_of(pairs, [](const SurfacePair& pair) { return pair.lightDeg.has_value(); }),
                    std::vector<SurfaceCorrelation>(std::size(allSeenReliefs))};
     std::vector<models::InputPhotograph> photographs;
     for (const SurfacePair& pair : pairs)
-        photographs.push_back({fabrics::readPhotograph(dataset, fabric.id, pair.index), pair.mmPerPixel});
+        photographs.push_back({fabrics::readPhotograph(dataset, fabric.id, pair.index), pair.mmPerPixel, pair.lightDeg});
     const auto answers = generate(photographs, options);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const cv::Mat& photograph = photographs[i].photograph;
@@ -217,8 +223,11 @@ nlohmann::ordered_json surfacesJson(const SurfaceReport& surfaces)
 {
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     for (const SurfaceRow& row : surfaces.rows) {
-        nlohmann::ordered_json entry{
-            {"fabric", row.fabric.value}, {"name", row.name}, {"light", row.light}, {"photographs", row.photographs}};
+        nlohmann::ordered_json entry{{"fabric", row.fabric.value},
+                                     {"name", row.name},
+                                     {"light", row.light},
+                                     {"photographs", row.photographs},
+                                     {"lamp_told", row.lampTold}};
         for (std::size_t i = 0; i < row.correlations.size(); ++i) {
             const auto& one = row.correlations[i];
             entry[nameOf(allSeenReliefs[i])] = {{"at_16_px", one.at16Px},
@@ -243,7 +252,8 @@ std::string surfacesText(const SurfaceReport& surfaces)
         for (const SurfaceRow& row : surfaces.rows)
             if (row.light == light) rows.push_back(&row);
         text += "\n" + (light.empty() ? std::string("light unknown") : light) + ", " + std::to_string(rows.front()->photographs) +
-                " photographs of each fabric\n" + linesOf(rows, false) + linesOf(rows, true);
+                " photographs of each fabric" + (rows.front()->lampTold ? ", the side of the lamp is told" : "") + "\n" +
+                linesOf(rows, false) + linesOf(rows, true);
     }
     return text;
 }

@@ -28,6 +28,7 @@ struct SurfaceRow {
     protocols::FabricId fabric;
     std::string name, light;
     int photographs = 0;
+    bool lampTold = false;                         ///< the generators knew the side of the lamp of every photograph
     std::vector<SurfaceCorrelation> correlations;  ///< in the order of allSeenReliefs; Ridge is 0 without other fabrics
 };
 
@@ -40,7 +41,8 @@ struct SurfaceReport {
 bool hasSurfaces(const rendering::fabrics::Dataset& dataset);
 
 /// Compares the photographs that have a surface: at most `request.samplesPerFabric` of a fabric and light (4 if not set), evenly
-/// spread over its places. The ridge regression learns from all other fabrics under the same light.
+/// spread over its places. The ridge regression learns from all other fabrics under the same light. Photographs with the light
+/// "one_lamp" tell the generators its side (samples.csv, light_deg); all others do not, as if nobody knew it.
 SurfaceReport evaluateSurfaces(const rendering::fabrics::Dataset& dataset, const EvaluationRequest& request,
                                const Report& report = {}, const Generate& generate = rendering::models::generate);
 

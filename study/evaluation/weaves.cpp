@@ -72,13 +72,14 @@ WeaveReport evaluateWeaves(const fabrics::Dataset& dataset, const EvaluationRequ
     if (weaves.photographs.empty())
         throw protocols::badInput({"the data set has no photographs to test with", dataset.folder.string(),
                                    "visual/*.png of at least one fabric", "import photographs with `vis2hap import photos`"});
-    const fabrics::PhotographPitches pitches(dataset);
+    const fabrics::PhotographViews views(dataset);
     for (std::size_t first = 0; first < weaves.photographs.size(); first += photographsPerCall) {
         const std::size_t end = std::min(weaves.photographs.size(), first + photographsPerCall);
         std::vector<models::InputPhotograph> photographs;
         for (std::size_t i = first; i < end; ++i)
             photographs.push_back({fabrics::readPhotograph(dataset, weaves.photographs[i].fabric, weaves.photographs[i].index),
-                                   pitches.of(weaves.photographs[i].fabric, weaves.photographs[i].index)});
+                                   views.mmPerPixel(weaves.photographs[i].fabric, weaves.photographs[i].index),
+                                   views.lightDeg(weaves.photographs[i].fabric, weaves.photographs[i].index)});
         const auto answers = generate(photographs, options);
         for (std::size_t i = first; i < end; ++i) {
             compareWaves(weaves.photographs[i], photographs[i - first].photograph, answers[i - first].heightMm);

@@ -28,7 +28,7 @@ constexpr double missingMarkerMm = -1e9;  // instruments write -1e10
 std::optional<double> pitchIn(const PlaceInDataset& place)
 {
     if (place.signal == "visual" || place.signal == "surface")
-        return rendering::fabrics::PhotographPitches(place.dataset).of(protocols::FabricId(place.fabric), place.index);
+        return rendering::fabrics::PhotographViews(place.dataset).mmPerPixel(protocols::FabricId(place.fabric), place.index);
     const bool isTactile = place.signal == "tactile" || place.signal == "height";
     return isTactile ? place.dataset.tactileMmPerPixel : std::nullopt;
 }

@@ -19,14 +19,20 @@ using protocols::Random;
 constexpr double finePixelsPerThread = 6;
 constexpr int finestFactor = 3;
 constexpr int toneSteps = 4096;
+constexpr double usualLampShare = 0.5, upperLeftDegrees = 225;  // from x to y, which points down
 
 bool happens(Random& random, double share) { return random.uniform() < share; }
 
 ClothLamp drawClothLamp(Random& random)
 {
     ClothLamp lamp;
-    lamp.azimuthDegrees = random.uniform(0, 360);
-    lamp.elevationDegrees = 10 + 75 * std::pow(random.uniform(), 0.8);
+    if (happens(random, usualLampShare)) {
+        lamp.azimuthDegrees = upperLeftDegrees + 15 * random.normal();
+        lamp.elevationDegrees = random.uniform(15, 50);
+    } else {
+        lamp.azimuthDegrees = random.uniform(0, 360);
+        lamp.elevationDegrees = 10 + 75 * std::pow(random.uniform(), 0.8);
+    }
     lamp.strength = random.uniform(0.3, 1);
     lamp.distance = 1.2 * std::exp(random.uniform() * std::log(20.0));
     lamp.softness = random.uniform();
@@ -170,10 +176,16 @@ ClothCamera drawCamera(bool isFlat, Random& random)
     camera.isFlat = isFlat;
     const int lamps = isFlat ? 0 : happens(random, 0.55) ? 1 : 1 + int(random.below(4));
     for (int i = 0; i < lamps; ++i) camera.lamps.push_back(drawClothLamp(random));
-    camera.ambient = isFlat ? 1 : random.uniform(0.05, 1.0);
-    camera.occlusion = isFlat ? 1.5 * random.uniform() * random.uniform() : random.uniform(0.3, 1.2);
-    camera.glow = random.uniform(0.1, 0.6);
-    camera.gloss = isFlat ? 0 : random.uniform(0.5, 1.3);
+    const bool isRelit = !isFlat && happens(random, 0.25);
+    camera.ambient = isFlat ? 1 : isRelit ? random.uniform(0, 0.1) : random.uniform(0.05, 1.0);
+    camera.occlusion = isFlat || isRelit ? 1.5 * random.uniform() * random.uniform() : random.uniform(0.3, 1.2);
+    camera.glow = isRelit ? 0 : random.uniform(0.1, 0.6);
+    camera.gloss = isFlat || isRelit ? 0 : random.uniform(0.5, 1.3);
+    if (isRelit)
+        for (ClothLamp& lamp : camera.lamps) {
+            lamp.distance = 30;
+            lamp.softness = 0;
+        }
     camera.exposure = std::exp((isFlat ? 0.1 : 0.3) * random.normal());
     for (float& gain : camera.whiteBalance) gain = float(std::exp((isFlat ? 0.02 : 0.08) * random.normal()));
     camera.gamma = isFlat ? 2.2 : random.uniform(1.8, 2.5);
@@ -187,6 +199,13 @@ ClothCamera drawCamera(bool isFlat, Random& random)
     camera.sharpening = happens(random, 0.4) ? random.uniform(0.1, 1.0) : 0;
     camera.jpegQuality = happens(random, 0.75) ? 45 + int(random.below(54)) : 0;
     return camera;
+}
+
+std::optional<double> lightSide(const ClothCamera& camera)
+{
+    if (camera.lamps.size() != 1) return std::nullopt;
+    // Azimuths run clockwise in the picture, because y points down.
+    return std::fmod(std::fmod(360 - camera.lamps.front().azimuthDegrees, 360) + 360, 360);
 }
 
 ClothPhotograph photographCloth(const DrawnFabric& fabric, const FabricPlace& place, cv::Size size, double mmPerPixel,

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <opencv2/core/mat.hpp>
+#include <optional>
 #include <vector>
 
 #include "protocols/random.h"
@@ -38,8 +39,14 @@ struct ClothCamera {
     int jpegQuality = 0;  ///< 30 to 98; 0 for no compression
 };
 
-/// Draws a camera and its lamps. `isFlat` for the colour of a scan.
+/// Draws a camera and its lamps. `isFlat` for the colour of a scan. Every side of a lamp occurs, but half of the lamps stand at
+/// the upper left and low, as people place them. A quarter of the pictures is lit by distant lamps alone, without a sky, as
+/// scans are relit.
 ClothCamera drawCamera(bool isFlat, protocols::Random& random);
+
+/// Side from which the light of a single lamp comes, degrees in 0 to 360: 0 right, 90 top, anticlockwise. nullopt for a flat
+/// picture and for several lamps.
+std::optional<double> lightSide(const ClothCamera& camera);
 
 /// Picture and height that lie on each other pixel by pixel.
 struct ClothPhotograph {

@@ -129,8 +129,7 @@ SamplePlace placeRow(const DrawnCloth& cloth, Modality modality, int index, cons
     static constexpr const char* lights[] = {"one_lamp", "two_lamps", "three_lamps", "four_lamps"};
     row.mmPerPixel = view.mmPerPixel;
     row.light = lights[view.camera.lamps.size() - 1];
-    // The azimuth runs clockwise in the picture, because y points down.
-    row.lightDeg = roundedTo(std::fmod(360 - view.camera.lamps.front().azimuthDegrees, 360), 10);
+    if (const auto side = lightSide(view.camera)) row.lightDeg = roundedTo(*side, 10);
     return row;
 }
 

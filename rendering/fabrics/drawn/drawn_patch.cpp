@@ -31,6 +31,7 @@ DrawnPatch drawPatchOf(const DrawnFabric& fabric, double meanFriction, std::uint
     patch.mmPerPixel = drawPitch(fabric, random);
     const FabricPlace place{random.uniform(0, drawnFieldMm), random.uniform(0, drawnFieldMm), random.uniform(0, 360)};
     const ClothCamera camera = drawCamera(patch.isFlat, random);
+    patch.lightDeg = lightSide(camera);
     ClothPhotograph photograph =
         photographCloth(fabric, place, {options.pixels, options.pixels}, patch.mmPerPixel, camera, random);
     const ThreadPeriod period = threadPeriod(fabric);

@@ -13,8 +13,9 @@ struct DrawnPatch {
     double otherPeriodPx = 8;
     double directionDegrees = 0;  ///< across those threads, from x towards y, 0 to 180
     double meanFriction = 0.3;
-    double textureSqMm = 0;  ///< standard deviation of the height without the slack
-    bool isFlat = false;     ///< the colour of a scan, with the light taken out
+    double textureSqMm = 0;          ///< standard deviation of the height without the slack
+    bool isFlat = false;             ///< the colour of a scan, with the light taken out
+    std::optional<double> lightDeg;  ///< lightSide()
     ClothKind kind = ClothKind::Weave;
 };
 

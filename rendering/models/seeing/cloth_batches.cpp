@@ -8,9 +8,12 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/random.h"
+#include "rendering/fabrics/drawn/drawn_friction.h"
 #include "rendering/fabrics/drawn/drawn_patch.h"
 #include "rendering/fabrics/sample_places.h"
+#include "rendering/models/seeing/friction_target.h"
 #include "rendering/models/seeing/pitch_unit.h"
+#include "rendering/models/seeing/told_lamp.h"
 
 namespace rendering::models {
 
@@ -18,12 +21,16 @@ namespace {
 
 using protocols::Random;
 
+constexpr double strokeFieldMm = 900;  ///< Strokes start in a square with this side.
+
 /// Photographed cloth with its relief, before it is copied into a batch.
 struct KnownPatch {
     cv::Mat rgb;       ///< CV_8UC3
     cv::Mat reliefPx;  ///< CV_32FC1
     double mmPerPixel = 0.05;
     float logFriction = std::numeric_limits<float>::quiet_NaN();
+    std::optional<double> lightDeg = {};
+    cv::Mat logRatio = {};  ///< empty for scans
 };
 
 cv::Mat linearReflectance(const cv::Mat& srgb)
@@ -37,17 +44,25 @@ cv::Mat linearReflectance(const cv::Mat& srgb)
     return linear;
 }
 
-/// One of the eight symmetries of the square.
-void turn(cv::Mat& image, int symmetry)
+/// Spectrogram of a stroke elsewhere on the fabric, in a direction of its own.
+cv::Mat strokeElsewhere(const fabrics::DrawnFabric& fabric, double mean, Random& random, const Architecture& architecture)
 {
-    if ((symmetry & 4) != 0) image = image.t();
-    if ((symmetry & 3) != 0) cv::flip(image, image, (symmetry & 3) == 3 ? -1 : (symmetry & 3) == 1 ? 1 : 0);
+    const fabrics::FabricPlace start{random.uniform(0, strokeFieldMm), random.uniform(0, strokeFieldMm), random.uniform(0, 360)};
+    const fabrics::ForceRecord record = fabrics::strokeDrawn(fabric, mean, start, {}, random);
+    std::vector<double> trace;
+    for (std::size_t i = 0; i < record.timeS.size(); ++i) trace.push_back(record.tangentialN[i] / record.normalN[i]);
+    return frictionTarget(trace, architecture).logRatio;
 }
 
 KnownPatch drawnPatch(std::uint64_t seed, std::uint64_t index, const ClothBatchOptions& options)
 {
-    const fabrics::DrawnPatch drawn = fabrics::drawPatch(seed, index, {options.side, options.flatShare});
-    return {drawn.rgb, drawn.heightMm / drawn.mmPerPixel, drawn.mmPerPixel, static_cast<float>(std::log(drawn.meanFriction))};
+    const fabrics::DrawnFabric fabric = fabrics::drawFabric(seed, index);
+    const double friction = fabrics::meanFriction(fabric);
+    const fabrics::DrawnPatch drawn = fabrics::drawPatchOf(fabric, friction, seed, index, {options.side, options.flatShare});
+    Random random = Random::stream(seed, "stroke/" + std::to_string(index));
+    return {drawn.rgb,        drawn.heightMm / drawn.mmPerPixel,
+            drawn.mmPerPixel, static_cast<float>(std::log(friction)),
+            drawn.lightDeg,   strokeElsewhere(fabric, friction, random, options.spectrograms)};
 }
 
 /// Zoom of scanned cloth: a larger one shows fewer, larger threads. Slopes stay, so heights grow with the picture.
@@ -68,13 +83,15 @@ KnownPatch scannedPatch(const std::vector<ScannedCloth>& scans, const ClothBatch
     cv::resize(scan.reflectance(part), reflectance, {side, side}, 0, 0, method);
     cv::resize(scan.heightMm(part), height, {side, side}, 0, 0, method);
     const int symmetry = static_cast<int>(random.below(8));
-    turn(reflectance, symmetry);
-    turn(height, symmetry);
+    reflectance = turned(reflectance, symmetry);
+    height = turned(height, symmetry);
     const double pitch = scan.mmPerPixel * taken / side;
     const fabrics::ClothCamera camera = fabrics::drawCamera(random.uniform() < options.flatShare, random);
     const fabrics::ClothWindow window = fabrics::windowOf(height, cv::max(reflectance, 0));
     const fabrics::ClothPhotograph photograph = fabrics::photographWindow(window, pitch, cameraBorderPx, camera, random);
-    return {photograph.rgb, photograph.heightMm / pitch, pitch};
+    KnownPatch patch{photograph.rgb, photograph.heightMm / pitch, pitch};
+    patch.lightDeg = fabrics::lightSide(camera);
+    return patch;
 }
 
 void copyPhotograph(const cv::Mat& rgb, float* out)
@@ -93,14 +110,14 @@ void copyPhotograph(const cv::Mat& rgb, float* out)
 
 std::vector<ScannedCloth> readScannedCloth(const fabrics::Dataset& dataset, const std::vector<protocols::FabricId>& heldOut)
 {
-    const fabrics::PhotographPitches pitches(dataset);
+    const fabrics::PhotographViews views(dataset);
     std::vector<ScannedCloth> scans;
     for (const fabrics::SamplePlace& place : fabrics::readSamplePlaces(dataset)) {
         if (place.modality != fabrics::Modality::Visual || place.light != "colour" ||
             std::find(heldOut.begin(), heldOut.end(), place.fabric) != heldOut.end() || !dataset.fabric(place.fabric).surfaceInMm)
             continue;
         const auto surface = fabrics::readSurface(dataset, place.fabric, place.index);
-        const auto pitch = pitches.of(place.fabric, place.index);
+        const auto pitch = views.mmPerPixel(place.fabric, place.index);
         if (!surface || !pitch) continue;
         scans.push_back({place.fabric.value, linearReflectance(fabrics::readPhotograph(dataset, place.fabric, place.index)),
                          *surface, *pitch});
@@ -119,16 +136,26 @@ ClothBatch drawClothBatch(const std::vector<ScannedCloth>& scans, const ClothBat
     Random random = Random::stream(seed, "cloth batch/" + std::to_string(number));
     const auto pixels = static_cast<std::size_t>(options.side) * static_cast<std::size_t>(options.side);
     const auto size = static_cast<std::size_t>(options.size);
-    ClothBatch batch{
-        options.size, options.side, std::vector<float>(3 * pixels * size), std::vector<float>(pixels * size), {}, {}};
+    ClothBatch batch;
+    batch.size = options.size;
+    batch.side = options.side;
+    batch.photographs.resize(3 * pixels * size);
+    batch.reliefs.resize(pixels * size);
     for (std::size_t i = 0; i < size; ++i) {
         const bool scanned = !scans.empty() && random.uniform() < options.scanShare;
         const KnownPatch patch = scanned ? scannedPatch(scans, options, random) : drawnPatch(seed, number * size + i, options);
-        copyPhotograph(patch.rgb, batch.photographs.data() + 3 * pixels * i);
+        const ToldLamp lamp = random.uniform() < options.toldShare ? toldLamp(patch.lightDeg) : ToldLamp{};
+        batch.lamps.insert(batch.lamps.end(), lamp.numbers.begin(), lamp.numbers.end());
+        copyPhotograph(turned(patch.rgb, lamp.turn), batch.photographs.data() + 3 * pixels * i);
         cv::Mat relief(options.side, options.side, CV_32F, batch.reliefs.data() + pixels * i);
-        cv::subtract(patch.reliefPx, cv::mean(patch.reliefPx), relief);
+        cv::subtract(turned(patch.reliefPx, lamp.turn), cv::mean(patch.reliefPx), relief);
         batch.logPitches.push_back(static_cast<float>(std::log(patch.mmPerPixel / pitchUnitMm)));
         batch.logFrictions.push_back(patch.logFriction);
+        const std::size_t cells = std::size_t(options.spectrograms.rows) * std::size_t(options.spectrograms.frames);
+        if (patch.logRatio.empty())
+            batch.logRatios.insert(batch.logRatios.end(), cells, std::numeric_limits<float>::quiet_NaN());
+        else
+            batch.logRatios.insert(batch.logRatios.end(), patch.logRatio.begin<float>(), patch.logRatio.end<float>());
     }
     return batch;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rendering/fabrics/dataset.h"
+#include "rendering/models/architecture.h"
 
 namespace rendering::models {
 
@@ -29,15 +30,19 @@ struct ClothBatch {
     std::vector<float> photographs;  ///< [N, 3, side, side], 0 to 1
     std::vector<float> reliefs;      ///< [N, 1, side, side], pixels
     std::vector<float> logPitches;   ///< [N, 1]: logarithm of mm a pixel over pitchUnitMm (seeing_networks.h)
+    std::vector<float> lamps;        ///< [N, 2] (told_lamp.h)
     std::vector<float>
-        logFrictions;  ///< [N, 1]: logarithm of the mean coefficient; NaN for scans, whose friction nobody measured
+        logFrictions;              ///< [N, 1]: logarithm of the mean coefficient; NaN for scans, whose friction nobody measured
+    std::vector<float> logRatios;  ///< [N, 1, rows, frames] of a stroke at another place (friction_target.h); NaN for scans
 };
 
 struct ClothBatchOptions {
     int size = 8;
-    int side = 128;          ///< px, a multiple of 16
-    double scanShare = 0.3;  ///< share of scanned cloth, where there is any
-    double flatShare = 0.3;  ///< share of pictures with the light taken out, as published scans are
+    int side = 128;                  ///< px, a multiple of 16
+    double scanShare = 0.3;          ///< share of scanned cloth, where there is any
+    double flatShare = 0.3;          ///< share of pictures with the light taken out, as published scans are
+    double toldShare = 0.6;          ///< share of the pictures with one lamp whose side is told
+    Architecture spectrograms = {};  ///< of the strokes
 };
 
 /// Batch `number` of the family `seed`; equal arguments give an equal batch. Drawn fabric `number` x size + i appears in it only.

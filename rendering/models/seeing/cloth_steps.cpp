@@ -8,6 +8,7 @@
 
 #include "rendering/models/seeing/relief_losses.h"
 #include "rendering/models/seeing/seen_texture.h"
+#include "rendering/models/seeing/told_lamp.h"
 
 namespace rendering::models {
 
@@ -24,14 +25,17 @@ torch::Tensor tensorOf(std::vector<float>& values, std::vector<std::int64_t> sha
 }
 
 struct ClothTensors {
-    torch::Tensor photographs, reliefs, logPitches, logFrictions;
+    torch::Tensor photographs, reliefs, logPitches, logFrictions, lamps, logRatios;
 };
 
 ClothTensors tensorsOf(ClothBatch batch)
 {
     return {tensorOf(batch.photographs, {batch.size, 3, batch.side, batch.side}),
-            tensorOf(batch.reliefs, {batch.size, 1, batch.side, batch.side}), tensorOf(batch.logPitches, {batch.size, 1}),
-            tensorOf(batch.logFrictions, {batch.size, 1})};
+            tensorOf(batch.reliefs, {batch.size, 1, batch.side, batch.side}),
+            tensorOf(batch.logPitches, {batch.size, 1}),
+            tensorOf(batch.logFrictions, {batch.size, 1}),
+            tensorOf(batch.lamps, {batch.size, lampNumbers}),
+            tensorOf(batch.logRatios, {batch.size, static_cast<std::int64_t>(batch.logRatios.size()) / batch.size})};
 }
 
 /// Mean negative log-likelihood of a normal distribution over the patches with known friction; 0 where none has.
@@ -41,6 +45,13 @@ torch::Tensor frictionLoss(const SeenFriction& seen, const torch::Tensor& logFri
     const torch::Tensor error = (seen.logMean - torch::where(known, logFrictions, seen.logMean.detach())) / seen.logSpread.exp();
     const torch::Tensor each = torch::where(known, 0.5 * error.square() + seen.logSpread, torch::zeros_like(error));
     return each.sum() / known.sum().clamp_min(1);
+}
+
+/// Mean absolute difference over the patches with a stroke; 0 where none has.
+torch::Tensor spectrogramLoss(const SeenFriction& seen, const torch::Tensor& logRatios)
+{
+    const torch::Tensor made = seen.logRatio.flatten(1), known = torch::isfinite(logRatios);
+    return (made - torch::where(known, logRatios, made.detach())).abs().sum() / known.sum().clamp_min(1);
 }
 
 double medianOf(std::vector<double> values)
@@ -68,6 +79,7 @@ double sixDecimals(double value) { return std::round(value * 1e6) / 1e6; }
 ClothTraining::ClothTraining(const Architecture& architecture, const std::vector<ScannedCloth>& scans,
                              const ClothTrainingOptions& options)
     : m_scans(scans),
+      m_architecture(architecture),
       m_options(options),
       m_networks(makeSeeingNetworks(architecture)),
       m_average(makeSeeingNetworks(architecture)),
@@ -78,9 +90,13 @@ ClothTraining::ClothTraining(const Architecture& architecture, const std::vector
 
 ClothBatch ClothTraining::takeBatch(int number)
 {
-    const auto draw = [this](int wanted) {
-        return drawClothBatch(m_scans, {m_options.batch, m_options.side, m_options.scanShare}, m_options.seed,
-                              static_cast<std::uint64_t>(wanted));
+    ClothBatchOptions options;
+    options.size = m_options.batch;
+    options.side = m_options.side;
+    options.scanShare = m_options.scanShare;
+    options.spectrograms = m_architecture;
+    const auto draw = [this, options](int wanted) {
+        return drawClothBatch(m_scans, options, m_options.seed, static_cast<std::uint64_t>(wanted));
     };
     ClothBatch now = m_next.valid() && m_nextNumber == number ? m_next.get() : draw(number);
     m_nextNumber = number + 1;
@@ -97,17 +113,18 @@ ClothLosses ClothTraining::step(int number, double fraction)
     const ClothTensors batch = tensorsOf(takeBatch(number));
     m_steps.zero_grad();
     const torch::Tensor texture = seenTexture(batch.photographs);
-    const torch::Tensor relief = m_networks.relief->forward(texture);
+    const torch::Tensor relief = m_networks.relief->forward(texture, batch.lamps);
     const SeenFriction friction = m_networks.friction->forward(texture, relief, batch.logPitches);
     const torch::Tensor ofRelief = reliefLoss(relief, batch.reliefs, {});
     const torch::Tensor ofFriction = frictionLoss(friction, batch.logFrictions);
-    (ofRelief + ofFriction).backward();
+    const torch::Tensor ofSpectrogram = spectrogramLoss(friction, batch.logRatios);
+    (ofRelief + ofFriction + ofSpectrogram).backward();
     torch::nn::utils::clip_grad_norm_(m_networks.relief->parameters(), largestGradient);
     torch::nn::utils::clip_grad_norm_(m_networks.friction->parameters(), largestGradient);
     m_steps.step();
     // The average follows faster during the first steps, because the early networks are still poor.
     moveTowards(m_average, m_networks, 1 - std::min(averageDecay, (number + 1.0) / (number + 10.0)));
-    return {ofRelief.item<double>(), ofFriction.item<double>()};
+    return {ofRelief.item<double>(), ofFriction.item<double>(), ofSpectrogram.item<double>()};
 }
 
 bool ClothTraining::finite()
@@ -135,19 +152,21 @@ void ClothTraining::continueFrom(const std::vector<StoredTensor>& tensors)
     setMoments(m_steps, tensors, next);
 }
 
-nlohmann::ordered_json clothFigures(SeeingNetworks& networks, int side, int patches, std::uint64_t seed)
+nlohmann::ordered_json clothFigures(SeeingNetworks& networks, const Architecture& architecture, int patches, std::uint64_t seed)
 {
     const torch::NoGradGuard noGradient;
     setTraining(networks, false);
     constexpr double ninetyPercent = 1.6448536269514722;
-    ClothBatchOptions options{8, side, 0};
+    ClothBatchOptions options;
+    options.side = architecture.crop;
+    options.spectrograms = architecture;
     std::vector<double> correlations, ratios, errors, truths;
     int covered = 0;
     for (int number = 0; number * options.size < patches; ++number) {
         // Families are far apart: training draws from `seed`, validation from its complement.
         const ClothTensors batch = tensorsOf(drawClothBatch({}, options, ~seed, static_cast<std::uint64_t>(number)));
         const torch::Tensor texture = seenTexture(batch.photographs);
-        const torch::Tensor relief = networks.relief->forward(texture);
+        const torch::Tensor relief = networks.relief->forward(texture, batch.lamps);
         const SeenFriction friction = networks.friction->forward(texture, relief, batch.logPitches);
         const torch::Tensor correlation = reliefCorrelation(relief, batch.reliefs);
         const torch::Tensor ratio = withoutSlowPart(relief).flatten(1).std(1) / withoutSlowPart(batch.reliefs).flatten(1).std(1);

@@ -12,8 +12,9 @@
 namespace rendering::models {
 
 struct ClothLosses {
-    double relief = 0;    ///< reliefLoss()
-    double friction = 0;  ///< mean negative log-likelihood of log friction
+    double relief = 0;       ///< reliefLoss()
+    double friction = 0;     ///< mean negative log-likelihood of log friction
+    double spectrogram = 0;  ///< mean absolute difference of logarithms of magnitudes
 };
 
 class ClothTraining {
@@ -37,6 +38,7 @@ private:
     ClothBatch takeBatch(int number);
 
     const std::vector<ScannedCloth>& m_scans;
+    const Architecture m_architecture;
     const ClothTrainingOptions& m_options;
     SeeingNetworks m_networks, m_average;
     torch::optim::Adam m_steps;
@@ -47,6 +49,6 @@ private:
 /// Figures over `patches` drawn fabrics of a family of their own: relief_correlation (mean and median, without slow parts),
 /// sq_ratio_low and sq_ratio_high (5 and 95 % of generated over known Sq), friction_error (mean relative error of the mean
 /// coefficient), friction_constant_error (the same of one constant), friction_coverage (share inside the 90 % interval).
-nlohmann::ordered_json clothFigures(SeeingNetworks& networks, int side, int patches, std::uint64_t seed);
+nlohmann::ordered_json clothFigures(SeeingNetworks& networks, const Architecture& architecture, int patches, std::uint64_t seed);
 
 }  // namespace rendering::models

@@ -93,7 +93,7 @@ public:
         const double before = state.elapsedS;
         while (fractionDone(state) < 1) {
             const ClothLosses losses = training.step(state.step, fractionDone(state));
-            if (!std::isfinite(losses.relief + losses.friction)) stopAt(state.step + 1);
+            if (!std::isfinite(losses.relief + losses.friction + losses.spectrogram)) stopAt(state.step + 1);
             ++state.step;
             state.elapsedS = before + std::chrono::duration<double>(steady_clock::now() - started).count();
             const bool last = fractionDone(state) >= 1;
@@ -124,18 +124,21 @@ private:
 
     void report(const Checkpoint& state, const ClothLosses& losses, TrainingLog& log) const
     {
-        log.losses(state.step, std::vector<NamedValue>{{"relief", losses.relief}, {"friction", losses.friction}});
+        log.losses(state.step,
+                   std::vector<NamedValue>{
+                       {"relief", losses.relief}, {"friction", losses.friction}, {"spectrogram", losses.spectrogram}});
         const double fraction = fractionDone(state);
         const int minutesLeft = static_cast<int>(std::ceil(state.elapsedS / fraction * (1 - fraction) / 60));
         m_out << (m_terminal ? "\r" : "") << "step " << state.step << ", relief " << std::round(1000 * losses.relief) / 1000
-              << ", friction " << std::round(1000 * losses.friction) / 1000 << ", about " << minutesLeft << " min left"
+              << ", friction " << std::round(1000 * losses.friction) / 1000 << ", spectrogram "
+              << std::round(1000 * losses.spectrogram) / 1000 << ", about " << minutesLeft << " min left"
               << (m_terminal ? "   " : "\n") << std::flush;
     }
 
     nlohmann::ordered_json validate(ClothTraining& training, const Checkpoint& state, TrainingLog& log) const
     {
         const nlohmann::ordered_json figures =
-            clothFigures(training.result(), m_options.side, m_options.validationPatches, m_options.seed);
+            clothFigures(training.result(), m_architecture, m_options.validationPatches, m_options.seed);
         std::vector<NamedValue> values;
         for (const auto& [name, value] : figures.items()) values.push_back({name, value.get<double>()});
         log.validation(state.step, values);

@@ -15,8 +15,9 @@ namespace rendering::models {
 class ReliefNetworkImpl : public torch::nn::Module {
 public:
     explicit ReliefNetworkImpl(const Architecture& architecture);
-    /// `texture`: seenTexture() [N, 5, H, W], sides multiples of 16. Height in pixels, [N, 1, H, W], arbitrary zero.
-    torch::Tensor forward(const torch::Tensor& texture);
+    /// `texture`: seenTexture() [N, 5, H, W], sides multiples of 16; `lamp`: [N, 2] of told_lamp.h. Height in pixels,
+    /// [N, 1, H, W], arbitrary zero.
+    torch::Tensor forward(const torch::Tensor& texture, const torch::Tensor& lamp);
 
 private:
     torch::nn::Sequential m_half, m_quarter, m_eighth, m_sixteenth, m_upEighth, m_upQuarter, m_upHalf;

@@ -10,6 +10,7 @@
 #include "rendering/models/seeing/picture_tensors.h"
 #include "rendering/models/seeing/pitch_unit.h"
 #include "rendering/models/seeing/seen_texture.h"
+#include "rendering/models/seeing/told_lamp.h"
 #include "rendering/signals/spectrogram.h"
 #include "rendering/signals/tactile/photometric_stereo.h"
 
@@ -20,21 +21,16 @@ namespace {
 constexpr int tilePx = 512;  ///< px of the relief from one pass
 /// Slow waves of the relief, which a photograph does not show, end here, in pixels.
 constexpr double longestWavePx = 128;
+constexpr int displacementStep = 16;  ///< no displacement of displacementsOf() is larger
 
 int upTo16(int length) { return (length + 15) / 16 * 16; }
 
-/// Symmetries of the square over which a quality averages (bit 0 mirrors columns, bit 1 rows, bit 2 swaps both axes).
-std::vector<int> symmetriesOf(Quality quality)
+/// Displacements of the picture over which a quality averages. The networks halve the picture four times, so displaced
+/// pictures give slightly different heights. Symmetries of the square would not do: they move the lamp.
+std::vector<cv::Point> displacementsOf(Quality quality)
 {
-    switch (quality) {
-        case Quality::Fast:
-            return {0};
-        case Quality::Balanced:
-            return {0};
-        case Quality::Accurate:
-            return {0, 1, 2, 3, 4, 5, 6, 7};
-    }
-    return {};
+    if (quality != Quality::Accurate) return {{0, 0}};
+    return {{0, 0}, {8, 8}, {4, 12}, {12, 4}};
 }
 
 int marginFor(Quality quality) { return quality == Quality::Fast ? 16 : 64; }
@@ -56,20 +52,30 @@ cv::Mat padded(const cv::Mat& rgb, int margin, const cv::Size& whole)
     return wide;
 }
 
-cv::Mat reliefPx(SeeingNetworks& networks, const cv::Mat& rgb, Quality quality)
+torch::Tensor tensorOf(const ToldLamp& lamp, std::int64_t count)
+{
+    return torch::tensor({lamp.numbers[0], lamp.numbers[1]}).unsqueeze(0).expand({count, lampNumbers});
+}
+
+cv::Mat reliefPx(SeeingNetworks& networks, const cv::Mat& rgb, const ToldLamp& lamp, Quality quality)
 {
     const int margin = marginFor(quality);
     const cv::Size whole(std::max(48, upTo16(rgb.cols)), std::max(48, upTo16(rgb.rows)));
-    const cv::Mat wide = padded(rgb, margin, whole);
-    const std::vector<int> turns = symmetriesOf(quality);
+    const std::vector<cv::Point> displacements = displacementsOf(quality);
+    const int border = margin + displacementStep;
+    const cv::Mat wide = padded(rgb, border, whole);
     cv::Mat relief(whole, CV_32F);
     for (int y = 0; y < whole.height; y += tilePx)
         for (int x = 0; x < whole.width; x += tilePx) {
             const cv::Rect tile(x, y, std::min(tilePx, whole.width - x), std::min(tilePx, whole.height - y));
-            const torch::Tensor photograph = tensorOfPicture(wide({x, y, tile.width + 2 * margin, tile.height + 2 * margin}));
-            torch::Tensor sum = torch::zeros({1, 1, photograph.size(2), photograph.size(3)});
-            for (const int turn : turns) sum += turnedBack(networks.relief->forward(seenTexture(turned(photograph, turn))), turn);
-            matOf(sum / static_cast<double>(turns.size()))({margin, margin, tile.width, tile.height}).copyTo(relief(tile));
+            cv::Mat sum = cv::Mat::zeros(tile.size(), CV_32F);
+            for (const cv::Point& moved : displacements) {
+                const cv::Rect seen(x + displacementStep - moved.x, y + displacementStep - moved.y, tile.width + 2 * margin,
+                                    tile.height + 2 * margin);
+                sum += matOf(networks.relief->forward(seenTexture(tensorOfPicture(wide(seen))), tensorOf(lamp, 1)))(
+                    {margin + moved.x, margin + moved.y, tile.width, tile.height});
+            }
+            cv::Mat(sum / static_cast<double>(displacements.size())).copyTo(relief(tile));
         }
     return relief({0, 0, rgb.cols, rgb.rows}).clone();
 }
@@ -102,11 +108,12 @@ int griffinLimIterations(Quality quality)
 }
 
 void addFriction(GeneratedSignals& signals, SeeingNetworks& networks, const Architecture& architecture, const cv::Mat& rgb,
-                 double pitch, Quality quality)
+                 const ToldLamp& lamp, double pitch, Quality quality)
 {
     const torch::Tensor texture = seenTexture(squareCrops(rgb, architecture.crop, quality));
     const torch::Tensor logPitch = torch::full({texture.size(0), 1}, std::log(pitch / pitchUnitMm));
-    const SeenFriction seen = networks.friction->forward(texture, networks.relief->forward(texture), logPitch);
+    const SeenFriction seen =
+        networks.friction->forward(texture, networks.relief->forward(texture, tensorOf(lamp, texture.size(0))), logPitch);
     FrictionTarget target;
     const torch::Tensor logRatio = seen.logRatio.mean(0).contiguous();
     target.logRatio = cv::Mat(architecture.rows, architecture.frames, CV_32F, logRatio.data_ptr<float>()).clone();
@@ -133,13 +140,15 @@ GeneratedSignals seenSignals(SeeingNetworks& networks, const Architecture& archi
 {
     const torch::NoGradGuard noGradient;
     const double pitch = photograph.mmPerPixel.value();
+    const ToldLamp lamp = toldLamp(photograph.lightDeg);
+    const cv::Mat rgb = turned(photograph.photograph, lamp.turn);
     GeneratedSignals signals;
     if (options.height) {
-        const cv::Mat heightMm = reliefPx(networks, photograph.photograph, options.quality) * pitch;
+        const cv::Mat heightMm = turnedBack(reliefPx(networks, rgb, lamp, options.quality), lamp.turn) * pitch;
         signals.heightMm = signals::zeroedRelief(heightMm, {pitch, pitch}, longestWavePx * pitch, architecture.zeroPercentile);
         signals.heightMmPerPixel = pitch;
     }
-    if (options.friction) addFriction(signals, networks, architecture, photograph.photograph, pitch, options.quality);
+    if (options.friction) addFriction(signals, networks, architecture, rgb, lamp, pitch, options.quality);
     requireFiniteSignals(signals);
     return signals;
 }

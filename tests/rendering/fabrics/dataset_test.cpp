@@ -238,9 +238,11 @@ private Q_SLOTS:
         QCOMPARE(again[1].light, std::string("one_lamp"));
         QCOMPARE(again[1].lightDeg, std::optional(135.0));
         QVERIFY(again[0].light.empty() && !again[0].mmPerPixel);
-        const PhotographPitches pitches(m_dataset);
-        QCOMPARE(pitches.of(linen, 0), std::optional(0.04));
-        QCOMPARE(pitches.of(linen, 1), std::optional(0.13));
+        const PhotographViews views(m_dataset);
+        QCOMPARE(views.mmPerPixel(linen, 0), std::optional(0.04));
+        QCOMPARE(views.mmPerPixel(linen, 1), std::optional(0.13));
+        QCOMPARE(views.lightDeg(linen, 1), std::optional(135.0));
+        QCOMPARE(views.lightDeg(linen, 0), std::nullopt);
         QCOMPARE(readSurface(m_dataset, linen, 1)->at<float>(0, 0), -0.25f);
         QCOMPARE(readSurface(m_dataset, linen, 0), std::nullopt);
         m_dataset.surfaceIsFree = true;

@@ -300,13 +300,13 @@ private Q_SLOTS:
         QCOMPARE(faultsOfDataset(pathOf(folder) / "one"), std::vector<std::string>{});
         const Dataset dataset = readDataset(pathOf(folder) / "one");
         QVERIFY(dataset.surfaceIsFree);
-        const PhotographPitches pitches(dataset);
+        const PhotographViews views(dataset);
         for (std::size_t i = 0; i < 3; ++i) {
             QCOMPARE(dataset.fabrics[i].structure, inWords(drawFabric(7, i)));
             for (const int index : {0, 1}) {
                 QCOMPARE(readSurface(dataset, dataset.fabrics[i].id, index)->size(),
                          readPhotograph(dataset, dataset.fabrics[i].id, index).size());
-                QVERIFY(pitches.of(dataset.fabrics[i].id, index) >= 0.008);
+                QVERIFY(views.mmPerPixel(dataset.fabrics[i].id, index) >= 0.008);
             }
             const auto record = readFriction(dataset, dataset.fabrics[i].id, 0);
             double mean = 0;

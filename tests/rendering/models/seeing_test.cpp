@@ -11,6 +11,7 @@
 #include "rendering/models/seeing/cloth_batches.h"
 #include "rendering/models/seeing/relief_losses.h"
 #include "rendering/models/seeing/seen_texture.h"
+#include "rendering/models/seeing/told_lamp.h"
 #include "tests/rendering/refusal.h"
 
 using namespace rendering;
@@ -123,6 +124,63 @@ private Q_SLOTS:
         QCOMPARE(first.photographs.size(), std::size_t{2 * 3 * 64 * 64});
         for (const float friction : first.logFrictions) QVERIFY(std::exp(friction) > 0.05F && std::exp(friction) < 1.5F);
         for (const float value : first.photographs) QVERIFY(value >= 0 && value <= 1);
+        for (const float value : first.logRatios) QVERIFY(std::isfinite(value));
+        QVERIFY(!first.logRatios.empty());
+    }
+
+    void turnedPicturesComeBack()
+    {
+        cv::Mat picture(3, 5, CV_32F);
+        cv::randu(picture, 0, 1);
+        for (int turn = 0; turn < 8; ++turn) QCOMPARE(cv::norm(turnedBack(turned(picture, turn), turn), picture), 0.0);
+    }
+
+    void anyLampIsTurnedBetweenTopAndUpperLeft_data()
+    {
+        QTest::addColumn<double>("side");
+        for (const double side : {0.0, 20.0, 45.0, 90.0, 100.0, 135.0, 170.0, 180.0, 250.0, 315.0, 359.0, -45.0})
+            QTest::newRow(qPrintable(QString::number(side))) << side;
+    }
+    void anyLampIsTurnedBetweenTopAndUpperLeft()
+    {
+        QFETCH(double, side);
+        // A ramp that grows towards the lamp must grow towards the side that the networks are told.
+        const double angle = side * std::numbers::pi / 180;
+        cv::Mat ramp(32, 32, CV_32F);
+        for (int y = 0; y < 32; ++y)
+            for (int x = 0; x < 32; ++x) ramp.at<float>(y, x) = static_cast<float>(x * std::cos(angle) - y * std::sin(angle));
+        const ToldLamp lamp = toldLamp(side);
+        const cv::Mat seen = turned(ramp, lamp.turn);
+        const double right = seen.at<float>(9, 10) - seen.at<float>(9, 9), up = seen.at<float>(9, 9) - seen.at<float>(10, 9);
+        const double told = 112.5 + 22.5 * static_cast<double>(lamp.numbers[1]);
+        QCOMPARE(lamp.numbers[0], 1.0F);
+        QVERIFY(told >= 90 - 1e-6 && told <= 135 + 1e-6);
+        QVERIFY2(std::abs(std::atan2(up, right) * 180 / std::numbers::pi - told) < 0.01, "the lamp stands elsewhere");
+        QCOMPARE(toldLamp(std::nullopt).numbers, (std::array<float, lampNumbers>{0, 0}));
+    }
+
+    void clothIsBrighterWhereItFacesAToldLamp()
+    {
+        ClothBatchOptions options{24, 64, 0, 0, 1};
+        const ClothBatch batch = drawClothBatch({}, options, 11, 0);
+        const auto pixels = static_cast<std::size_t>(options.side * options.side);
+        int told = 0, facing = 0;
+        for (std::size_t i = 0; i < 24; ++i) {
+            if (batch.lamps[2 * i] == 0) continue;
+            ++told;
+            const double angle = (112.5 + 22.5 * static_cast<double>(batch.lamps[2 * i + 1])) * std::numbers::pi / 180;
+            double sum = 0;
+            for (int y = 0; y + 1 < options.side; ++y)
+                for (int x = 0; x + 1 < options.side; ++x) {
+                    const auto at = [&](int row, int column) { return pixels * i + std::size_t(row * options.side + column); };
+                    const double across = batch.reliefs[at(y, x + 1)] - batch.reliefs[at(y, x)],
+                                 down = batch.reliefs[at(y + 1, x)] - batch.reliefs[at(y, x)];
+                    const double light = batch.photographs[3 * pixels * i + pixels + at(y, x) - pixels * i] - 0.5;
+                    sum += light * (-across * std::cos(angle) + down * std::sin(angle));
+                }
+            facing += sum > 0 ? 1 : 0;
+        }
+        QVERIFY2(told >= 8 && facing >= 0.8 * told, qPrintable(QString("%1 of %2").arg(facing).arg(told)));
     }
 
     void scansArePhotographedAnewWithTheirSlopesAndWithoutFriction()

@@ -104,7 +104,25 @@ private Q_SLOTS:
             QVERIFY(text.contains(QString::fromStdString(nameOf(source))));
             QVERIFY(json.at("surfaces").at(0).at(nameOf(source)).at("at_16_px").is_number());
         }
-        QVERIFY(text.contains("one_lamp, 1 photographs of each fabric"));
+        QVERIFY(text.contains("one_lamp, 1 photographs of each fabric\n"));
+        QCOMPARE(json.at("surfaces").at(0).at("lamp_told").get<bool>(), false);
+    }
+
+    void onlyTheOneLampIsTold()
+    {
+        makeSet(2, {});
+        for (auto& place : m_places) place.lightDeg = 135;
+        for (std::size_t i = 0; i < m_places.size(); i += 2) m_places[i].light = "four_lamps";
+        fabrics::writeSamplePlaces(m_dataset, m_places);
+        std::vector<std::optional<double>> told;
+        const Generate answer = knowsAll();
+        const auto report = evaluateSurfaces(m_dataset, {}, {}, [&](auto photographs, const auto& options) {
+            for (const auto& one : photographs) told.push_back(one.lightDeg);
+            return answer(photographs, options);
+        });
+        QCOMPARE(std::ranges::count(told, std::optional(135.0)), std::ptrdiff_t(m_places.size() / 2));
+        for (const SurfaceRow& row : report.rows) QCOMPARE(row.lampTold, row.light == "one_lamp");
+        QVERIFY(surfacesText(report).find("the side of the lamp is told") != std::string::npos);
     }
 
     void longWavesAndShiftsAreNoAgreement()

@@ -1,0 +1,50 @@
+#include "rendering/models/seeing/told_lamp.h"
+
+#include <cmath>
+#include <opencv2/core.hpp>
+
+namespace rendering::models {
+
+namespace {
+
+double inCircle(double degrees) { return std::fmod(std::fmod(degrees, 360) + 360, 360); }
+
+/// Side of the lamp after a symmetry. The axes of the picture point right and down, so a swap mirrors at upper left.
+double sideAfter(double side, int turn)
+{
+    if ((turn & 4) != 0) side = 270 - side;
+    if ((turn & 1) != 0) side = 180 - side;
+    return inCircle((turn & 2) != 0 ? -side : side);
+}
+
+void mirror(cv::Mat& image, int turn)
+{
+    if ((turn & 3) != 0) cv::flip(image, image, (turn & 3) == 3 ? -1 : (turn & 3) == 1 ? 1 : 0);
+}
+
+}  // namespace
+
+ToldLamp toldLamp(const std::optional<double>& lightDeg)
+{
+    if (!lightDeg) return {};
+    for (int turn = 0; turn < 8; ++turn)
+        if (const double side = sideAfter(*lightDeg, turn); side >= 90 && side <= 135)
+            return {turn, {1, static_cast<float>((side - 112.5) / 22.5)}};
+    return {};
+}
+
+cv::Mat turned(const cv::Mat& image, int turn)
+{
+    cv::Mat result = (turn & 4) != 0 ? cv::Mat(image.t()) : image.clone();
+    mirror(result, turn);
+    return result;
+}
+
+cv::Mat turnedBack(const cv::Mat& image, int turn)
+{
+    cv::Mat result = image.clone();
+    mirror(result, turn);
+    return (turn & 4) != 0 ? cv::Mat(result.t()) : result;
+}
+
+}  // namespace rendering::models

@@ -71,7 +71,8 @@ void generate(const RenderPlan& plan, const RenderRequest& request, RenderedFabr
         const auto generated = generatedAmong(needed);
         if (generated.empty()) continue;
         wanted.insert(generated.begin(), generated.end());
-        const auto& signals = rendering.signals.at(fabric);
+        auto& signals = rendering.signals.at(fabric);
+        signals.likeness = models::shippedClothCheck().judge(signals.images.at(Signal::Photograph));
         fabrics.push_back(fabric);
         photographs.push_back({signals.images.at(Signal::Photograph), signals.photographMmPerPixel, signals.photographLightDeg});
     }

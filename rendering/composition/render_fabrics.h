@@ -14,6 +14,7 @@
 #include "rendering/composition/friction_image.h"
 #include "rendering/composition/plan.h"
 #include "rendering/fabrics/dataset.h"
+#include "rendering/models/cloth/cloth_check.h"
 #include "rendering/models/generation.h"
 #include "rendering/signals/shape_from_shading.h"
 
@@ -59,7 +60,8 @@ struct FabricSignals {
     std::string measuredQuantity = "mu";                ///< quantity of the measured trace; "mu" for a coefficient
     std::optional<double> photographMmPerPixel, tactileMmPerPixel, generatedMmPerPixel, traceMmPerSample,
         generatedTraceMmPerSample;
-    std::optional<double> photographLightDeg;  ///< side of the lamp, where samples.csv states it
+    std::optional<models::ClothLikeness> likeness;  ///< of the photograph, where signals are generated from it
+    std::optional<double> photographLightDeg;       ///< side of the lamp, where samples.csv states it
 };
 
 /// Facts on the conversion of a source to a map on the screen.

@@ -65,6 +65,10 @@ ordered_json jsonOf(const models::PhotographFacts& photograph)
                       {"usual_distance", nullptr},
                       {"unfamiliar", photograph.unfamiliar()},
                       {"middle_only", photograph.middleOnly}};
+    if (photograph.meanFriction)
+        json["mean_friction"] = {{"interval_90", {photograph.meanFriction->low, photograph.meanFriction->high}},
+                                 {"tells_little", photograph.meanFriction->tellsLittle()},
+                                 {"checked", "not checked against measured friction"}};
     if (photograph.assumedMmPerPixel) json["assumed_mm_per_pixel"] = *photograph.assumedMmPerPixel;
     if (photograph.distance) {
         json["distance"] = *photograph.distance;
@@ -181,7 +185,10 @@ std::string renderJson(const fabrics::Dataset& dataset, const RenderRequest& req
                 {"light_coherence", computed.light->coherence},
                 {"colour_variation", *computed.colourVariation}};
     for (const auto& [fabric, computed] : rendering.signals)
-        if (computed.photograph) json["photographs"][fabric.value] = jsonOf(*computed.photograph);
+        if (computed.photograph) {
+            json["photographs"][fabric.value] = jsonOf(*computed.photograph);
+            if (computed.likeness) json["photographs"][fabric.value]["likeness"] = models::nameOf(*computed.likeness);
+        }
     return json.dump(2) + "\n";
 }
 

@@ -79,6 +79,15 @@ void readSpectrogram(GeneratedSignals& answer, const fs::path& folder, const nlo
     signals::requireInvertible(answer.spectrogramParameters);
 }
 
+std::optional<FrictionInterval> intervalIn(const nlohmann::json& item)
+{
+    if (item.is_null()) return std::nullopt;
+    const FrictionInterval interval{item.at(0).get<double>(), item.at(1).get<double>()};
+    if (!(interval.low > 0 && interval.low <= interval.high && interval.high < 1e3))
+        throw std::invalid_argument("mean_friction_interval is no interval of coefficients");
+    return interval;
+}
+
 GeneratedSignals answerIn(const fs::path& folder, const nlohmann::json& item)
 {
     GeneratedSignals answer;
@@ -90,6 +99,7 @@ GeneratedSignals answerIn(const fs::path& folder, const nlohmann::json& item)
         answer.trace.assign(trace.ptr<double>(), trace.ptr<double>() + trace.total());
         answer.traceMmPerSample = positive(item, "trace_mm_per_sample");
         answer.meanFriction = item.at("mean_friction").get<double>();
+        answer.photograph.meanFriction = intervalIn(item.at("mean_friction_interval"));
     }
     if (const nlohmann::json& distance = item.at("distance"); !distance.is_null())
         answer.photograph.distance = distance.get<double>();
@@ -184,19 +194,22 @@ void AnswerWriter::add(const GeneratedSignals& answer)
     const std::string number = std::to_string(m_signals.size());
     const cv::Mat trace = answer.trace.empty() ? cv::Mat() : cv::Mat(answer.trace, true).reshape(1, 1);
     const auto& parameters = answer.spectrogramParameters;
-    const ordered_json signals{{"height", written(m_folder, "height" + number + ".npy", answer.heightMm)},
-                               {"height_mm_per_pixel", answer.heightMmPerPixel},
-                               {"spectrogram", written(m_folder, "spectrogram" + number + ".npy", answer.spectrogram)},
-                               {"spectrogram_parameters",
-                                {{"window", parameters.windowLength},
-                                 {"hop", parameters.hop},
-                                 {"fft", parameters.fftSize},
-                                 {"samples_per_mm", parameters.sampleRateHz}}},
-                               {"trace", written(m_folder, "trace" + number + ".npy", trace)},
-                               {"trace_mm_per_sample", answer.traceMmPerSample},
-                               {"mean_friction", answer.meanFriction},
-                               {"distance", numberOrNull(answer.photograph.distance)},
-                               {"usual_distance", answer.photograph.usualDistance}};
+    const auto& interval = answer.photograph.meanFriction;
+    const ordered_json signals{
+        {"height", written(m_folder, "height" + number + ".npy", answer.heightMm)},
+        {"height_mm_per_pixel", answer.heightMmPerPixel},
+        {"spectrogram", written(m_folder, "spectrogram" + number + ".npy", answer.spectrogram)},
+        {"spectrogram_parameters",
+         {{"window", parameters.windowLength},
+          {"hop", parameters.hop},
+          {"fft", parameters.fftSize},
+          {"samples_per_mm", parameters.sampleRateHz}}},
+        {"trace", written(m_folder, "trace" + number + ".npy", trace)},
+        {"trace_mm_per_sample", answer.traceMmPerSample},
+        {"mean_friction", answer.meanFriction},
+        {"mean_friction_interval", interval ? ordered_json{interval->low, interval->high} : ordered_json()},
+        {"distance", numberOrNull(answer.photograph.distance)},
+        {"usual_distance", answer.photograph.usualDistance}};
     m_signals.push_back(signals.dump());
 }
 

@@ -5,7 +5,7 @@
 //   photoN.npy   uint8 [height x 3 width], R G B interleaved
 //   answer.json  {"schema":"vis2hap.generated/1","signals":[{"height":FILE|null,"height_mm_per_pixel":X,
 //                 "spectrogram":FILE|null,"spectrogram_parameters":{"window":N,"hop":N,"fft":N,"samples_per_mm":X},
-//                 "trace":FILE|null,"trace_mm_per_sample":X,"mean_friction":X,
+//                 "trace":FILE|null,"trace_mm_per_sample":X,"mean_friction":X,"mean_friction_interval":[LOW,HIGH]|null,
 //                 "distance":X|null,"usual_distance":X}]}
 #pragma once
 

@@ -29,12 +29,22 @@ struct InputPhotograph {
     std::optional<double> lightDeg = {};
 };
 
+/// 90 % interval of a mean coefficient of friction, as the networks judge a photograph. Never checked on fabrics whose measured
+/// friction they had not seen.
+struct FrictionInterval {
+    double low = 0, high = 0;
+    /// The interval of an ordinary cloth that nobody has looked at spans a factor of four and more.
+    bool tellsLittle() const { return high > 2.5 * low; }
+    bool operator==(const FrictionInterval&) const = default;
+};
+
 /// Information on a photograph besides its signals.
 struct PhotographFacts {
     std::optional<double> distance;  ///< to the nearest training photograph (familiarity.h); nullopt: unknown to the card
     double usualDistance = 0;        ///< 99 % of the photographs of known fabrics lie below this distance
     bool middleOnly = false;         ///< the photograph was too large, so only its middle was used (photograph_at_pitch.h)
-    std::optional<double> assumedMmPerPixel;                                   ///< the assumed pitch, where the scale is unknown
+    std::optional<double> assumedMmPerPixel;            ///< the assumed pitch, where the scale is unknown
+    std::optional<FrictionInterval> meanFriction = {};  ///< nullopt where friction was not asked for, or the networks give none
     bool unfamiliar() const { return distance && *distance > usualDistance; }  ///< the signals are extrapolations
     bool operator==(const PhotographFacts&) const = default;
 };

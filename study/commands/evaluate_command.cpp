@@ -2,10 +2,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "protocols/files/errors.h"
+#include "rendering/fabrics/recordings/photograph_files.h"
+#include "rendering/models/cloth/cloth_check.h"
 #include "rendering/models/exchange.h"
 #include "stats/kernels/threads.h"
 #include "study/commands/command_line.h"
@@ -16,6 +20,7 @@
 #include "study/evaluation/evaluation_text.h"
 #include "study/evaluation/surfaces.h"
 #include "study/evaluation/weaves.h"
+#include "study/looking/picture_decoder.h"
 
 namespace study::commands {
 
@@ -31,6 +36,7 @@ struct EvaluateCall {
     std::optional<std::uint64_t> splitSeed;
     std::optional<int> samples;
     double bounds = 0.10;
+    bool clothCheck = false;
     JsonTarget json;
 };
 
@@ -48,8 +54,49 @@ bool hasMeasurements(const rendering::fabrics::Dataset& dataset)
     });
 }
 
+/// The pictures below a folder, or the one picture that is named.
+std::vector<std::filesystem::path> picturesOf(const std::string& place)
+{
+    std::vector<std::filesystem::path> files;
+    const auto endings = rendering::fabrics::photographEndings();
+    if (!std::filesystem::is_directory(place)) return {place};
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(place))
+        if (entry.is_regular_file() && std::ranges::find(endings, entry.path().extension().string()) != endings.end())
+            files.push_back(entry.path());
+    if (files.empty())
+        throw protocols::badInput({"there are no pictures", place, "PNG, JPEG or TIFF files", "name another folder"});
+    std::ranges::sort(files);
+    return files;
+}
+
+/// Whether pictures show cloth; a file that cannot be read is named and left out.
+int checkPictures(const EvaluateCall& call)
+{
+    const auto& check = rendering::models::shippedClothCheck();
+    std::map<std::string, int> counts;
+    auto pictures = nlohmann::ordered_json::array();
+    std::string lines;
+    for (const auto& file : picturesOf(call.dataset)) {
+        std::string likeness = "unreadable";
+        nlohmann::ordered_json score;
+        try {
+            score = check.score(rendering::fabrics::readPhotographFile(file, looking::decodeByQt));
+            likeness = nameOf(check.likenessOf(score.get<double>()));
+        } catch (const protocols::Error&) {
+        }
+        ++counts[likeness];
+        pictures.push_back({{"file", file.string()}, {"likeness", likeness}, {"score", score}});
+        lines += likeness + std::string(12 - likeness.size(), ' ') + file.string() + "\n";
+    }
+    for (const auto& [likeness, count] : counts) lines += likeness + ": " + std::to_string(count) + "\n";
+    if (call.json) writeJson(call.json, {{"schema", "vis2hap.cloth_likeness/1"}, {"pictures", pictures}});
+    if (!call.json || !call.json->empty()) std::fputs(lines.c_str(), stdout);
+    return 0;
+}
+
 int evaluate(const EvaluateCall& call)
 {
+    if (call.clothCheck) return checkPictures(call);
     const auto dataset = rendering::fabrics::readDataset(call.dataset);
     evaluation::EvaluationRequest request;
     request.model = call.model;
@@ -116,6 +163,7 @@ void addEvaluate(CLI::App& app, Action& action)
     command->add_option("--bounds", call->bounds, "equivalence bounds of means, as a fraction of the measured mean")
         ->check(finiteIn(1e-6, 1))
         ->capture_default_str();
+    command->add_flag("--cloth-check", call->clothCheck, "only say of each picture in the folder DATASET whether it shows cloth");
     addJsonOption(*command, call->json);
     command->callback([call, &action] { action.work = [call] { return evaluate(*call); }; });
 }

@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 struct RenderCall {
     std::string dataset, fabric = "all", condition = "all", out, model, quality = "balanced", scale = "pixels";
     std::optional<int> sample;
-    bool explain = false;
+    bool explain = false, evenStrange = false;
     std::string extension = "tile", percentiles, shading = "linear", lightFrom = "above";
     int bits = 8;
     bool dither = false;
@@ -120,12 +120,14 @@ int render(const RenderCall& call)
     Progress progress("friction images");
     const auto rendering =
         renderFabrics(dataset, request, [&](int done, int total, const std::string& what) { progress.show(done, total, what); });
+    if (!call.evenStrange) refuseOtherThings(rendering);
     const auto saved = savedJson(call.out, renderJson(dataset, request, rendering));
     writeRendering(call.out, rendering, saved.json);
     if (sheet) looking::writeContactSheet(call.sheet, *sheet);
     for (const auto& warning : saved.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
     for (const auto& warning : rendering::shadingWarnings(rendering)) std::fprintf(stderr, "warning: %s\n", warning.c_str());
-    for (const auto& warnings : {rendering::unfamiliarPhotographs(rendering), rendering::cutPhotographs(rendering),
+    for (const auto& warnings : {rendering::strangePhotographs(rendering), rendering::unfamiliarPhotographs(rendering),
+                                 rendering::uncertainFriction(rendering), rendering::cutPhotographs(rendering),
                                  rendering::describe(rendering::imageFaults(rendering), rendering)})
         for (const auto& warning : warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
     for (const auto& line : rendering::describeMaps(rendering)) std::printf("%s\n", line.c_str());
@@ -180,6 +182,7 @@ void addRender(CLI::App& app, Action& action)
     command->add_option(
         "--sheet", call->sheet,
         "PNG to write with one row per fabric: photograph, measured and generated height and friction, friction images");
+    command->add_flag("--even-strange", call->evenStrange, "generate from photographs that do not look like cloth, too");
     command->add_flag("--explain", call->explain, "print which signals each condition computes");
     command->callback([call, &action] {
         if (!call->sheet.empty()) action.surroundings = Surroundings::Offscreen;

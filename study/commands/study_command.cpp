@@ -147,6 +147,8 @@ void addNew(CLI::App& study, Action& action)
         ->check(CLI::Range(1, 10000));
     command->add_option("--seed", call->seed, "seed of fabrics, samples and running orders")->capture_default_str();
     command->add_option("--key-seed", call->keySeed, "for tests: seed of the allocation (default: a secret of the system)");
+    command->add_flag("--even-strange", call->evenStrange,
+                      "generate from photographs that do not look like cloth, too; every report states it");
     command->add_flag("--allow-training-samples", call->allowTrainingSamples,
                       "allow samples that the model was trained on; the report says so");
     command->add_option("--images", call->images,

@@ -1,5 +1,7 @@
 // vis2hap train DATASET --out MODEL ...: passes its options to the second program, which does the work.
 #include <CLI/CLI.hpp>
+#include <cstdint>
+#include <cstdio>
 #include <memory>
 #include <string>
 #include <utility>
@@ -7,6 +9,7 @@
 
 #include "protocols/files/errors.h"
 #include "rendering/fabrics/dataset.h"
+#include "rendering/models/cloth/cloth_check.h"
 #include "rendering/models/fair_control.h"
 #include "rendering/models/process/second_program.h"
 #include "study/commands/command_line.h"
@@ -14,6 +17,10 @@
 namespace study::commands {
 
 namespace {
+
+/// The check of the program was fitted with these; the figures are of another family.
+constexpr std::uint64_t checkSeed = 1, checkFamily = 77;
+constexpr int checkPictures = 1200, checkFigurePictures = 400;
 
 /// An option with a value, passed on as it is.
 struct PassedOption {
@@ -39,6 +46,7 @@ std::vector<PassedOption> passedOptions()
         {"--validate-every", "steps between validations (default 250)", ""},
         {"--patience", "stop after this many validations without improvement (default 12)", ""},
         {"--validation-pairs", "number of pairs for validation (default 60)", ""},
+        {"--from", "with --drawn: a model of such a training to start from", ""},
         {"--scans", "with --drawn: a data set of `vis2hap import scans`", ""},
         {"--scan-share", "with --drawn: share of scanned cloth in a batch (default 0.3)", ""}};
 }
@@ -46,7 +54,7 @@ std::vector<PassedOption> passedOptions()
 struct TrainCall {
     std::string dataset, out, steps, minutes, controlOf;
     std::vector<PassedOption> passed = passedOptions();
-    bool drawn = false, reference = false, l1Only = false, resume = false;
+    bool clothCheck = false, drawn = false, reference = false, l1Only = false, resume = false;
 };
 
 /// Options that a control takes from its model, so that both are trained alike.
@@ -88,6 +96,25 @@ std::vector<std::string> argumentsOf(const TrainCall& call)
     return arguments;
 }
 
+int fitCheck(const TrainCall& call)
+{
+    if (!call.dataset.empty() || call.drawn)
+        throw protocols::badInput(
+            {"--cloth-check takes no data set", "train", "train --cloth-check --out FILE", "leave the data set and --drawn out"});
+    const auto check = [&] {
+        Progress progress("pictures");
+        return rendering::models::fitClothCheck(checkSeed, checkPictures, 0,
+                                                [&](int done, int total) { progress.show(done, total, "pictures"); });
+    }();
+    rendering::models::writeClothCheck(call.out, check);
+    const auto figures = rendering::models::clothCheckFigures(check, checkFamily, checkFigurePictures);
+    std::printf("of %d drawn photographs that the fit did not see, %.1f %% are refused and %.1f %% unusual\n",
+                checkFigurePictures, 100 * figures.clothRefused, 100 * figures.clothUnusual);
+    std::printf("of %d drawn pictures of other things, %.1f %% are refused\nwrote %s\n", checkFigurePictures,
+                100 * figures.othersRefused, call.out.c_str());
+    return 0;
+}
+
 }  // namespace
 
 void addTrain(CLI::App& app, Action& action)
@@ -116,8 +143,13 @@ void addTrain(CLI::App& app, Action& action)
                               "--learning-rate", "--patience"})
         controlOf->excludes(command->get_option(taken));
     command->add_flag("--resume", call->resume, "continue from the last checkpoint");
-    command->callback(
-        [call, &action] { action.work = [call] { return rendering::models::runSecondProgram(argumentsOf(*call)); }; });
+    command->add_flag("--cloth-check", call->clothCheck,
+                      "fit the check that a photograph shows cloth, to drawn cloth and drawn other pictures");
+    command->callback([call, &action] {
+        action.work = [call] {
+            return call->clothCheck ? fitCheck(*call) : rendering::models::runSecondProgram(argumentsOf(*call));
+        };
+    });
 }
 
 }  // namespace study::commands

@@ -29,7 +29,8 @@ std::string madeWith(const NewStudy& request, const std::string& weightsSha256, 
     made["weights_sha256"] = textOrNull(weightsSha256);
     made["settings"] = {{"seed", request.seed},
                         {"key_seed_given", request.keySeed.has_value()},  // the seed itself would open the key
-                        {"allow_training_samples", request.allowTrainingSamples}};
+                        {"allow_training_samples", request.allowTrainingSamples},
+                        {"even_strange", request.evenStrange}};
     for (const auto& [key, bytes] : prompts) made["prompts_sha256"][key] = protocols::sha256(bytes);
     return made.dump();
 }

@@ -50,9 +50,12 @@ StudyImages rendered(const NewStudy& request, const StudyMaterial& material, con
                      const database::StudyFacts& facts, const StudyProgress& progress)
 {
     auto rendering = renderFabrics(material.dataset, material.render, progress.images);
+    if (!request.evenStrange) refuseOtherThings(rendering);
     StudyImages images;
     images.signalsJson = comparedSignals(request, material, facts, rendering, progress);
+    for (const auto& line : strangePhotographs(rendering)) images.stamps.push_back(sentence(line));
     for (const auto& line : unfamiliarPhotographs(rendering)) images.stamps.push_back(sentence(line));
+    for (const auto& line : uncertainFriction(rendering)) images.stamps.push_back(sentence(line));
     images.warnings = warningsIn(images.signalsJson);
     for (const auto& line : shadingWarnings(rendering)) images.warnings.push_back(line);
     for (const auto& line : cutPhotographs(rendering)) images.warnings.push_back(line);
@@ -78,7 +81,7 @@ bool hasSamplesFor(const Dataset& dataset, const protocols::FabricId& fabric, co
 StudyImages imagesFor(const NewStudy& request, const StudyMaterial& material, const database::StudyFacts& facts,
                       const StudyProgress& progress)
 {
-    const std::string key = imageFolderKey(facts, material.render);
+    const std::string key = imageFolderKey(facts, material.render) + (request.evenStrange ? ", even strange" : "");
     if (!request.images.empty())
         if (auto kept = readImageFolder(request.images, key, material.render))
             return {std::move(kept->images), kept->signalsJson, true, kept->stamps, warningsIn(kept->signalsJson)};

@@ -78,10 +78,12 @@ QStringList warningsOf(const std::string& fabric, int index, const rendering::mo
     rendering::RenderedFabrics one;
     one.samples[id].visual = index;
     one.signals[id].photograph = checked.facts;
+    one.signals[id].likeness = rendering::models::shippedClothCheck().judge(photograph.photograph);
     one.signals[id].colourVariation = rendering::signals::colourVariation(photograph.photograph);
     QStringList lines;
     for (const auto& warnings :
-         {rendering::unfamiliarPhotographs(one), rendering::cutPhotographs(one), rendering::shadingWarnings(one)})
+         {rendering::strangePhotographs(one), rendering::unfamiliarPhotographs(one), rendering::uncertainFriction(one),
+          rendering::cutPhotographs(one), rendering::shadingWarnings(one)})
         for (const auto& warning : warnings) lines << QString::fromStdString(warning);
     for (const auto& warning : scaleWarnings(checked)) lines << QString::fromStdString(fabric + ": " + warning);
     return lines;

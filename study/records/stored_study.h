@@ -38,11 +38,11 @@ std::optional<Naming> namingOf(const database::StudyStore& store, const protocol
 
 protocols::Protocol protocolOf(const database::StudyFacts& facts);
 
-/// The sentences that every report must show: those of the study's facts and, where it is so, that images lay open.
 /// Field of StudyFacts::signalsJson with sentences about images that cannot show what the study compares. They name conditions
 /// and fabrics together, so only reports of an unblinded study show them.
 inline constexpr const char* imageWarningsField = "image_warnings";
 
+/// The sentences that every report must show: those of the study's facts and, where it is so, that images lay open.
 std::vector<std::string> stampsOf(const database::StudyStore& store, const database::StudyFacts& facts);
 
 /// The data of the report; empty where the study is blinded and nobody gives its passphrase. Throws badInput for a wrong one,

@@ -102,6 +102,7 @@ fs::path exchangeIn(const fs::path& folder)
     answer.traceMmPerSample = 0.05;
     answer.meanFriction = 0.4;
     answer.photograph.distance = 1.5;
+    answer.photograph.meanFriction = FrictionInterval{0.3, 0.5};
     AnswerWriter answers(exchange);
     answers.add(answer);
     answers.finish();
@@ -128,6 +129,9 @@ void readWholeAnswer(const fs::path& exchange)
         if (!std::isfinite(sum)) throw std::runtime_error("an answer that is not finite was read");
         if (!answer.heightMm.empty() && !(answer.heightMmPerPixel > 0))
             throw std::runtime_error("a height without a scale was read");
+        if (const auto& interval = answer.photograph.meanFriction;
+            interval && !(0 < interval->low && interval->low <= interval->high))
+            throw std::runtime_error("an interval that is none was read");
     }
 }
 

@@ -27,6 +27,8 @@ namespace {
 
 using fabrics::Modality;
 
+constexpr double benchMmPerPixel = 0.05;  ///< of the noise whose memory is measured
+
 /// A photograph and the measured values of its fabric.
 struct BenchCase {
     InputPhotograph photograph;
@@ -94,7 +96,7 @@ void measureMemory(const LoadedModel& model, BenchTable& table)
     const auto afterSquareOf = [&](int side) {
         cv::Mat picture(side, side, CV_8UC3);
         cv::RNG(7).fill(picture, cv::RNG::UNIFORM, 0, 256);
-        model.generate({picture, std::nullopt}, options);
+        model.generate({picture, benchMmPerPixel}, options);
         return peakMb();
     };
     table.peakMbAt128 = afterSquareOf(128);

@@ -83,6 +83,9 @@ void offerTraining(CLI::App& app, const std::string& command)
     });
 }
 
+/// Trained networks need smaller steps than new ones.
+constexpr double rateFromModel = 5e-4;
+
 void offerClothTraining(CLI::App& app, const std::string& command)
 {
     struct ClothCall {
@@ -96,6 +99,7 @@ void offerClothTraining(CLI::App& app, const std::string& command)
     CLI::App* train = app.add_subcommand("train-cloth", "train the networks that see on drawn fabrics and on scans");
     models::ClothTrainingOptions& options = call->options;
     train->add_option("--out", options.out, "weights file; its model card is written to MODEL.json")->required();
+    train->add_option("--from", options.from, "model of such a training to start from");
     train->add_option("--scans", call->scans, "data set of `vis2hap import scans`");
     CLI::Option* steps = train->add_option("--steps", call->steps, "optimisation steps (default 15000)");
     CLI::Option* minutes = train->add_option("--minutes", call->minutes, "wall time instead of steps")->excludes(steps);
@@ -106,18 +110,20 @@ void offerClothTraining(CLI::App& app, const std::string& command)
     train->add_option("--crop", options.side, "side of a patch in px (default 128)");
     train->add_option("--channels", options.baseChannels, "width of the relief network (default 24)");
     train->add_option("--scan-share", options.scanShare, "share of scanned cloth in a batch (default 0.3)");
-    train->add_option("--learning-rate", options.learningRate, "initial learning rate (default 0.002)");
+    CLI::Option* rate =
+        train->add_option("--learning-rate", options.learningRate, "initial learning rate (default 0.002; with --from 0.0005)");
     train->add_option("--checkpoint-every", options.checkpointEvery, "steps (default 500)");
     train->add_option("--validate-every", options.validateEvery, "steps (default 1000)");
     train->add_option("--validation-patches", options.validationPatches, "drawn patches for the validation figures (default 96)");
     train->add_option("--threads", options.threads, "default: all threads of the machine");
-    train->callback([call, steps, minutes, command] {
+    train->callback([call, steps, minutes, rate, command] {
         models::ClothTrainingOptions& chosen = call->options;
         if (minutes->count() > 0)
             chosen.minutes = call->minutes;
         else
             chosen.steps = steps->count() > 0 ? call->steps : 15000;
         for (const std::string& id : call->heldOut) chosen.heldOut.emplace_back(id);
+        if (!chosen.from.empty() && rate->count() == 0) chosen.learningRate = rateFromModel;
         chosen.command = command;
         const auto scans = call->scans.empty() ? std::nullopt : std::optional(fabrics::readDataset(call->scans));
         models::trainOnCloth(scans ? &*scans : nullptr, chosen, std::cout, isatty(STDOUT_FILENO) == 1);

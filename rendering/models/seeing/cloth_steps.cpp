@@ -88,6 +88,12 @@ ClothTraining::ClothTraining(const Architecture& architecture, const std::vector
     moveTowards(m_average, m_networks, 1);
 }
 
+void ClothTraining::startFrom(SeeingNetworks& networks)
+{
+    moveTowards(m_networks, networks, 1);
+    moveTowards(m_average, networks, 1);
+}
+
 ClothBatch ClothTraining::takeBatch(int number)
 {
     ClothBatchOptions options;

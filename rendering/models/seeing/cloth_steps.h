@@ -27,6 +27,9 @@ public:
     ClothLosses step(int number, double fraction);
     bool finite();
 
+    /// Starts from trained networks instead of new ones.
+    void startFrom(SeeingNetworks& networks);
+
     /// Moving average of the weights: the result.
     SeeingNetworks& result() { return m_average; }
 

@@ -39,8 +39,20 @@ void checkOptions(const ClothTrainingOptions& options)
     if (!(options.scanShare >= 0 && options.scanShare <= 1)) refuse("--scan-share is out of range", "0 to 1");
 }
 
-Architecture architectureFor(const ClothTrainingOptions& options)
+/// Card of the model that training starts from.
+std::optional<ModelCardFields> cardOfStart(const ClothTrainingOptions& options)
 {
+    if (options.from.empty()) return std::nullopt;
+    ModelCardFields card = readModelCardFields(options.from);
+    if (!card.architecture.sees)
+        throw protocols::badInput({"is no model of `vis2hap train --drawn`", options.from.string(), "networks for any cloth",
+                                   "name such a model, or leave --from out"});
+    return card;
+}
+
+Architecture architectureFor(const ClothTrainingOptions& options, const std::optional<ModelCardFields>& start)
+{
+    if (start) return start->architecture;
     Architecture architecture;
     architecture.sees = true;
     architecture.baseChannels = options.baseChannels;
@@ -51,11 +63,11 @@ Architecture architectureFor(const ClothTrainingOptions& options)
 }
 
 /// The settings that must agree for a checkpoint to be resumed.
-std::string fingerprint(const ClothTrainingOptions& options, const std::string& scansHash)
+std::string fingerprint(const ClothTrainingOptions& options, const std::string& scansHash, const std::string& startHash)
 {
     std::string text =
-        "cloth|" + scansHash + "|" + std::to_string(options.seed) + "|" + std::to_string(options.scanShare) + "|" +
-        std::to_string(options.learningRate) + "|" +
+        "cloth|" + scansHash + "|" + startHash + "|" + std::to_string(options.seed) + "|" + std::to_string(options.scanShare) +
+        "|" + std::to_string(options.learningRate) + "|" +
         (options.steps ? "steps " + std::to_string(*options.steps) : "minutes " + std::to_string(*options.minutes));
     for (const int number : {options.batch, options.side, options.baseChannels}) text += "|" + std::to_string(number);
     for (const protocols::FabricId& id : options.heldOut) text += "|" + id.value;
@@ -66,7 +78,12 @@ std::string fingerprint(const ClothTrainingOptions& options, const std::string& 
 class ClothRun {
 public:
     ClothRun(const fabrics::Dataset* scans, const ClothTrainingOptions& options, std::ostream& log, bool terminal)
-        : m_dataset(scans), m_options(options), m_out(log), m_terminal(terminal), m_architecture(architectureFor(options))
+        : m_dataset(scans),
+          m_options(options),
+          m_out(log),
+          m_terminal(terminal),
+          m_start(cardOfStart(options)),
+          m_architecture(architectureFor(options, m_start))
     {
         if (scans == nullptr) return;
         m_scans = readScannedCloth(*scans, options.heldOut);
@@ -78,7 +95,7 @@ public:
         torch::manual_seed(m_options.seed);
         ClothTraining training(m_architecture, m_scans, m_options);
         Checkpoint state;
-        state.fingerprint = fingerprint(m_options, m_scansHash);
+        state.fingerprint = fingerprint(m_options, m_scansHash, m_start ? m_start->summary.sha256 : "");
         const std::filesystem::path checkpoint = checkpointOf(m_options.out);
         if (m_options.resume) {
             StoredRun stored = readCheckpoint(checkpoint, state.fingerprint, kindsOf(training.tensors()));
@@ -86,9 +103,14 @@ public:
             state = std::move(stored.state);
             m_out << "resumed at step " << state.step << std::endl;
         }
+        if (m_start && !m_options.resume) {
+            SeeingNetworks start = readSeeingModel(m_options.from, *m_start);
+            training.startFrom(start);
+        }
         TrainingLog log(logOf(m_options.out), m_options.resume ? std::optional(state.step) : std::nullopt);
         m_out << "training on drawn fabrics of family " << m_options.seed << " and " << m_scans.size() << " pictures of scans"
               << std::endl;
+        if (m_start && !m_options.resume) validate(training, state, log);
         const steady_clock::time_point started = steady_clock::now();
         const double before = state.elapsedS;
         while (fractionDone(state) < 1) {
@@ -170,6 +192,7 @@ private:
     const ClothTrainingOptions& m_options;
     std::ostream& m_out;
     bool m_terminal;
+    std::optional<ModelCardFields> m_start;
     Architecture m_architecture;
     std::vector<ScannedCloth> m_scans;
     std::string m_scansHash;

@@ -15,6 +15,7 @@ namespace rendering::models {
 
 struct ClothTrainingOptions {
     std::filesystem::path out;                 ///< weights file; the model card is written beside it
+    std::filesystem::path from;                ///< model of such a training to start from, with its sizes; empty: new weights
     std::optional<int> steps;                  ///< exactly one of steps and minutes is set
     std::optional<double> minutes;             ///< wall time of the optimisation
     std::uint64_t seed = 1;                    ///< of the first weights and of the drawn fabrics
@@ -33,8 +34,9 @@ struct ClothTrainingOptions {
 };
 
 /// Trains and writes the moving average of the networks. `scans`: a data set of `vis2hap import scans`, or nullptr. Reports to
-/// `log`. Throws badInput (options, data set, a checkpoint of other settings), environmentFault where nothing can be written,
-/// workFailed where the loss stops being finite; the last good checkpoint stays.
+/// `log`; a start from a model prints its figures before and after. Throws badInput (options, data set, model, a checkpoint of
+/// other settings), environmentFault where nothing can be written, workFailed where the loss stops being finite; the last good
+/// checkpoint stays.
 void trainOnCloth(const fabrics::Dataset* scans, const ClothTrainingOptions& options, std::ostream& log, bool terminal);
 
 }  // namespace rendering::models

@@ -21,7 +21,8 @@ namespace {
 constexpr int tilePx = 512;  ///< px of the relief from one pass
 /// Slow waves of the relief, which a photograph does not show, end here, in pixels.
 constexpr double longestWavePx = 128;
-constexpr int displacementStep = 16;  ///< no displacement of displacementsOf() is larger
+constexpr double ninetyPercent = 1.6448536269514722;  ///< standard deviations on each side of a normal 90 % interval
+constexpr int displacementStep = 16;                  ///< no displacement of displacementsOf() is larger
 
 int upTo16(int length) { return (length + 15) / 16 * 16; }
 
@@ -117,12 +118,15 @@ void addFriction(GeneratedSignals& signals, SeeingNetworks& networks, const Arch
     FrictionTarget target;
     const torch::Tensor logRatio = seen.logRatio.mean(0).contiguous();
     target.logRatio = cv::Mat(architecture.rows, architecture.frames, CV_32F, logRatio.data_ptr<float>()).clone();
-    target.mean = std::exp(seen.logMean.mean().item<float>());
+    const double logMean = seen.logMean.mean().item<double>(),
+                 halfWidth = ninetyPercent * seen.logSpread.exp().mean().item<double>();
+    target.mean = static_cast<float>(std::exp(logMean));
     signals.spectrogram = magnitudes(target, architecture);
     signals.spectrogramParameters = spectrogramParameters(architecture);
     signals.trace = traceOf(target, architecture, griffinLimIterations(quality));
     signals.traceMmPerSample = architecture.traceMmPerSample;
     signals.meanFriction = target.mean;
+    signals.photograph.meanFriction = FrictionInterval{std::exp(logMean - halfWidth), std::exp(logMean + halfWidth)};
 }
 
 void requireFiniteSignals(const GeneratedSignals& signals)

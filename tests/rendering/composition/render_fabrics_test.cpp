@@ -421,6 +421,29 @@ private Q_SLOTS:
         QVERIFY(unfamiliarPhotographs(renderFabrics(small.dataset, none)).empty());
     }
 
+    void photographsThatTellLittleOfTheirFrictionAreNamed()
+    {
+        SmallDataset small;
+        GeneratorCalls asked;
+        auto request = requestFor(small, "h_g+f_g", asked);
+        request.generate = [inner = request.generate](auto photographs, const auto& options) {
+            auto generated = inner(photographs, options);
+            generated[0].photograph.meanFriction = models::FrictionInterval{0.15, 0.6};
+            generated[1].photograph.meanFriction = models::FrictionInterval{0.25, 0.35};
+            return generated;
+        };
+        const auto rendering = renderFabrics(small.dataset, request);
+        const auto lines = uncertainFriction(rendering);
+        QCOMPARE(lines.size(), std::size_t{1});
+        QCOMPARE(QString::fromStdString(lines[0]),
+                 "photograph 0 of F01 tells little of its friction (90 % interval 0.15 to 0.60); "
+                 "its generated friction is that of an ordinary cloth");
+        const auto json = nlohmann::json::parse(renderJson(small.dataset, request, rendering))["photographs"];
+        QCOMPARE(json["F02"]["mean_friction"]["interval_90"][1].get<double>(), 0.35);
+        QCOMPARE(json["F01"]["mean_friction"]["tells_little"].get<bool>(), true);
+        QVERIFY(!json["F03"].contains("mean_friction"));
+    }
+
     /// Stripes of 20 levels about the middle; a shift moves them along.
     static cv::Mat stripes(int shift, double depth, double period = 9)
     {

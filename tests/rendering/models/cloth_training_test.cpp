@@ -75,11 +75,11 @@ private:
                more;
     }
 
-    models::GeneratedSignals signalsOf(const cv::Mat& rgb, double mmPerPixel) const
+    models::GeneratedSignals signalsOf(const cv::Mat& rgb, double mmPerPixel, std::optional<double> lightDeg = {}) const
     {
         models::GenerationOptions options;
         options.model = at("model.safetensors").toStdString();
-        return models::generate(std::vector<models::InputPhotograph>{{rgb, mmPerPixel}}, options).front();
+        return models::generate(std::vector<models::InputPhotograph>{{rgb, mmPerPixel, lightDeg}}, options).front();
     }
 
 private Q_SLOTS:
@@ -121,6 +121,18 @@ private Q_SLOTS:
         QCOMPARE(bytesOf(at("broken.safetensors")), bytesOf(at("whole.safetensors")));
     }
 
+    void trainingStartsFromAModelAndPrintsItsFiguresFirst()
+    {
+        const Outcome outcome = run(smallRun("adapted.safetensors", 3, {"--from", at("model.safetensors")}));
+        QVERIFY2(outcome.exitCode == 0, qPrintable(outcome.errors));
+        const QString start =
+            QString::fromStdString(models::readModelCardFields(at("model.safetensors").toStdString()).validationJson);
+        const auto first = nlohmann::json::parse(outcome.output.section("validation ", 1, 1).section("\n", 0, 0).toStdString());
+        const double before = nlohmann::json::parse(start.toStdString()).at("relief_correlation").get<double>();
+        QVERIFY2(std::abs(first.at("relief_correlation").get<double>() - before) < 0.02, qPrintable(outcome.output));
+        QCOMPARE(outcome.output.count("validation "), 2);
+    }
+
     void checkpointOfOtherSettingsIsRefused()
     {
         QProcess broken;
@@ -145,6 +157,21 @@ private Q_SLOTS:
         QVERIFY2(cv::norm(twice.heightMm - 2 * once.heightMm, cv::NORM_INF) < 1e-5, "twice the pitch is twice the height");
         QVERIFY(once.meanFriction > 0 && once.meanFriction != twice.meanFriction);
         QVERIFY(!once.trace.empty());
+        const auto& interval = once.photograph.meanFriction;
+        QVERIFY(interval && interval->low < once.meanFriction && once.meanFriction < interval->high);
+    }
+
+    void aToldLampChangesTheReliefAndTheTurnedPictureIsTurnedBack()
+    {
+        const fabrics::DrawnPatch patch = fabrics::drawPatch(3, 2, {112});
+        const cv::Mat untold = signalsOf(patch.rgb, 0.05).heightMm, upperLeft = signalsOf(patch.rgb, 0.05, 135).heightMm;
+        QCOMPARE(upperLeft.size(), patch.rgb.size());
+        QVERIFY(cv::norm(upperLeft - untold, cv::NORM_INF) > 0);
+        // The picture and its lamp mirrored give the mirrored relief.
+        cv::Mat mirrored, back;
+        cv::flip(patch.rgb, mirrored, 1);
+        cv::flip(signalsOf(mirrored, 0.05, 45).heightMm, back, 1);
+        QVERIFY2(cv::norm(back - upperLeft, cv::NORM_INF) < 1e-6, "a lamp at the upper right is another one");
     }
 
     void extremePicturesGiveFiniteSignals_data()

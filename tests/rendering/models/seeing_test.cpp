@@ -4,7 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
-#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "rendering/fabrics/sample_places.h"
 #include "rendering/images/image_io.h"
@@ -169,15 +169,16 @@ private Q_SLOTS:
             if (batch.lamps[2 * i] == 0) continue;
             ++told;
             const double angle = (112.5 + 22.5 * static_cast<double>(batch.lamps[2 * i + 1])) * std::numbers::pi / 180;
-            double sum = 0;
-            for (int y = 0; y + 1 < options.side; ++y)
-                for (int x = 0; x + 1 < options.side; ++x) {
-                    const auto at = [&](int row, int column) { return pixels * i + std::size_t(row * options.side + column); };
-                    const double across = batch.reliefs[at(y, x + 1)] - batch.reliefs[at(y, x)],
-                                 down = batch.reliefs[at(y + 1, x)] - batch.reliefs[at(y, x)];
-                    const double light = batch.photographs[3 * pixels * i + pixels + at(y, x) - pixels * i] - 0.5;
-                    sum += light * (-across * std::cos(angle) + down * std::sin(angle));
-                }
+            const cv::Mat relief(options.side, options.side, CV_32F, const_cast<float*>(&batch.reliefs[pixels * i])),
+                green(options.side, options.side, CV_32F, const_cast<float*>(&batch.photographs[3 * pixels * i + pixels]));
+            cv::Mat right, down, light;
+            cv::Sobel(relief, right, CV_32F, 1, 0);
+            cv::Sobel(relief, down, CV_32F, 0, 1);
+            // Cloth that faces the lamp falls towards it.
+            cv::Mat facingLamp = down * std::sin(angle) - right * std::cos(angle);
+            facingLamp -= cv::mean(facingLamp);
+            cv::subtract(green, cv::mean(green), light);
+            const double sum = facingLamp.dot(light);
             facing += sum > 0 ? 1 : 0;
         }
         QVERIFY2(told >= 8 && facing >= 0.8 * told, qPrintable(QString("%1 of %2").arg(facing).arg(told)));

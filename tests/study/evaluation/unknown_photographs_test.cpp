@@ -90,6 +90,47 @@ private Q_SLOTS:
         QVERIFY(!none.err.contains("these weights"));
     }
 
+    void whatIsNoClothIsRefusedUnlessItIsWanted()
+    {
+        const QString strange = path("strange");
+        fs::copy(m_fabrics.toStdString(), strange.toStdString(), fs::copy_options::recursive);
+        const cv::Mat black(320, 320, CV_8UC3, cv::Scalar::all(0));
+        for (const char* file : {"/F02/visual/000.png", "/F02/visual/001.png"}) writePng((strange + file).toStdString(), black);
+        const auto refused = support::runProgram({"render", strange, "--condition", "h_g", "--out", path("refused")});
+        QCOMPARE(refused.exitCode, 2);
+        QVERIFY2(refused.err.contains("photograph 0 of F02 does not look like cloth") && refused.err.contains("--even-strange"),
+                 qPrintable(refused.err));
+        QVERIFY(!QDir(path("refused")).exists());
+        mustRun({"render", strange, "--condition", "v_grey,v_shape,h", "--out", path("seen")});
+        const auto wanted = mustRun({"render", strange, "--condition", "h_g", "--out", path("wanted"), "--even-strange"});
+        QVERIFY(wanted.err.contains("what is generated from it means nothing"));
+        const auto photographs = readJson(path("wanted/render.json"))["photographs"];
+        QCOMPARE(photographs["F02"]["likeness"].get<std::string>(), std::string("not_cloth"));
+        QCOMPARE(photographs["F01"]["likeness"].get<std::string>(), std::string("cloth"));
+    }
+
+    void aStudyOfOtherThingsIsRefusedUnlessItIsWanted()
+    {
+        const QStringList study{
+            "study",      "new", "--no-passphrase",          path("other"),    "--dataset", path("strange"), "--seed", "3",
+            "--key-seed", "4",   "--allow-training-samples", "--participants", "2"};
+        const auto refused = support::runProgram(study);
+        QCOMPARE(refused.exitCode, 2);
+        QVERIFY2(refused.err.contains("does not look like cloth"), qPrintable(refused.err));
+        QVERIFY(!QDir(path("other")).exists());
+        mustRun(study + QStringList{"--even-strange"});
+        QVERIFY(mustRun({"study", "status", path("other")}).out.contains("does not look like cloth"));
+    }
+
+    void theCheckNamesEachPictureOfAFolder()
+    {
+        const auto checked = mustRun({"evaluate", path("strange/F02/visual"), "--cloth-check"});
+        QVERIFY2(checked.out.contains("not_cloth: 2"), qPrintable(checked.out));
+        const auto cloth = mustRun({"evaluate", m_fabrics + "/F01/visual", "--cloth-check", "--json"});
+        const auto json = nlohmann::json::parse(cloth.out.toStdString());
+        QCOMPARE(json.at("pictures").at(0).at("likeness").get<std::string>(), std::string("cloth"));
+    }
+
     void statusAndReportRepeatTheWarning()
     {
         const QString model = modelKnowing("for-study.safetensors", {"F01"});

@@ -79,7 +79,7 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
     const QRect room = screen()->availableGeometry();
     resize(QSize(1100, 750).boundedTo(room.size() - frame));
     move(room.topLeft() + QPoint((room.width() - width()) / 2, (room.height() - height()) / 2));
-    m_rehearses = options.isDisplayGiven;
+    m_rehearses = options.isDisplayGiven && options.display == "none";
     const std::string remembered = rememberedDisplay(options.settings.get());
     const bool isAllowed = options.allowsPlainImages || !leavesPlainImages(remembered);
     const bool isWanted = !options.isDisplayGiven && options.kind == database::ParticipantKind::Human && !remembered.empty();

@@ -32,8 +32,6 @@ ChecklistPage::ChecklistPage(QWidget* parent)
     column->addWidget(m_patternsCaption);
     column->addWidget(m_patterns);
     column->addWidget(m_readings);
-    column->addSpacing(6);
-    column->addWidget(m_action, 0, Qt::AlignLeft);
     column->addStretch(1);
     connect(m_action, &QPushButton::clicked, this, &ChecklistPage::confirm);
     connect(m_patterns, &PatternButtons::patternRequested, this, &ChecklistPage::patternRequested);
@@ -119,5 +117,7 @@ QWidget& ChecklistPage::firstFocus()
     if (QWidget* reading = m_readings->firstOpen()) return *reading;
     return *m_action;
 }
+
+QWidget* ChecklistPage::pinned() { return m_action; }
 
 }  // namespace study::app

@@ -27,6 +27,7 @@ public:
     void setPattern(const std::optional<TestPattern>& pattern);
     bool pressKey(int key) override;
     QWidget& firstFocus() override;
+    QWidget* pinned() override;
 
     /// Enter always confirms the page, because some desktops would let it tick the focused box. A click on the text beside
     /// a box ticks the box.

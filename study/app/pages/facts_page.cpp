@@ -23,8 +23,6 @@ FactsPage::FactsPage(QWidget* parent)
     column->addWidget(rights);
     column->addWidget(m_form);
     column->addLayout(m_messagePlace);
-    column->addSpacing(6);
-    column->addWidget(m_action, 0, Qt::AlignLeft);
     column->addStretch(1);
     connect(m_action, &QPushButton::clicked, this, &FactsPage::confirm);
 }
@@ -49,5 +47,7 @@ QWidget& FactsPage::firstFocus()
     QWidget* open = m_form->firstOpen();
     return open ? *open : *m_action;
 }
+
+QWidget* FactsPage::pinned() { return m_action; }
 
 }  // namespace study::app

@@ -1,11 +1,7 @@
 #include "study/app/pages/guide_page.h"
 
-#include <QApplication>
-#include <QEvent>
-#include <QScrollArea>
 #include <QTimer>
 #include <QVBoxLayout>
-#include <algorithm>
 #include <cmath>
 
 #include "study/app/pieces/flow_layout.h"
@@ -13,23 +9,6 @@
 #include "study/app/pieces/step_list.h"
 
 namespace study::app {
-
-namespace {
-
-constexpr int smallestZoom = 60, largestZoom = 200, zoomStep = 10;  ///< percent of the usual type
-
-/// Size that the page may have without scrolling, px.
-QSize roomFor(const QWidget& page)
-{
-    const QWidget* parent = page.parentWidget();
-    const QLayout* around = parent ? parent->layout() : nullptr;
-    while (parent && !qobject_cast<const QScrollArea*>(parent)) parent = parent->parentWidget();
-    if (!parent || !around) return page.size();
-    const QMargins margins = around->contentsMargins();
-    return static_cast<const QScrollArea*>(parent)->viewport()->size().shrunkBy(margins);
-}
-
-}  // namespace
 
 GuidePage::GuidePage(QWidget* parent)
     : StagePage(parent),
@@ -75,69 +54,7 @@ void GuidePage::present(const session::View& view)
     setButtonText(*m_action, m_guide.action);
     m_second->setVisible(m_guide.second.has_value());
     if (m_guide.second) setButtonText(*m_second, m_guide.second->text);
-    if (isVisible()) fit();
-    fitLater();  // a page that has not been shown yet has no true width
-}
-
-void GuidePage::resizeEvent(QResizeEvent* event)
-{
-    StagePage::resizeEvent(event);
-    fitLater();
-}
-
-void GuidePage::changeEvent(QEvent* event)
-{
-    StagePage::changeEvent(event);
-    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) fitLater();
-}
-
-/// Queued, because a layout must not change while it is computed.
-void GuidePage::fitLater()
-{
-    if (m_isFitDue) return;
-    m_isFitDue = true;
-    QMetaObject::invokeMethod(
-        this,
-        [this] {
-            m_isFitDue = false;
-            fit();
-        },
-        Qt::QueuedConnection);
-}
-
-/// Takes the largest type with which the page needs no scrolling.
-void GuidePage::fit()
-{
-    const QSize room = roomFor(*this);
-    const int textWidth = std::min(room.width(), maximumWidth());
-    int fits = smallestZoom, tooLarge = largestZoom + zoomStep;
-    while (tooLarge - fits > zoomStep) {
-        const int middle = (fits + tooLarge) / (2 * zoomStep) * zoomStep;
-        zoom(middle);
-        const bool isLow = layout()->totalHeightForWidth(textWidth) <= room.height();
-        (isLow && layout()->totalMinimumSize().width() <= room.width() ? fits : tooLarge) = middle;
-    }
-    zoom(fits);
-}
-
-void GuidePage::zoom(int percent)
-{
-    const double points = QApplication::font().pointSizeF() * percent / 100;
-    const auto enlarge = [&](QWidget& of, Type type) {
-        of.setStyleSheet(QStringLiteral("font-size: %1pt;").arg(points * factorOf(type), 0, 'f', 1));
-        of.ensurePolished();
-    };
-    enlarge(*m_clock, Type::Title);
-    enlarge(*m_action, Type::Lead);
-    for (auto* text : m_head->findChildren<QLabel*>())
-        enlarge(*text, text->objectName() == QLatin1String("pageTitle") ? Type::Title : Type::Lead);
-    for (auto* step : m_steps->findChildren<QLabel*>()) enlarge(*step, Type::Words);
-    // The layout of the page keeps the heights of its parts until they announce others, which they do only when they are shown.
-    for (QWidget* part : {static_cast<QWidget*>(m_head), static_cast<QWidget*>(m_steps)}) {
-        part->layout()->invalidate();
-        part->updateGeometry();
-    }
-    layout()->invalidate();
+    Q_EMIT textChanged();
 }
 
 void GuidePage::showClock()

@@ -1,5 +1,5 @@
 // Page that shows the operator what to do now and waits for one confirmation: welcome, consent, break, pause, end.
-// Its texts come from stage_guides.h. They are as large as the window allows with the buttons still in view.
+// Its texts come from stage_guides.h. They are as large as the window allows with the buttons still in view (page_fit.h).
 #pragma once
 
 #include <QElapsedTimer>
@@ -34,22 +34,13 @@ Q_SIGNALS:
     /// The operator skips the refresher and the checklist.
     void preparationDeclined();
 
-protected:
-    void resizeEvent(QResizeEvent* event) override;
-    void changeEvent(QEvent* event) override;
-
 private:
     void act(GuideAct act);
-    void fitLater();
-    void fit();
-    void zoom(int percent);
-
     void showClock();
 
     SessionFacts m_facts;
     bool m_isPreparationDue = false;
     Guide m_guide;
-    bool m_isFitDue = false;
     std::chrono::milliseconds m_breakBefore{0};  ///< how long the break had lasted when it was shown
     QElapsedTimer m_sinceShown;
     QTimer* m_tick;

@@ -36,6 +36,8 @@ public:
     virtual QWidget& firstFocus() = 0;
     /// The control below the answer, which must be in view together with it; null on pages that are read from their top.
     virtual QWidget* lastOfAnswer() { return nullptr; }
+    /// The control that stays in view below a page whose protocol may give it any number of lines; null on other pages.
+    virtual QWidget* pinned() { return nullptr; }
 
 Q_SIGNALS:
     void eventRequested(const study::session::EventBody& event);
@@ -44,6 +46,8 @@ Q_SIGNALS:
     void hinted(const QString& text);
     /// The operator changed the entry that the last hint was about.
     void mended();
+    /// The page shows another text, whose type may have another size.
+    void textChanged();
     /// The operator switches a test pattern of the display on, or off (none).
     void patternRequested(const std::optional<rendering::TestPattern>& pattern);
 

@@ -14,6 +14,7 @@
 #include "study/app/pages/reason_panel.h"
 #include "study/app/pages/scale_training_page.h"
 #include "study/app/pages/tray_page.h"
+#include "study/app/pieces/page_fit.h"
 #include "study/app/pieces/pieces.h"
 
 namespace study::app {
@@ -51,6 +52,22 @@ void scrollToEntry(QScrollArea& area, StagePage& page)
         area.ensureWidgetVisible(focus, 0, page.lastOfAnswer() ? 4 : marginPx);
 }
 
+/// The area with the control below it, both in one widget.
+QWidget* above(QScrollArea& area, QWidget& pinned)
+{
+    constexpr int sidePx = 28, topPx = 8, bottomPx = 14;
+    auto* both = new QWidget(area.parentWidget());
+    auto* column = new QVBoxLayout(both);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(&area, 1);
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(sidePx, topPx, sidePx, bottomPx);
+    row->addWidget(&pinned, 0, Qt::AlignLeft);
+    column->addLayout(row);
+    return both;
+}
+
 }  // namespace
 
 StageStack::StageStack(QWidget* parent)
@@ -67,6 +84,8 @@ StageStack::StageStack(QWidget* parent)
       m_reason(add<ReasonPanel>("reasonArea"))
 {
     setObjectName("stages");
+    constexpr int largestGuide = 200;  // percent; a guide is all that the operator has to read
+    PageFit::of(areaAt(0))->setLargest(largestGuide);
     connect(m_correction, &FormPanel::closeRequested, this, &StageStack::panelCloseRequested);
     connect(m_reason, &FormPanel::closeRequested, this, &StageStack::panelCloseRequested);
 }
@@ -77,7 +96,9 @@ Page* StageStack::add(const char* areaName)
     auto* page = new Page(this);
     m_pages.push_back(page);
     QScrollArea* area = scrolling(areaName, page, this);
-    addWidget(area);
+    m_areas.push_back(area);
+    addWidget(page->pinned() ? above(*area, *page->pinned()) : area);
+    connect(page, &StagePage::textChanged, PageFit::of(*area), &PageFit::refit);
     connect(page, &StagePage::eventRequested, this, &StageStack::eventRequested);
     connect(page, &StagePage::answerMarked, this, &StageStack::answerMarked);
     connect(page, &StagePage::hinted, this, &StageStack::hinted);
@@ -97,8 +118,8 @@ StagePage& StageStack::pageOf(const Stage& stage) const { return std::visit(Page
 void StageStack::bringForward(StagePage& page)
 {
     const auto place = std::find(m_pages.begin(), m_pages.end(), &page) - m_pages.begin();
-    auto& area = *static_cast<QScrollArea*>(widget(static_cast<int>(place)));
-    setCurrentWidget(&area);
+    QScrollArea& area = areaAt(static_cast<int>(place));
+    setCurrentIndex(static_cast<int>(place));
     page.firstFocus().setFocus();
     area.verticalScrollBar()->setValue(0);
     scrollToEntry(area, page);
@@ -110,7 +131,7 @@ void StageStack::showMessage(QWidget& message)
     QMetaObject::invokeMethod(
         &message,
         [this, &message] {
-            auto& area = *static_cast<QScrollArea*>(currentWidget());
+            QScrollArea& area = areaAt(currentIndex());
             if (message.isVisible() && area.isAncestorOf(&message)) area.ensureWidgetVisible(&message, 0, 8);
             scrollToEntry(area, *m_pages[static_cast<std::size_t>(currentIndex())]);
         },
@@ -120,7 +141,7 @@ void StageStack::showMessage(QWidget& message)
 bool StageStack::scrollBy(int key)
 {
     if (key != Qt::Key_PageDown && key != Qt::Key_PageUp) return false;
-    QScrollBar& bar = *static_cast<QScrollArea*>(currentWidget())->verticalScrollBar();
+    QScrollBar& bar = *areaAt(currentIndex()).verticalScrollBar();
     bar.setValue(bar.value() + (key == Qt::Key_PageDown ? bar.pageStep() : -bar.pageStep()));
     return true;
 }

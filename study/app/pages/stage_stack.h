@@ -1,6 +1,7 @@
 // Stack of the pages of all stages and of the panels that the operator opens. Decides which page belongs to a stage.
 #pragma once
 
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <vector>
 
@@ -48,7 +49,10 @@ private:
     template <class Page>
     Page* add(const char* areaName);
 
-    std::vector<StagePage*> m_pages;  ///< in the order of the stack
+    QScrollArea& areaAt(int place) const { return *m_areas[static_cast<std::size_t>(place)]; }
+
+    std::vector<QScrollArea*> m_areas;  ///< in the order of the stack
+    std::vector<StagePage*> m_pages;    ///< in the order of the stack
     GuidePage* m_guide;
     StagePage* m_facts;
     StagePage* m_familiarisation;

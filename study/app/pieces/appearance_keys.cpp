@@ -6,7 +6,7 @@
 #include <QVariant>
 #include <QWidget>
 
-#include "study/app/pieces/layout_scale.h"
+#include "study/app/pieces/page_fit.h"
 #include "study/app/state/recent_studies.h"
 
 namespace study::app {

@@ -8,7 +8,7 @@
 
 #include "study/app/pieces/appearance_keys.h"
 #include "study/app/pieces/flow_layout.h"
-#include "study/app/pieces/layout_scale.h"
+#include "study/app/pieces/page_fit.h"
 
 namespace study::app {
 
@@ -49,45 +49,6 @@ Search insertBelow(QLayout& layout, const QWidget& control, QWidget& added)
 }
 
 constexpr int marginPx = 28;
-
-/// Limits the width of a page for easy reading, in proportion to its text, and keeps the focus in view when the page grows.
-class PageWidth : public QObject {
-public:
-    PageWidth(QScrollArea& area, QWidget& page) : QObject(&area), m_area(area), m_page(page)
-    {
-        area.installEventFilter(this);
-        page.installEventFilter(this);
-        limit();
-    }
-
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override
-    {
-        if (event->type() == QEvent::Resize && watched == &m_area) limit();
-        // Rows that a page has built meanwhile.
-        if (event->type() == QEvent::LayoutRequest && watched == &m_page && m_page.layout())
-            scaleGaps(*m_page.layout(), scaleOf(m_area.window()->size()));
-        if (event->type() == QEvent::Resize)
-            QMetaObject::invokeMethod(
-                this, [this] { showFocus(); }, Qt::QueuedConnection);
-        return QObject::eventFilter(watched, event);
-    }
-
-private:
-    void limit()
-    {
-        constexpr int widestPx = 1250;
-        m_page.setMaximumWidth(static_cast<int>(widestPx * scaleOf(m_area.window()->size())));
-    }
-    void showFocus()
-    {
-        QWidget* focus = m_area.window()->focusWidget();
-        if (focus && m_area.isVisible() && m_area.isAncestorOf(focus)) m_area.ensureWidgetVisible(focus, 0, marginPx);
-    }
-
-    QScrollArea& m_area;
-    QWidget& m_page;
-};
 
 }  // namespace
 
@@ -201,7 +162,7 @@ QScrollArea* scrolling(const char* objectName, QWidget* page, QWidget* parent)
     area->setWidget(whole);
     area->viewport()->setAutoFillBackground(false);
     whole->setAutoFillBackground(false);
-    new PageWidth(*area, *page);
+    new PageFit(*area, *page);
     // Scroll to a control that gets the focus outside the visible part.
     QObject::connect(qApp, &QApplication::focusChanged, area, [area](QWidget*, QWidget* now) {
         if (now && area->isVisible() && area->isAncestorOf(now)) area->ensureWidgetVisible(now, 0, marginPx);

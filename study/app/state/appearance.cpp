@@ -172,9 +172,15 @@ QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
             filled.replace(found.capturedStart(), found.capturedLength(), grown);
             found = length.match(filled, found.capturedStart() + grown.size());
         }
+    return filled + typeSheetOf(basePoints) + QStringLiteral("*[weight=\"bold\"] { font-weight: bold; }\n");
+}
+
+QString typeSheetOf(double basePoints)
+{
+    QString sheet;
     for (const TypeRow& row : typeRows)
-        filled += QStringLiteral("*[type=\"%1\"] { font-size: %2pt; }\n").arg(row.name).arg(basePoints * row.factor, 0, 'f', 2);
-    return filled + QStringLiteral("*[weight=\"bold\"] { font-weight: bold; }\n");
+        sheet += QStringLiteral("*[type=\"%1\"] { font-size: %2pt; }\n").arg(row.name).arg(basePoints * row.factor, 0, 'f', 2);
+    return sheet;
 }
 
 Appearance larger(Appearance appearance) { return withPercent(appearance, appearance.textPercent + percentStep); }

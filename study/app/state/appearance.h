@@ -36,6 +36,8 @@ Colours coloursOf(Theme theme);
 QPalette paletteOf(const Colours& colours);
 /// Style sheet of the application. `basePoints`: size of plain text, pt. `pixels`: factor of borders and paddings, 1 or more.
 QString styleSheetOf(const Colours& colours, double basePoints, int pixels);
+/// The part of a style sheet that sets the sizes of all types.
+QString typeSheetOf(double basePoints);
 
 /// Appearance with the next text size, within 75–250 %.
 Appearance larger(Appearance appearance);

@@ -4,6 +4,7 @@
 
 #include <QApplication>
 #include <QFile>
+#include <QLabel>
 #include <QPointingDevice>
 #include <QScreen>
 #include <QTest>
@@ -59,6 +60,7 @@ private Q_SLOTS:
     void missingScreensAreRefused_data();
     void missingScreensAreRefused();
     void touchOfTheCoverIsStampedInASession();
+    void aCoverAloneIsNoDisplay();
 };
 
 void AppCoverTest::coversItsScreenWithBlack()
@@ -160,6 +162,22 @@ void AppCoverTest::touchOfTheCoverIsStampedInASession()
     QVERIFY(presenting.touchedBy == TouchSource::Display);
     shown.gui.pressKey(Qt::Key_Q);
     QTRY_VERIFY(!cover());  // the screen is free again
+}
+
+/// A cover without a device renders nothing, so the operator must choose a rehearsal.
+void AppCoverTest::aCoverAloneIsNoDisplay()
+{
+    AppOptions options;
+    options.display = "cover:1";
+    options.isDisplayGiven = true;
+    ShownWindow shown(options);
+    shown.window.openStudy(newStudy().folder);
+    shown.gui.click("enrolButton");
+    QVERIFY(!shown.window.session() && !cover());
+    QCOMPARE(shown.window.currentPage()->objectName(), QStringLiteral("displayPage"));
+    shown.gui.click("rehearseButton");
+    QVERIFY(shown.window.session());
+    QCOMPARE(shown.widget<QLabel>("displayFact").text(), QStringLiteral("NO DISPLAY: rehearsal"));
 }
 
 int main(int argc, char** argv)

@@ -91,6 +91,7 @@ private Q_SLOTS:
     void displayPageConnectsAndRemembers();
     void displayPageShowsFaultsInPlainWords_data();
     void displayPageShowsFaultsInPlainWords();
+    void displayPageWaitsForASilentDriverNoLongerThanItSays();
     void patternIsFeltOnlyWhileItsButtonIsDown();
     void patternOfTheChecklistEndsWithIt();
     void aScreenThatCannotBeHadIsOneError_data();
@@ -355,6 +356,31 @@ void AppDisplayTest::displayPageShowsFaultsInPlainWords()
     QVERIFY2(message.contains(words), qPrintable(message));
     QCOMPARE(shown.widget<QLabel>("displayState").text(), QStringLiteral("Not connected"));
     QVERIFY(!shown.window.currentPage()->findChild<QPushButton*>("pattern1Button")->isEnabled());
+}
+
+void AppDisplayTest::displayPageWaitsForASilentDriverNoLongerThanItSays()
+{
+    AppOptions options;
+    QString saidMeanwhile;
+    ShownWindow* window = nullptr;
+    options.openDisplay = [&](const std::string& specification) {
+        if (window) saidMeanwhile = window->widget<QLabel>("displayState").text();
+        return study::app::openDisplay(specification);
+    };
+    ShownWindow shown(options);
+    window = &shown;
+    shown.gui.click("displayButton");
+    auto& kinds = shown.widget<QComboBox>("displayKind");
+    kinds.setCurrentIndex(kinds.findData(QStringLiteral("exec:")));
+    shown.widget<QLineEdit>("displayArgumentField").setText("exec sleep 60");
+    QElapsedTimer waited;
+    waited.start();
+    shown.gui.click("connectDisplayButton");
+    QVERIFY2(waited.elapsed() < 10000, qPrintable(QString::number(waited.elapsed())));
+    QVERIFY2(saidMeanwhile.contains("at most 10 seconds"), qPrintable(saidMeanwhile));
+    QCOMPARE(shown.widget<QLabel>("displayState").text(), QStringLiteral("Not connected"));
+    const QString message = shown.widget<QLabel>("displayMessage").text();
+    QVERIFY2(message.contains("does not answer"), qPrintable(message));
 }
 
 void AppDisplayTest::patternIsFeltOnlyWhileItsButtonIsDown()

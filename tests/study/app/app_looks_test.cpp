@@ -165,6 +165,8 @@ private Q_SLOTS:
     void contentFillsALargeScreen();
     void answersAreInView_data();
     void answersAreInView();
+    void actionsAreInView_data();
+    void actionsAreInView();
     void windowStartsOnTheScreen();
     void messagesStandBesideTheirFieldAndGo();
     void wordsStandUnderTheirTicks();
@@ -467,7 +469,7 @@ void AppLooksTest::noTextIsCut()
         applyAppearance({Theme::Light, percent}, m_font, QSize(1100, 750));
         window.resize(1100, 750);
         const auto faults = [&] { return cutTextsIn(window) + wideAreasIn(window); };
-        QTRY_VERIFY2_WITH_TIMEOUT(faults().isEmpty(), qPrintable(QString::fromLatin1(page) + ": " + faults().join(", ")), 500);
+        QTRY_VERIFY2_WITH_TIMEOUT(faults().isEmpty(), qPrintable(QString::fromLatin1(page) + ": " + faults().join(", ")), 2000);
         QVERIFY2(window.width() <= 1100 && window.height() <= 750, page);
     });
 }
@@ -551,7 +553,7 @@ void AppLooksTest::contentFillsALargeScreen()
         if (!qobject_cast<MainWindow*>(&window)) return;
         window.resize(1920, 1080);
         const auto faults = [&] { return cutTextsIn(window) + wideAreasIn(window); };
-        QTRY_VERIFY2_WITH_TIMEOUT(faults().isEmpty(), qPrintable(QString::fromLatin1(page) + ": " + faults().join(", ")), 500);
+        QTRY_VERIFY2_WITH_TIMEOUT(faults().isEmpty(), qPrintable(QString::fromLatin1(page) + ": " + faults().join(", ")), 2000);
         const double share = shareOfContent(window);
         sum += share;
         ++pages;
@@ -603,6 +605,48 @@ void AppLooksTest::answersAreInView()
         QTRY_VERIFY2_WITH_TIMEOUT(hidden().isEmpty(), qPrintable(QLatin1String(question) + ": " + hidden()), 1000);
     }
     open.window().setAppearance({});
+}
+
+void AppLooksTest::actionsAreInView_data()
+{
+    QTest::addColumn<QSize>("size");
+    QTest::addColumn<int>("percent");
+    for (const QSize size : {QSize(800, 480), QSize(1366, 768), QSize(1920, 1080)})
+        for (const int percent : {100, 200})
+            QTest::addRow("%d x %d, %d %%", size.width(), size.height(), percent) << size << percent;
+}
+
+/// Main buttons that can be pressed and of which a part is hidden. Without scrolling, pages show them in full.
+QStringList hiddenActionsIn(const QWidget& page)
+{
+    QStringList hidden;
+    for (const auto* button : page.findChildren<QAbstractButton*>())
+        if (button->isVisible() && button->isEnabled() && button->property("role").toString() == QLatin1String("main") &&
+            button->visibleRegion().boundingRect() != button->rect())
+            hidden << button->objectName();
+    return hidden;
+}
+
+/// Texts are complete and the main buttons are in view on every page, at every size of window and text. The six steps of the
+/// page of photographs, with its lists and pictures, may scroll.
+void AppLooksTest::actionsAreInView()
+{
+    QFETCH(QSize, size);
+    QFETCH(int, percent);
+    QStringList faults;
+    visitPages([&](QWidget& window, const char* page) {
+        auto* main = qobject_cast<MainWindow*>(&window);
+        if (!main) return;
+        main->setAppearance({Theme::Light, percent});
+        main->resize(size);
+        const bool mayScroll = QLatin1String(page).startsWith(QLatin1String("photographs"));
+        const auto faultsNow = [&] {
+            return cutTextsIn(*main) + wideAreasIn(*main) + (mayScroll ? QStringList() : hiddenActionsIn(*main));
+        };
+        if (!QTest::qWaitFor([&] { return main->size() == size && faultsNow().isEmpty(); }, 2000))
+            faults << QString::fromLatin1(page) + QLatin1String(": ") + faultsNow().join(QLatin1String(", "));
+    });
+    QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QLatin1Char('\n'))));
 }
 
 void AppLooksTest::windowStartsOnTheScreen()

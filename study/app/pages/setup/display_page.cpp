@@ -172,8 +172,9 @@ void DisplayPage::connectDisplay()
     m_message->clearMessage();
     m_touches = 0;
     const std::string asked = specification();
-    m_state->setText(tr("Connecting…"));
-    m_state->repaint();  // a driver may need some seconds to start
+    // A driver may need some seconds to start, and the window waits for it. DriverPatience limits the wait.
+    m_state->setText(tr("Connecting… The window waits for the display, at most 10 seconds."));
+    m_state->repaint();
     QApplication::setOverrideCursor(Qt::WaitCursor);
     try {
         m_tried->connectTo(asked);

@@ -143,11 +143,9 @@ void ParticipantPage::listScreens()
     m_screen->clear();
     const auto screens = QGuiApplication::screens();
     for (qsizetype i = 0; i < screens.size(); ++i) {
-        const QString text = tr("Screen %1 %2, %3 × %4")
-                                 .arg(i + 1)
-                                 .arg(screens[i]->name())
-                                 .arg(screens[i]->size().width())
-                                 .arg(screens[i]->size().height());
+        const QString name = screens[i]->name().isEmpty() ? QString() : QLatin1Char(' ') + screens[i]->name();
+        const QString text =
+            tr("Screen %1%2, %3 × %4").arg(i + 1).arg(name).arg(screens[i]->size().width()).arg(screens[i]->size().height());
         m_screen->addItem(screens[i] == screen() ? tr("%1 (this one)").arg(text) : text);
         if (screens[i] != screen()) m_screen->setCurrentIndex(static_cast<int>(i));
     }

@@ -22,8 +22,9 @@ namespace {
 constexpr char usualSpacing[] = "usualSpacing";
 constexpr char usualMargins[] = "usualMargins";
 constexpr char zoomOfPage[] = "zoomOfPage";
-constexpr int marginPx = 28;                    ///< between a control and the border of the area
-constexpr int smallestZoom = 60, zoomStep = 5;  ///< percent of the usual type
+constexpr char scrollsAlways[] = "scrollsAlways";  ///< of a page whose steps never fit: it keeps the usual type
+constexpr int marginPx = 28;                       ///< between a control and the border of the area
+constexpr int smallestZoom = 60, zoomStep = 5;     ///< percent of the usual type
 
 int scaled(int px, double scale) { return static_cast<int>(std::lround(px * scale)); }
 
@@ -141,7 +142,7 @@ void PageFit::fitLater(Search search)
 void PageFit::fit()
 {
     const Search search = std::exchange(m_due, Search::None);
-    if (!m_area.isVisible()) return;
+    if (!m_area.isVisible() || m_page.property(scrollsAlways).toBool()) return;
     const double points = QApplication::font().pointSizeF();
     const bool isNew = search == Search::FromLargest || points != m_points;
     m_points = points;

@@ -14,10 +14,10 @@ namespace study::app {
 /// their page. The usual ones are those of the first call; a layout that came later is scaled by the next call.
 void scaleGaps(QLayout& layout, double scale);
 
-/// Fits a page into the area that scrolls it. Limits its width for easy reading and chooses the size of its type: the usual one,
-/// or the largest smaller one with which the page needs no scrolling. Where no type is small enough, the main buttons that can be
-/// pressed must be in view, and otherwise the page keeps its usual type and scrolls. The type stays while the page fits, so that
-/// text does not change its size from one presentation to the next.
+/// Fits a page into the area that scrolls it, unless the page has the property "scrollsAlways". Limits its width for easy reading
+/// and chooses the size of its type: the usual one, or the largest smaller one with which the page needs no scrolling. Where no
+/// type is small enough, the main buttons that can be pressed must be in view, and otherwise the page keeps its usual type and
+/// scrolls. The type stays while the page fits, so that text does not change its size from one presentation to the next.
 class PageFit : public QObject {
     Q_OBJECT
 public:

@@ -136,6 +136,7 @@ void PhotographsPage::build()
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     auto* area = scrolling("photographsArea", page, this);
+    page->setProperty("scrollsAlways", true);  // page_fit.h
     outer->setSpacing(0);
     outer->addWidget(area, 1);
     // Outside the area, so that long work can be stopped from every place of the page.

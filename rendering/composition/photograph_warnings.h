@@ -8,9 +8,6 @@
 
 namespace rendering {
 
-/// One line for each photograph that differs from all training photographs; one more where the weights do not state theirs.
-std::vector<std::string> unfamiliarPhotographs(const RenderedFabrics& rendering);
-
 /// Throws badInput that names every photograph that is not cloth (cloth_check.h): relief and friction of other things would look
 /// like any other result.
 void refuseOtherThings(const RenderedFabrics& rendering);

@@ -58,25 +58,14 @@ ordered_json jsonOf(const RenderedCondition& rendered, const RenderRequest& requ
     return json;
 }
 
-/// Comparison with the training photographs; see rendering/models/familiarity.h.
 ordered_json jsonOf(const models::PhotographFacts& photograph)
 {
-    ordered_json json{{"distance", nullptr},
-                      {"usual_distance", nullptr},
-                      {"unfamiliar", photograph.unfamiliar()},
-                      {"middle_only", photograph.middleOnly}};
+    ordered_json json{{"middle_only", photograph.middleOnly}};
     if (photograph.meanFriction)
         json["mean_friction"] = {{"interval_90", {photograph.meanFriction->low, photograph.meanFriction->high}},
                                  {"tells_little", photograph.meanFriction->tellsLittle()},
                                  {"checked", "not checked against measured friction"}};
     if (photograph.assumedMmPerPixel) json["assumed_mm_per_pixel"] = *photograph.assumedMmPerPixel;
-    if (photograph.distance) {
-        json["distance"] = *photograph.distance;
-        json["usual_distance"] = photograph.usualDistance;
-    } else {
-        json["unfamiliar"] = nullptr;
-        json["why"] = {{"distance", "the weights do not state their training photographs"}};
-    }
     return json;
 }
 

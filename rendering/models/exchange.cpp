@@ -101,9 +101,6 @@ GeneratedSignals answerIn(const fs::path& folder, const nlohmann::json& item)
         answer.meanFriction = item.at("mean_friction").get<double>();
         answer.photograph.meanFriction = intervalIn(item.at("mean_friction_interval"));
     }
-    if (const nlohmann::json& distance = item.at("distance"); !distance.is_null())
-        answer.photograph.distance = distance.get<double>();
-    answer.photograph.usualDistance = item.at("usual_distance").get<double>();
     return answer;
 }
 
@@ -207,9 +204,7 @@ void AnswerWriter::add(const GeneratedSignals& answer)
         {"trace", written(m_folder, "trace" + number + ".npy", trace)},
         {"trace_mm_per_sample", answer.traceMmPerSample},
         {"mean_friction", answer.meanFriction},
-        {"mean_friction_interval", interval ? ordered_json{interval->low, interval->high} : ordered_json()},
-        {"distance", numberOrNull(answer.photograph.distance)},
-        {"usual_distance", answer.photograph.usualDistance}};
+        {"mean_friction_interval", interval ? ordered_json{interval->low, interval->high} : ordered_json()}};
     m_signals.push_back(signals.dump());
 }
 

@@ -35,11 +35,6 @@ struct UsedPart {
     std::optional<double> assumedMmPerPixel;
 };
 
-double assumedPitch(const cv::Mat& rgb, const Architecture& architecture)
-{
-    return architecture.sees ? pitchOfOrdinaryThreads(rgb) : assumedMmPerPixel(rgb, architecture.mmPerPixel);
-}
-
 /// Scales the height to the photograph's own pixels, because their size in millimetres is unknown.
 void scaleToPhotograph(GeneratedSignals& signals, const cv::Size& size, double mmPerPixel)
 {
@@ -64,7 +59,7 @@ std::vector<GeneratedSignals> generate(std::span<const InputPhotograph> photogra
     std::vector<UsedPart> parts;
     double megapixels = 0;
     for (const InputPhotograph& photograph : photographs) {
-        const double pitch = photograph.mmPerPixel.value_or(assumedPitch(photograph.photograph, card.architecture));
+        const double pitch = photograph.mmPerPixel.value_or(assumedMmPerPixel(photograph.photograph, card.architecture));
         const double pitchOfNetworks = card.architecture.sees ? pitch : card.architecture.mmPerPixel;
         const PhotographAtPitch seen = photographAtPitch({photograph.photograph, pitch}, pitchOfNetworks);
         megapixels += static_cast<double>(seen.rgb.total()) / 1e6;

@@ -40,12 +40,9 @@ struct FrictionInterval {
 
 /// Information on a photograph besides its signals.
 struct PhotographFacts {
-    std::optional<double> distance;  ///< to the nearest training photograph (familiarity.h); nullopt: unknown to the card
-    double usualDistance = 0;        ///< 99 % of the photographs of known fabrics lie below this distance
-    bool middleOnly = false;         ///< the photograph was too large, so only its middle was used (photograph_at_pitch.h)
-    std::optional<double> assumedMmPerPixel;            ///< the assumed pitch, where the scale is unknown
+    bool middleOnly = false;  ///< the photograph was too large, so only its middle was used (photograph_at_pitch.h)
+    std::optional<double> assumedMmPerPixel = {};       ///< the assumed pitch, where the scale is unknown
     std::optional<FrictionInterval> meanFriction = {};  ///< nullopt where friction was not asked for, or the networks give none
-    bool unfamiliar() const { return distance && *distance > usualDistance; }  ///< the signals are extrapolations
     bool operator==(const PhotographFacts&) const = default;
 };
 

@@ -90,17 +90,6 @@ protocols::Error notUsable(const std::filesystem::path& card, const std::string&
                                 "copy the weights together with the .json file that `vis2hap train` wrote"});
 }
 
-/// Reads a block of the card; its faults become faults of the card.
-template <class Read>
-auto blockOf(const ordered_json& json, const std::filesystem::path& card, Read read)
-{
-    try {
-        return read(json);
-    } catch (const protocols::Error& fault) {
-        throw notUsable(card, fault.what());
-    }
-}
-
 }  // namespace
 
 std::filesystem::path cardOf(const std::filesystem::path& model)
@@ -128,8 +117,6 @@ std::string cardText(const ModelCardFields& card)
                       {"held_out", card.heldOut},
                       {"architecture", architectureJson(card.architecture)},
                       {"validation", ordered_json::parse(card.validationJson)}};
-    if (card.photographs) json["photographs"] = familiarityJson(*card.photographs);
-    if (card.frictionByTexture) json["friction_by_texture"] = frictionPriorJson(*card.frictionByTexture);
     json["training_sample_hashes"] = card.summary.trainingSampleHashes;
     return json.dump(1) + "\n";
 }
@@ -167,9 +154,6 @@ ModelCardFields readModelCardFields(const std::filesystem::path& model)
             throw notUsable(file, "its networks differ from those of this program");
         card.architecture = architectureFrom(json.at("architecture"));
         card.validationJson = json.at("validation").dump();
-        if (json.contains("photographs")) card.photographs = blockOf(json.at("photographs"), file, familiarityFrom);
-        if (json.contains("friction_by_texture"))
-            card.frictionByTexture = blockOf(json.at("friction_by_texture"), file, frictionPriorFrom);
     } catch (const ordered_json::exception& fault) {
         throw notUsable(file, fault.what());
     }

@@ -1,5 +1,5 @@
 // The model card: the JSON file beside a weights file (`<weights>.json`) that describes the model, read without libtorch.
-// Schema vis2hap.model/2.
+// Schema vis2hap.model/2. Cards of version 0.5.0 also list known photographs and fabrics; these are not read any more.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,6 @@
 #include <vector>
 
 #include "rendering/models/architecture.h"
-#include "rendering/models/familiarity.h"
-#include "rendering/models/friction_prior.h"
 #include "rendering/models/model_card.h"
 #include "rendering/models/tensors/tensor_file.h"
 
@@ -28,9 +26,7 @@ struct ModelCardFields {
     std::string split = "location";     ///< training_data.h
     std::vector<std::string> heldOut;
     std::string datasetName, datasetHash;
-    std::string validationJson = "null";             ///< a JSON object: figures before and after training
-    std::optional<Familiarity> photographs;          ///< features of the training photographs
-    std::optional<FrictionPrior> frictionByTexture;  ///< if absent, the networks predict the friction of unfamiliar photographs
+    std::string validationJson = "null";  ///< a JSON object: figures before and after training
 };
 
 std::filesystem::path cardOf(const std::filesystem::path& model);

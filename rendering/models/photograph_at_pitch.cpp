@@ -28,40 +28,25 @@ UsedSide usedSide(int length, double factor)
 constexpr double ordinaryPeriodPx = 9;
 /// Spacing of the threads of ordinary clothing.
 constexpr double ordinaryThreadMm = 0.45;
+/// Closest yarns of drawn fabrics (drawn_fabric.h).
+constexpr double finestYarnMm = 0.15;
 /// Waves below 2.3 px are hardly resolved, so more enlargement would add nothing.
 constexpr double mostEnlargement = 4;
 
 }  // namespace
 
-double assumedMmPerPixel(const cv::Mat& rgb, double modelMmPerPixel)
+double assumedMmPerPixel(const cv::Mat& rgb, const Architecture& architecture)
 {
     const auto wave = signals::dominantWave(rgb);
+    if (architecture.sees) return ordinaryThreadMm / (wave ? wave->periodPx : ordinaryPeriodPx);
     return wave && wave->periodPx < finestPeriodPx
-               ? modelMmPerPixel * std::min(mostEnlargement, ordinaryPeriodPx / wave->periodPx)
-               : modelMmPerPixel;
+               ? architecture.mmPerPixel * std::min(mostEnlargement, ordinaryPeriodPx / wave->periodPx)
+               : architecture.mmPerPixel;
 }
 
-double pitchOfOrdinaryThreads(const cv::Mat& rgb)
+double finestWeaveMm(const Architecture& architecture)
 {
-    const auto wave = signals::dominantWave(rgb);
-    return ordinaryThreadMm / (wave ? wave->periodPx : ordinaryPeriodPx);
-}
-
-cv::Mat evenlyLit(const cv::Mat& rgb)
-{
-    // Uneven light has no details, so a small copy is enough for the blur.
-    constexpr double sigmaPx = 64, shrink = 8;
-    cv::Mat grey, small, light, lit;
-    cv::cvtColor(rgb, grey, cv::COLOR_RGB2GRAY);
-    const cv::Size size(std::max(1, static_cast<int>(rgb.cols / shrink)), std::max(1, static_cast<int>(rgb.rows / shrink)));
-    cv::resize(grey, small, size, 0, 0, cv::INTER_AREA);
-    small.convertTo(small, CV_32F);
-    cv::GaussianBlur(small, small, {}, sigmaPx / shrink);
-    cv::resize(cv::max(small, 1), light, rgb.size(), 0, 0, cv::INTER_CUBIC);
-    cv::Mat share = cv::mean(grey)[0] / cv::max(light, 1), shares;
-    cv::merge(std::vector<cv::Mat>{share, share, share}, shares);
-    cv::multiply(rgb, shares, lit, 1, CV_8U);
-    return lit;
+    return architecture.sees ? finestYarnMm : finestPeriodPx * architecture.mmPerPixel;
 }
 
 PhotographAtPitch photographAtPitch(const InputPhotograph& photograph, double mmPerPixel)

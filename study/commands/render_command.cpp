@@ -126,9 +126,9 @@ int render(const RenderCall& call)
     if (sheet) looking::writeContactSheet(call.sheet, *sheet);
     for (const auto& warning : saved.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
     for (const auto& warning : rendering::shadingWarnings(rendering)) std::fprintf(stderr, "warning: %s\n", warning.c_str());
-    for (const auto& warnings : {rendering::strangePhotographs(rendering), rendering::unfamiliarPhotographs(rendering),
-                                 rendering::uncertainFriction(rendering), rendering::cutPhotographs(rendering),
-                                 rendering::describe(rendering::imageFaults(rendering), rendering)})
+    for (const auto& warnings :
+         {rendering::strangePhotographs(rendering), rendering::uncertainFriction(rendering), rendering::cutPhotographs(rendering),
+          rendering::describe(rendering::imageFaults(rendering), rendering)})
         for (const auto& warning : warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
     for (const auto& line : rendering::describeMaps(rendering)) std::printf("%s\n", line.c_str());
     std::printf(

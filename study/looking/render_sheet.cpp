@@ -60,7 +60,10 @@ void addGenerated(ContactRow& row, const rendering::FabricSignals& signals)
     row.generatedHeight =
         mapOf(signals, Signal::GeneratedHeight, signals.photographMmPerPixel ? signals.generatedMmPerPixel : std::nullopt);
     row.generatedFriction = traceOf(signals, Signal::GeneratedTrace, signals.generatedTraceMmPerSample);
-    if (signals.photograph && signals.photograph->unfamiliar()) row.remark = "unlike the training photographs: extrapolated";
+    if (signals.likeness == rendering::models::ClothLikeness::NotCloth)
+        row.remark = "not like cloth: means nothing";
+    else if (signals.likeness == rendering::models::ClothLikeness::Unusual)
+        row.remark = "unusual for cloth: doubtful";
 }
 
 rendering::SampleChoice samplesOf(const rendering::fabrics::Dataset& dataset, const rendering::RenderRequest& request,

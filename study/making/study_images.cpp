@@ -54,7 +54,6 @@ StudyImages rendered(const NewStudy& request, const StudyMaterial& material, con
     StudyImages images;
     images.signalsJson = comparedSignals(request, material, facts, rendering, progress);
     for (const auto& line : strangePhotographs(rendering)) images.stamps.push_back(sentence(line));
-    for (const auto& line : unfamiliarPhotographs(rendering)) images.stamps.push_back(sentence(line));
     for (const auto& line : uncertainFriction(rendering)) images.stamps.push_back(sentence(line));
     images.warnings = warningsIn(images.signalsJson);
     for (const auto& line : shadingWarnings(rendering)) images.warnings.push_back(line);

@@ -61,11 +61,11 @@ std::string inMm(double value) { return protocols::fixed(value, value < 0.1 ? 3 
 std::vector<std::string> scaleWarnings(const rendering::models::CheckedPhotograph& checked)
 {
     if (checked.isScaleDoubtful())
-        return {"its weave repeats every " + inMm(*checked.weaveMm) + ", finer than that of any known fabric (" +
-                inMm(checked.finestWeaveMm) + "); check the scale"};
-    if (checked.isAssumedCoarser)
-        return {"the scale is unknown and the weave is too fine in pixels; " + inMm(*checked.facts.assumedMmPerPixel) +
-                " per pixel is assumed"};
+        return {"its weave repeats every " + inMm(*checked.weaveMm) + ", finer than cloth is (" + inMm(checked.finestWeaveMm) +
+                "); check the scale"};
+    if (checked.facts.assumedMmPerPixel)
+        return {"the scale is unknown; " + inMm(*checked.facts.assumedMmPerPixel) +
+                " per pixel is assumed, as if its threads were those of ordinary clothing"};
     return {};
 }
 
@@ -81,9 +81,8 @@ QStringList warningsOf(const std::string& fabric, int index, const rendering::mo
     one.signals[id].likeness = rendering::models::shippedClothCheck().judge(photograph.photograph);
     one.signals[id].colourVariation = rendering::signals::colourVariation(photograph.photograph);
     QStringList lines;
-    for (const auto& warnings :
-         {rendering::strangePhotographs(one), rendering::unfamiliarPhotographs(one), rendering::uncertainFriction(one),
-          rendering::cutPhotographs(one), rendering::shadingWarnings(one)})
+    for (const auto& warnings : {rendering::strangePhotographs(one), rendering::uncertainFriction(one),
+                                 rendering::cutPhotographs(one), rendering::shadingWarnings(one)})
         for (const auto& warning : warnings) lines << QString::fromStdString(warning);
     for (const auto& warning : scaleWarnings(checked)) lines << QString::fromStdString(fabric + ": " + warning);
     return lines;

@@ -101,7 +101,6 @@ fs::path exchangeIn(const fs::path& folder)
     answer.trace.assign(10, 0.4);
     answer.traceMmPerSample = 0.05;
     answer.meanFriction = 0.4;
-    answer.photograph.distance = 1.5;
     answer.photograph.meanFriction = FrictionInterval{0.3, 0.5};
     AnswerWriter answers(exchange);
     answers.add(answer);

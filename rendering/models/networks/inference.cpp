@@ -11,7 +11,6 @@
 #include "rendering/models/networks/finished_relief.h"
 #include "rendering/models/networks/weights.h"
 #include "rendering/models/photograph_at_pitch.h"
-#include "rendering/models/photograph_features.h"
 #include "rendering/models/ring_spectrum.h"
 #include "rendering/models/seeing/friction_target.h"
 #include "rendering/models/seeing/picture_tensors.h"
@@ -104,13 +103,7 @@ struct LoadedModel::Parts {
     mutable Generators generators;
     mutable SeeingNetworks seeing;  ///< instead of the generators where the architecture sees
 
-    /// Comparison with known photographs; nullopt where the card stores none.
-    std::optional<Recognised> recognise(const cv::Mat& rgb) const
-    {
-        return card.photographs ? std::optional(recognised(*card.photographs, photographFeatures(rgb))) : std::nullopt;
-    }
-
-    cv::Mat height(const cv::Mat& rgb, const std::optional<Recognised>& recognition, Quality quality) const
+    cv::Mat height(const cv::Mat& rgb, Quality quality) const
     {
         cv::Mat padded;
         const int margin = marginOf(rgb.size(), quality);
@@ -126,19 +119,7 @@ struct LoadedModel::Parts {
         const cv::Mat relief = result({0, 0, rgb.cols, rgb.rows}) * architecture.heightScaleMm;
         requireFinite(relief);  // The filter would spread a single value that is not finite over the whole map.
         if (!architecture.imposesSpectrum) return relief;
-        return withRingPowers(relief, wantedRings(rgb, recognition, quality), ringFilter(architecture, passesOf(quality)));
-    }
-
-    /// Spectrum of similar known fabrics. G_h's prediction replaces it gradually as the photograph becomes less familiar.
-    std::vector<float> wantedRings(const cv::Mat& rgb, const std::optional<Recognised>& recognition, Quality quality) const
-    {
-        if (!recognition || recognition->rings.empty()) return predictedRings(rgb, quality);
-        std::vector<float> all(recognition->rings.begin(), recognition->rings.end());
-        if (const auto weight = static_cast<float>(recognition->unfamiliarity); weight > 0) {
-            const std::vector<float> predicted = predictedRings(rgb, quality);
-            for (std::size_t i = 0; i < all.size(); ++i) all[i] += weight * (predicted[i] - all[i]);
-        }
-        return all;
+        return withRingPowers(relief, predictedRings(rgb, quality), ringFilter(architecture, passesOf(quality)));
     }
 
     /// Radial power spectrum that G_h predicts, averaged over crops.
@@ -174,20 +155,14 @@ struct LoadedModel::Parts {
         return whole({margin, margin, padded.cols - 2 * margin, padded.rows - 2 * margin}).clone();
     }
 
-    /// Friction by G_s. For an unfamiliar photograph, regression on its texture (friction_prior.h) replaces the mean.
-    FrictionTarget friction(const cv::Mat& rgb, const std::optional<Recognised>& recognition, Quality quality) const
+    /// Friction by G_s, averaged over crops.
+    FrictionTarget friction(const cv::Mat& rgb, Quality quality) const
     {
         const FrictionOutput output = generators.friction->forward(crops(rgb, quality));
         const torch::Tensor logRatio = output.logRatio.mean(0).contiguous();
         FrictionTarget target;
         target.logRatio = cv::Mat(architecture.rows, architecture.frames, CV_32F, logRatio.data_ptr<float>()).clone();
         target.mean = output.mean.mean().item<float>();
-        if (card.frictionByTexture && recognition && recognition->unfamiliarity > 0) {
-            const double weight = regressionWeight(recognition->distance, card.photographs->threshold);
-            const double expected =
-                expectedFriction(*card.frictionByTexture, textureCoefficients(rgb, architecture.crop), weight);
-            target.mean *= static_cast<float>(std::pow(expected / static_cast<double>(target.mean), recognition->unfamiliarity));
-        }
         return target;
     }
 };
@@ -210,22 +185,15 @@ GeneratedSignals LoadedModel::generate(const InputPhotograph& photograph, const 
     const torch::NoGradGuard noGradient;
     const Architecture& architecture = m_parts->architecture;
     if (architecture.sees) return seenSignals(m_parts->seeing, architecture, photograph, options);
-    cv::Mat rgb = photographAtPitch(photograph, architecture.mmPerPixel).rgb;
-    const std::optional<Recognised> recognition = m_parts->recognise(rgb);
-    // Uneven light of an unfamiliar photograph must not be mistaken for long waves of the fabric.
-    if (recognition && recognition->unfamiliarity > 0) rgb = evenlyLit(rgb);
+    const cv::Mat rgb = photographAtPitch(photograph, architecture.mmPerPixel).rgb;
     GeneratedSignals signals;
-    if (recognition) {
-        signals.photograph.distance = recognition->distance;
-        signals.photograph.usualDistance = m_parts->card.photographs->threshold;
-    }
     if (options.height) {
-        signals.heightMm = m_parts->height(rgb, recognition, options.quality);
+        signals.heightMm = m_parts->height(rgb, options.quality);
         signals.heightMmPerPixel = architecture.mmPerPixel;
         requireFinite(signals.heightMm);
     }
     if (options.friction) {
-        const FrictionTarget target = m_parts->friction(rgb, recognition, options.quality);
+        const FrictionTarget target = m_parts->friction(rgb, options.quality);
         requireFinite(target.logRatio);
         requireFinite(cv::Mat(1, 1, CV_32F, cv::Scalar(static_cast<double>(target.mean))));
         signals.spectrogram = magnitudes(target, architecture);

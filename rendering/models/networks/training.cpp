@@ -13,8 +13,6 @@
 #include "rendering/models/networks/progress_lines.h"
 #include "rendering/models/networks/validation.h"
 #include "rendering/models/networks/weights.h"
-#include "rendering/models/photograph_features.h"
-#include "rendering/models/ring_spectrum.h"
 #include "rendering/models/seeing/checkpoint.h"
 #include "rendering/models/training_log.h"
 
@@ -63,54 +61,6 @@ void keepFreedMemory()
 {
     ::mallopt(M_MMAP_THRESHOLD, 32 << 20);
     ::mallopt(M_TRIM_THRESHOLD, 1 << 30);
-}
-
-/// Mean ring powers over all presses of a fabric.
-std::vector<double> meanRings(const TrainingFabric& fabric)
-{
-    std::vector<double> mean(ringCount);
-    for (const TrainingHeight& height : fabric.heights)
-        for (std::size_t i = 0; i < mean.size(); ++i)
-            mean[i] += static_cast<double>(height.rings[i]) / static_cast<double>(fabric.heights.size());
-    return mean;
-}
-
-KnownFabrics knownFabrics(const TrainingData& data)
-{
-    KnownFabrics known;
-    for (const TrainingFabric& fabric : data.training) {
-        known.fabricOf.insert(known.fabricOf.end(), fabric.photographs.size(), static_cast<int>(known.rings.size()));
-        known.rings.push_back(meanRings(fabric));
-    }
-    return known;
-}
-
-/// Data of the known photographs for the card.
-Familiarity familiarityOf(const TrainingData& data)
-{
-    const auto features = [](const std::vector<TrainingFabric>& part) {
-        std::vector<std::vector<float>> all;
-        for (const TrainingFabric& fabric : part)
-            for (const TrainingPhotograph& photograph : fabric.photographs) all.push_back(photographFeatures(photograph.rgb));
-        return all;
-    };
-    return fitFamiliarity(features(data.training), features(data.validation),
-                          data.architecture.imposesSpectrum ? knownFabrics(data) : KnownFabrics{});
-}
-
-/// Regression of friction on texture over the training fabrics.
-FrictionPrior frictionByTexture(const TrainingData& data)
-{
-    std::vector<KnownTexture> textures;
-    for (const TrainingFabric& fabric : data.training) {
-        double logFriction = 0;
-        for (const TrainingStroke& stroke : fabric.strokes)
-            logFriction += std::log(static_cast<double>(stroke.target.mean)) / static_cast<double>(fabric.strokes.size());
-        for (const TrainingPhotograph& photograph : fabric.photographs)
-            textures.push_back({textureCoefficients(photograph.rgb, data.architecture.crop), logFriction,
-                                1 / static_cast<double>(fabric.photographs.size())});
-    }
-    return fitFrictionPrior(textures);
 }
 
 /// A whole run: the loop around AdversarialTraining::step with its time, checkpoints and model card.
@@ -248,8 +198,6 @@ private:
         card.trainingMinutes = std::round(state.elapsedS / 6) / 10;
         card.objective = nameOf(m_options.objective);
         card.split = nameOf(m_options.split);
-        card.photographs = familiarityOf(m_data);
-        if (m_options.objective == Objective::Default) card.frictionByTexture = frictionByTexture(m_data);
         for (const protocols::FabricId& id : m_options.heldOut) card.heldOut.push_back(id.value);
         card.datasetName = m_dataset.name;
         card.datasetHash = m_datasetHash;

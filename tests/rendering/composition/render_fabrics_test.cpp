@@ -394,31 +394,23 @@ private Q_SLOTS:
         QVERIFY(*physical.conditions[2].maps.at(FabricId("F01")).varianceLost > 0.01);
     }
 
-    void unfamiliarPhotographsAreNamed()
+    void photographsOfWhichOnlyTheMiddleIsUsedAreNamed()
     {
         SmallDataset small;
         GeneratorCalls asked;
         auto request = requestFor(small, "h_g", asked);
         request.generate = [inner = request.generate](auto photographs, const auto& options) {
             auto generated = inner(photographs, options);
-            generated[0].photograph = {9.14, 3.2, true, {}};
-            generated[1].photograph = {3.19, 3.2, false, {}};
+            generated[0].photograph.middleOnly = true;
             return generated;
         };
         const auto rendering = renderFabrics(small.dataset, request);
-        const auto lines = unfamiliarPhotographs(rendering);
-        QCOMPARE(lines.size(), std::size_t{2});  // The third photograph's distance is unknown.
-        QCOMPARE(QString::fromStdString(lines[0]),
-                 "photograph 0 of F01 differs from all training photographs (distance 9.1, 99 % of known fabrics "
-                 "lie below 3.2); its height and friction are extrapolations");
-        QVERIFY(QString::fromStdString(lines[1]).startsWith("the weights do not state"));
-        QCOMPARE(cutPhotographs(rendering).size(), std::size_t{1});
+        const auto lines = cutPhotographs(rendering);
+        QCOMPARE(lines.size(), std::size_t{1});
+        QVERIFY(QString::fromStdString(lines[0]).startsWith("photograph 0 of F01 is too large"));
         const auto json = nlohmann::json::parse(renderJson(small.dataset, request, rendering))["photographs"];
-        QCOMPARE(json["F01"]["unfamiliar"].get<bool>(), true);
-        QCOMPARE(json["F02"]["unfamiliar"].get<bool>(), false);
-        QVERIFY(json["F03"]["unfamiliar"].is_null());
-        const auto none = requestFor(small, "v_grey", asked);
-        QVERIFY(unfamiliarPhotographs(renderFabrics(small.dataset, none)).empty());
+        QCOMPARE(json["F01"]["middle_only"].get<bool>(), true);
+        QCOMPARE(json["F02"]["middle_only"].get<bool>(), false);
     }
 
     void photographsThatTellLittleOfTheirFrictionAreNamed()

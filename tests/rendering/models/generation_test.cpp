@@ -184,11 +184,23 @@ private Q_SLOTS:
         verifySound(generated({{plain, std::nullopt}}).front(), {width, height});
     }
 
-    void knownPitchIsScaledToTheModels()
+    void heightsHaveThePitchOfThePhotograph()
     {
         const cv::Mat plain(100, 200, CV_8UC3, cv::Scalar::all(120));
-        verifySound(generated({{plain, 0.025}}).front(), {100, 50});
-        verifySound(generated({{plain, 0.1}}).front(), {400, 200});
+        for (const double pitch : {0.025, 0.1}) {
+            const GeneratedSignals signals = generated({{plain, pitch}}).front();
+            verifySound(signals, {200, 100});
+            QCOMPARE(signals.heightMmPerPixel, pitch);
+        }
+    }
+
+    void aPictureOfTwiceTheScaleShowsTwiceTheHeight()
+    {
+        InputPhotograph one = photograph("F01"), twice = one;
+        *twice.mmPerPixel *= 2;
+        const std::vector<GeneratedSignals> answers = generated({one, twice});
+        const double ratio = deviation(answers[1].heightMm) / deviation(answers[0].heightMm);
+        QVERIFY2(std::abs(ratio - 2) < 0.01, qPrintable(QString::number(ratio)));
     }
 
     void qualitiesAgreeAndRepeat()

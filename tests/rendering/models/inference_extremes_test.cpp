@@ -15,8 +15,6 @@
 #include "rendering/models/generation.h"
 #include "rendering/models/model_card_fields.h"
 #include "rendering/models/photograph_at_pitch.h"
-#include "rendering/models/photograph_features.h"
-#include "rendering/models/ring_spectrum.h"
 
 using namespace rendering;
 using models::GeneratedSignals;
@@ -85,15 +83,6 @@ private:
     }
 
     /// The weights of the program with a changed card.
-    fs::path withCard(const char* name, const std::function<void(models::ModelCardFields&)>& change) const
-    {
-        const fs::path model = m_folder.filePath(name).toStdString();
-        fs::copy_file(models::shippedModel(), model, fs::copy_options::overwrite_existing);
-        auto card = models::readModelCardFields(models::shippedModel());
-        change(card);
-        protocols::writeWholeFile(models::cardOf(model), models::cardText(card));
-        return model;
-    }
 
 private Q_SLOTS:
     void initTestCase()
@@ -184,151 +173,6 @@ private Q_SLOTS:
         QCOMPARE(cv::norm(answers[0].heightMm, answers[1].heightMm, cv::NORM_INF), 0.0);
         const auto coloured = generated({photograph(1)}).front();
         QVERIFY(std::abs(answers[0].meanFriction / coloured.meanFriction - 1) < 0.5);
-    }
-
-    void cardsWithPhotographsRecogniseUnfamiliarOnes()
-    {
-        const fs::path model = m_folder.filePath("model.safetensors").toStdString();
-        fs::copy_file(models::shippedModel(), model);
-        auto card = models::readModelCardFields(models::shippedModel());
-        std::vector<std::vector<float>> known;
-        for (std::size_t fabric = 0; fabric < 3; ++fabric)
-            for (int index = 0; index < 3; ++index)
-                known.push_back(models::photographFeatures(photograph(fabric, index).photograph));
-        card.photographs = models::fitFamiliarity(known, {});
-        protocols::writeWholeFile(models::cardOf(model), models::cardText(card));
-        QCOMPARE(models::readModelCardFields(model).photographs, card.photographs);
-
-        GenerationOptions options = fast();
-        options.model = model;
-        const cv::Mat black(300, 200, CV_8UC3, cv::Scalar::all(0));
-        const auto answers = generated({photograph(0), {black, std::nullopt}}, options);
-        QVERIFY(!answers[0].photograph.unfamiliar() && *answers[0].photograph.distance < 0.1);
-        QVERIFY(answers[1].photograph.unfamiliar());
-        QCOMPARE(answers[1].photograph.usualDistance, card.photographs->threshold);
-        const cv::Mat seen = models::photographAtPitch(photograph(0), card.architecture.mmPerPixel).rgb;
-        QCOMPARE(*answers[0].photograph.distance,
-                 models::recognised(*card.photographs, models::photographFeatures(seen)).distance);
-    }
-
-    void knownFabricDeterminesTheRoughnessOfAKnownPhotograph()
-    {
-        // One fabric is known; its waves have four times the power (twice the height) in one of two cards.
-        const auto shipped = models::readModelCardFields(models::shippedModel());
-        const std::vector<std::vector<float>> known{models::photographFeatures(photograph(0).photograph)};
-        const std::vector<double> rings = models::recognised(*shipped.photographs, known[0]).rings;
-        const auto reliefAt = [&](double strength) {
-            GenerationOptions options = fast();
-            options.model = withCard("remembering.safetensors", [&](models::ModelCardFields& card) {
-                std::vector<double> stronger = rings;
-                for (double& ring : stronger) ring += std::log(strength);
-                card.photographs = models::fitFamiliarity(known, {}, {{0}, {stronger}});
-            });
-            cv::Scalar mean, deviation;
-            cv::meanStdDev(generated({photograph(0)}, options).front().heightMm, mean, deviation);
-            return deviation[0];
-        };
-        const double ratio = reliefAt(1) / reliefAt(0.25);
-        QVERIFY2(ratio > 1.8 && ratio < 2.2, qPrintable(QString::number(ratio)));
-    }
-
-    void frictionOfAnUnfamiliarPhotographFollowsItsTexture()
-    {
-        models::FrictionPrior always;  // 0.77 for every texture.
-        const auto count = static_cast<std::size_t>(models::textureCoefficientCount);
-        always.mean = always.slope = std::vector<double>(count, 0);
-        always.deviation = std::vector<double>(count, 1);
-        always.logFriction = always.lowest = always.highest = std::log(0.77);
-        GenerationOptions options = fast();
-        options.model = withCard("expecting.safetensors", [&](models::ModelCardFields& card) {
-            card.photographs =
-                models::fitFamiliarity(std::vector<std::vector<float>>{models::photographFeatures(photograph(0).photograph)}, {});
-            card.frictionByTexture = always;
-        });
-        cv::Mat noise(256, 256, CV_8UC3);
-        cv::theRNG().state = 8;
-        cv::randu(noise, 0, 256);
-        const auto answers = generated({photograph(0), {noise, photograph(0).mmPerPixel}}, options);
-        QVERIFY(*answers[1].photograph.distance > 2 * answers[1].photograph.usualDistance);
-        QVERIFY(std::abs(answers[1].meanFriction - 0.77) < 1e-5);
-        QVERIFY2(std::abs(answers[0].meanFriction - 0.77) > 0.1, "the network must decide for a known photograph");
-        // The network alone gives another value; at half unfamiliarity the result lies half-way (in logarithms).
-        const double farAway = *answers[1].photograph.distance;
-        const auto meanAt = [&](double strangeness) {
-            options.model = withCard("half-way.safetensors", [&](models::ModelCardFields& card) {
-                card.photographs = models::fitFamiliarity(
-                    std::vector<std::vector<float>>{models::photographFeatures(photograph(0).photograph)}, {});
-                card.photographs->threshold = farAway / (1 + strangeness);
-                card.frictionByTexture = always;
-            });
-            return generated({{noise, photograph(0).mmPerPixel}}, options).front().meanFriction;
-        };
-        const double alone = meanAt(0);
-        QVERIFY(std::abs(std::log(alone / 0.77)) > 0.1);
-        QVERIFY(std::abs(meanAt(0.5) / std::sqrt(alone * 0.77) - 1) < 1e-3);
-    }
-
-    void knownFabricsDoNotAffectAnUnfamiliarPhotograph()
-    {
-        cv::Mat noise(256, 256, CV_8UC3);
-        cv::theRNG().state = 8;
-        cv::randu(noise, 0, 256);
-        const auto deviationWith = [&](double strangeness, bool remembering) {
-            GenerationOptions options = fast();
-            options.model = withCard("stranger.safetensors", [&](models::ModelCardFields& card) {
-                const std::vector<std::vector<float>> known{models::photographFeatures(photograph(0).photograph)};
-                const models::KnownFabrics flat{{0}, {std::vector<double>(models::ringCount, -13)}};
-                card.photographs = models::fitFamiliarity(known, {}, remembering ? flat : models::KnownFabrics{});
-                card.photographs->threshold =
-                    models::recognised(*card.photographs, models::photographFeatures(noise)).distance / (1 + strangeness);
-            });
-            cv::Scalar mean, deviation;
-            cv::meanStdDev(generated({{noise, photograph(0).mmPerPixel}}, options).front().heightMm, mean, deviation);
-            return deviation[0];
-        };
-        const double network = deviationWith(1.2, false), half = deviationWith(0.5, true), memory = deviationWith(0, true);
-        QVERIFY(std::abs(deviationWith(1.2, true) / network - 1) < 1e-5);
-        QVERIFY2(memory < 0.8 * half && half < 0.8 * network, qPrintable(QString("%1 %2 %3").arg(memory).arg(half).arg(network)));
-    }
-
-    void unevenLightIsDividedOut()
-    {
-        cv::Mat even(400, 600, CV_8UC3), lamp(400, 600, CV_8UC3);
-        cv::theRNG().state = 3;
-        cv::randu(even, 90, 150);
-        for (int row = 0; row < lamp.rows; ++row)
-            for (int column = 0; column < lamp.cols; ++column)
-                for (int channel = 0; channel < 3; ++channel)
-                    lamp.at<cv::Vec3b>(row, column)[channel] = cv::saturate_cast<uchar>(
-                        even.at<cv::Vec3b>(row, column)[channel] * (1.2 - 0.8 * std::hypot(column - 300.0, row - 200.0) / 360));
-        const auto edgeOverMiddle = [](const cv::Mat& rgb) {
-            return cv::mean(rgb({0, 0, 100, 100}))[1] / cv::mean(rgb({250, 150, 100, 100}))[1];
-        };
-        QVERIFY(edgeOverMiddle(lamp) < 0.6);
-        const cv::Mat lit = models::evenlyLit(lamp);
-        QVERIFY2(edgeOverMiddle(lit) > 0.75 && edgeOverMiddle(lit) < 1.1, qPrintable(QString::number(edgeOverMiddle(lit))));
-        QVERIFY(std::abs(cv::mean(lit)[0] / cv::mean(lamp)[0] - 1) < 0.1);
-        cv::absdiff(models::evenlyLit(even), even, even);
-        QVERIFY(cv::mean(even)[0] < 3);
-    }
-
-    void unknownPhotographsAreSeenAtTheModelsPitch()
-    {
-        // The same cloth at twice the resolution is equally familiar if its pitch is known.
-        const auto card = models::readModelCardFields(models::shippedModel());
-        cv::Mat fine;
-        cv::resize(photograph(0).photograph, fine, {}, 2, 2, cv::INTER_CUBIC);
-        const auto familiarity =
-            models::fitFamiliarity(std::vector<std::vector<float>>{models::photographFeatures(photograph(0).photograph),
-                                                                   models::photographFeatures(photograph(1).photograph)},
-                                   {});
-        const auto distance = [&](std::optional<double> mmPerPixel) {
-            return models::recognised(familiarity,
-                                      models::photographFeatures(
-                                          models::photographAtPitch({fine, mmPerPixel}, card.architecture.mmPerPixel).rgb))
-                .distance;
-        };
-        QVERIFY(distance(card.architecture.mmPerPixel / 2) < 0.5 * distance(std::nullopt));
     }
 };
 

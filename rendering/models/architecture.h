@@ -25,6 +25,9 @@ struct Architecture {
     double meanFrictionScale = 0.5;  ///< coefficient per unit of G_s's mean, before its last non-linearity
     bool imposesSpectrum = true;     ///< the relief gets the predicted or known radial power spectrum (ring_spectrum.h)
     double zeroPercentile = 2;       ///< percent of a measured map at or below 0; also of a relief with imposed spectrum
+    /// Factor of the deviation of friction that networks that see state. With it, the 90 % interval held 90 % of the drawn
+    /// fabrics of a family of its own.
+    double intervalFactor = 1;
     bool operator==(const Architecture&) const = default;
 };
 

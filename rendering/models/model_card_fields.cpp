@@ -29,11 +29,8 @@ ordered_json architectureJson(const Architecture& a)
     const ordered_json spectrogram{{"window", a.window}, {"hop", a.hop},       {"samples", a.traceSamples},
                                    {"rows", a.rows},     {"frames", a.frames}, {"mm_per_sample", a.traceMmPerSample}};
     if (a.sees)
-        return {{"kind", seeingKind},
-                {"base_channels", a.baseChannels},
-                {"friction_channels", a.frictionChannels},
-                {"crop", a.crop},
-                {"spectrogram", spectrogram}};
+        return {{"kind", seeingKind}, {"base_channels", a.baseChannels},     {"friction_channels", a.frictionChannels},
+                {"crop", a.crop},     {"interval_factor", a.intervalFactor}, {"spectrogram", spectrogram}};
     return {{"kind", architectureKind},
             {"base_channels", a.baseChannels},
             {"crop", a.crop},
@@ -54,6 +51,7 @@ Architecture architectureFrom(const ordered_json& json)
     if (a.sees) {
         a.frictionChannels = json.at("friction_channels").get<int>();
         a.imposesSpectrum = false;
+        a.intervalFactor = json.value("interval_factor", 1.0);
     } else {
         a.mmPerPixel = json.at("mm_per_pixel").get<double>();
         a.heightScaleMm = json.at("height_scale_mm").get<double>();
@@ -80,6 +78,7 @@ bool sensible(const Architecture& a)
            within(a.heightScaleMm, 1e-9, 1e3) && within(a.meanFrictionScale, 1e-9, 1e3) && within(a.window, 4, 4096) &&
            within(a.hop, 1, a.window) && within(a.traceSamples, 4, 1 << 20) && within(a.rows, 2, 2049) &&
            within(a.frames, 1, 1 << 16) && within(a.traceMmPerSample, 1e-9, 1e3) && within(a.zeroPercentile, 0, 50) &&
+           within(a.intervalFactor, 0.1, 10) &&
            0.25 * std::pow(std::max(a.baseChannels, a.frictionChannels), 2) * (a.rows + 3.0) * (a.frames + 3.0) <=
                mostSeedParameters;
 }

@@ -15,6 +15,8 @@ const std::array<MeasureRow, measureCount>& measureTable()
         {Measure::FrictionSpectrum, Friction, "friction_spectrum_db", "spectrum off by", NumberFormat::Decibels,
          Averaging::Arithmetic, Better::Smaller,
          "RMS difference of the two power spectra (trace divided by its mean, averaged over time)"},
+        {Measure::FrictionCovered, Friction, "interval_90_covers", "interval holds", NumberFormat::Percent, Averaging::Arithmetic,
+         Better::Neither, "share of the 90 % intervals that hold the measured mean; 90 % is right"},
         {Measure::Ssim, Height, "ssim", "SSIM", NumberFormat::Plain4, Averaging::Arithmetic, Better::Larger,
          "structural similarity of the maps in mm, pixel by pixel"},
         {Measure::SsimNormalised, Height, "ssim_normalised", "SSIM, normalised", NumberFormat::Plain4, Averaging::Arithmetic,

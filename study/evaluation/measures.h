@@ -14,6 +14,7 @@ enum class Measure {
     FrictionMaeOverMean,
     MeanFrictionError,
     FrictionSpectrum,
+    FrictionCovered,
     Ssim,
     SsimNormalised,
     SsimRegistered,
@@ -27,7 +28,7 @@ enum class Measure {
     MeanFriction,
     SqMm,
 };
-inline constexpr std::size_t measureCount = 16;
+inline constexpr std::size_t measureCount = 17;
 
 enum class Section { Friction, Height, Roughness, Identification, Level };
 enum class Averaging { Arithmetic, Geometric };

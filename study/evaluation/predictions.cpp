@@ -106,6 +106,12 @@ Prediction predictByConstants(const EvaluationContext& context, const TestPair& 
     return prediction;
 }
 
+stats::Value covered(const std::optional<rendering::models::FrictionInterval>& interval, double truth)
+{
+    if (!interval) return stats::Value::undefined("it gives no interval of its mean friction");
+    return truth >= interval->low && truth <= interval->high ? 1 : 0;
+}
+
 }  // namespace
 
 MeasuredPair measurePair(const EvaluationContext& context, const TestPair& pair)
@@ -151,6 +157,7 @@ Prediction predictByModel(const EvaluationContext& context, const TestPair& pair
         prediction.height =
             atPitch({generated.heightMm, pitch, pair.photograph.rotationDeg.value_or(0)}, context.measured.pitchMm());
     if (!generated.trace.empty()) prediction.trace = Trace{generated.trace, generated.traceMmPerSample};
+    prediction.meanFriction = generated.photograph.meanFriction;
     return prediction;
 }
 
@@ -203,6 +210,7 @@ Values compare(const EvaluationContext& context, const TestPair& pair, const Mea
         const Trace trace = atSpacing(*prediction.trace, measured.trace->mmPerSample);
         friction = frictionFeatures(trace);
         compareTraces(trace, *measured.trace, values);
+        at(values, Measure::FrictionCovered) = covered(prediction.meanFriction, frictionFeatures(*measured.trace).mean);
     }
     identify(context, pair, height, friction, values);
     if (!height)

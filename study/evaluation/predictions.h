@@ -34,6 +34,7 @@ struct Prediction {
     std::optional<HeightMap> height;
     std::optional<Trace> trace;
     std::string whyNoHeight, whyNoTrace;
+    std::optional<rendering::models::FrictionInterval> meanFriction = {};  ///< 90 % interval, where the predictor gives one
 };
 
 Prediction predictByModel(const EvaluationContext& context, const TestPair& pair,

@@ -158,36 +158,66 @@ void ClothTraining::continueFrom(const std::vector<StoredTensor>& tensors)
     setMoments(m_steps, tensors, next);
 }
 
-nlohmann::ordered_json clothFigures(SeeingNetworks& networks, const Architecture& architecture, int patches, std::uint64_t seed)
+namespace {
+
+constexpr double ninetyPercent = 1.6448536269514722;  ///< standard deviations on each side of a normal 90 % interval
+
+/// What the networks make of a patch, beside what is known.
+struct SeenPatch {
+    double correlation = 0, sqRatio = 0;
+    double logError = 0, logSpread = 0, friction = 0;  ///< of the mean friction: error of its logarithm, stated deviation, truth
+    double standardError() const { return std::abs(logError) / std::exp(logSpread); }
+};
+
+std::vector<SeenPatch> seenPatches(SeeingNetworks& networks, const Architecture& architecture, int patches, std::uint64_t family)
 {
     const torch::NoGradGuard noGradient;
     setTraining(networks, false);
-    constexpr double ninetyPercent = 1.6448536269514722;
     ClothBatchOptions options;
     options.side = architecture.crop;
     options.spectrograms = architecture;
-    std::vector<double> correlations, ratios, errors, truths;
-    int covered = 0;
+    std::vector<SeenPatch> all;
     for (int number = 0; number * options.size < patches; ++number) {
-        // Families are far apart: training draws from `seed`, validation from its complement.
-        const ClothTensors batch = tensorsOf(drawClothBatch({}, options, ~seed, static_cast<std::uint64_t>(number)));
+        const ClothTensors batch = tensorsOf(drawClothBatch({}, options, family, static_cast<std::uint64_t>(number)));
         const torch::Tensor texture = seenTexture(batch.photographs);
         const torch::Tensor relief = networks.relief->forward(texture, batch.lamps);
         const SeenFriction friction = networks.friction->forward(texture, relief, batch.logPitches);
         const torch::Tensor correlation = reliefCorrelation(relief, batch.reliefs);
         const torch::Tensor ratio = withoutSlowPart(relief).flatten(1).std(1) / withoutSlowPart(batch.reliefs).flatten(1).std(1);
         for (int i = 0; i < options.size; ++i) {
-            correlations.push_back(correlation[i].item<double>());
-            ratios.push_back(ratio[i].item<double>());
-            const double error = friction.logMean[i].item<double>() - batch.logFrictions[i].item<double>();
-            errors.push_back(std::abs(std::expm1(error)));
-            truths.push_back(std::exp(batch.logFrictions[i].item<double>()));
-            covered += std::abs(error) <= ninetyPercent * std::exp(friction.logSpread[i].item<double>()) ? 1 : 0;
+            const double known = batch.logFrictions[i].item<double>();
+            all.push_back({correlation[i].item<double>(), ratio[i].item<double>(), friction.logMean[i].item<double>() - known,
+                           friction.logSpread[i].item<double>(), std::exp(known)});
         }
     }
     setTraining(networks, true);
+    return all;
+}
+
+}  // namespace
+
+double frictionIntervalFactor(SeeingNetworks& networks, const Architecture& architecture, int patches, std::uint64_t seed)
+{
+    constexpr std::uint64_t ownFamily = 0x9e3779b97f4a7c15;  // Neither of training nor of its validation.
+    std::vector<double> errors;
+    for (const SeenPatch& patch : seenPatches(networks, architecture, patches, seed ^ ownFamily))
+        errors.push_back(patch.standardError());
+    return std::clamp(quantileOf(errors, 0.9) / ninetyPercent, 0.2, 5.0);
+}
+
+nlohmann::ordered_json clothFigures(SeeingNetworks& networks, const Architecture& architecture, int patches, std::uint64_t seed)
+{
+    std::vector<double> correlations, ratios, errors, truths, constantErrors;
+    double covered = 0;
+    // Families are far apart: training draws from `seed`, validation from its complement.
+    for (const SeenPatch& patch : seenPatches(networks, architecture, patches, ~seed)) {
+        correlations.push_back(patch.correlation);
+        ratios.push_back(patch.sqRatio);
+        errors.push_back(std::abs(std::expm1(patch.logError)));
+        truths.push_back(patch.friction);
+        covered += patch.standardError() <= ninetyPercent * architecture.intervalFactor ? 1 : 0;
+    }
     const double constant = medianOf(truths);
-    std::vector<double> constantErrors;
     for (const double truth : truths) constantErrors.push_back(std::abs(constant / truth - 1));
     return {{"patches", correlations.size()},
             {"relief_correlation", sixDecimals(meanOf(correlations))},

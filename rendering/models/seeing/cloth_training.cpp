@@ -19,6 +19,8 @@ namespace {
 using std::chrono::steady_clock;
 
 constexpr int stepsPerLogRow = 50;
+/// Patches that set the interval of friction, against those of a validation: a tail needs more of them than a mean.
+constexpr int patchesPerFactor = 5;
 
 void checkOptions(const ClothTrainingOptions& options)
 {
@@ -170,6 +172,8 @@ private:
 
     void finish(ClothTraining& training, const Checkpoint& state)
     {
+        m_architecture.intervalFactor = frictionIntervalFactor(training.result(), m_architecture,
+                                                               patchesPerFactor * m_options.validationPatches, m_options.seed);
         ModelCardFields card;
         card.summary.name = m_options.out.stem().string();
         card.summary.trainedOnProceduralSet = m_dataset == nullptr;

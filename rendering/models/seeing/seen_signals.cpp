@@ -119,7 +119,7 @@ void addFriction(GeneratedSignals& signals, SeeingNetworks& networks, const Arch
     const torch::Tensor logRatio = seen.logRatio.mean(0).contiguous();
     target.logRatio = cv::Mat(architecture.rows, architecture.frames, CV_32F, logRatio.data_ptr<float>()).clone();
     const double logMean = seen.logMean.mean().item<double>(),
-                 halfWidth = ninetyPercent * seen.logSpread.exp().mean().item<double>();
+                 halfWidth = ninetyPercent * architecture.intervalFactor * seen.logSpread.exp().mean().item<double>();
     target.mean = static_cast<float>(std::exp(logMean));
     signals.spectrogram = magnitudes(target, architecture);
     signals.spectrogramParameters = spectrogramParameters(architecture);

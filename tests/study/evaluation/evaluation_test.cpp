@@ -120,6 +120,25 @@ private Q_SLOTS:
         QVERIFY(reached <= 2);
     }
 
+    void intervalsOfMeanFrictionAreCounted()
+    {
+        const PerfectGenerator perfect(m_dataset);
+        const auto with = [&](double low, double high) {
+            const Generate stated = [&, generate = perfect.asFunction()](auto photographs, const auto& options) {
+                auto answers = generate(photographs, options);
+                for (GeneratedSignals& one : answers)
+                    one.photograph.meanFriction =
+                        rendering::models::FrictionInterval{low * one.meanFriction, high * one.meanFriction};
+                return answers;
+            };
+            return evaluate(m_dataset, m_request, {}, stated);
+        };
+        QCOMPARE(mean(with(0.9, 1.1), PredictorKind::Generated, Measure::FrictionCovered), 1.0);
+        QCOMPARE(mean(with(1.1, 1.2), PredictorKind::Generated, Measure::FrictionCovered), 0.0);
+        QCOMPARE(at(with(0.9, 1.1).predictor(PredictorKind::Retrieval)->mean, Measure::FrictionCovered).why(),
+                 std::string("it gives no interval of its mean friction"));
+    }
+
     void controlsComeFromTheTrainingPart()
     {
         const Evaluation evaluation = evaluate(m_dataset, m_request, {}, flatAnswers);

@@ -68,30 +68,79 @@ KnownPatch drawnPatch(std::uint64_t seed, std::uint64_t index, const ClothBatchO
 /// Zoom of scanned cloth: a larger one shows fewer, larger threads. Slopes stay, so heights grow with the picture.
 constexpr double smallestZoom = 0.5, largestZoom = 2;
 constexpr int cameraBorderPx = 8;
+/// Pictures that are taken as they are keep their sharpness, so half of them are not zoomed at all.
+constexpr double unzoomedShare = 0.5, largestPictureZoom = 1.5;
 
-KnownPatch scannedPatch(const std::vector<ScannedCloth>& scans, const ClothBatchOptions& options, Random& random)
+/// A part of scanned cloth, zoomed to a square of `side` px.
+struct ScanPart {
+    cv::Rect rect;
+    int side = 0;
+    void zoom(const cv::Mat& from, cv::Mat& to) const
+    {
+        if (rect.width == side)
+            from(rect).copyTo(to);
+        else
+            cv::resize(from(rect), to, {side, side}, 0, 0, rect.width > side ? cv::INTER_AREA : cv::INTER_CUBIC);
+    }
+};
+
+/// `shrink`: pixels of the scan that become one.
+ScanPart partOf(const ScannedCloth& scan, int side, double shrink, Random& random)
 {
-    const ScannedCloth& scan = scans[random.below(scans.size())];
+    const int taken = std::min({static_cast<int>(std::ceil(side * shrink)), scan.rgb.cols, scan.rgb.rows});
+    const auto start = [&](int length) { return static_cast<int>(random.below(static_cast<std::uint64_t>(length - taken) + 1)); };
+    const int x = start(scan.rgb.cols), y = start(scan.rgb.rows);
+    return {{x, y, taken, taken}, side};
+}
+
+double drawnShrink(const ScannedCloth& scan, int side, double largest, Random& random)
+{
+    const double most = std::min({largest, scan.rgb.cols / (side + 2.0), scan.rgb.rows / (side + 2.0)});
+    return std::exp(random.uniform(-std::log(largest), std::log(std::max(1 / largest, most))));
+}
+
+/// The colour of scanned cloth under the lamps and in the camera of drawn fabrics.
+KnownPatch photographedAnew(const ScannedCloth& scan, const ClothBatchOptions& options, Random& random)
+{
     const int side = options.side + 2 * cameraBorderPx;
-    const double most = std::min({1 / smallestZoom, scan.heightMm.cols / (side + 2.0), scan.heightMm.rows / (side + 2.0)});
-    const double shrink = std::exp(random.uniform(std::log(1 / largestZoom), std::log(std::max(1 / largestZoom, most))));
-    const int taken = std::min({static_cast<int>(std::ceil(side * shrink)), scan.heightMm.cols, scan.heightMm.rows});
-    const cv::Rect part(static_cast<int>(random.below(static_cast<std::uint64_t>(scan.heightMm.cols - taken) + 1)),
-                        static_cast<int>(random.below(static_cast<std::uint64_t>(scan.heightMm.rows - taken) + 1)), taken, taken);
+    const ScanPart part = partOf(scan, side, drawnShrink(scan, side, 1 / smallestZoom, random), random);
     cv::Mat reflectance, height;
-    const int method = shrink > 1 ? cv::INTER_AREA : cv::INTER_CUBIC;
-    cv::resize(scan.reflectance(part), reflectance, {side, side}, 0, 0, method);
-    cv::resize(scan.heightMm(part), height, {side, side}, 0, 0, method);
+    part.zoom(linearReflectance(scan.rgb), reflectance);
+    part.zoom(scan.heightMm, height);
     const int symmetry = static_cast<int>(random.below(8));
-    reflectance = turned(reflectance, symmetry);
-    height = turned(height, symmetry);
-    const double pitch = scan.mmPerPixel * taken / side;
+    const double pitch = scan.mmPerPixel * part.rect.width / side;
     const fabrics::ClothCamera camera = fabrics::drawCamera(random.uniform() < options.flatShare, random);
-    const fabrics::ClothWindow window = fabrics::windowOf(height, cv::max(reflectance, 0));
+    const fabrics::ClothWindow window = fabrics::windowOf(turned(height, symmetry), cv::max(turned(reflectance, symmetry), 0));
     const fabrics::ClothPhotograph photograph = fabrics::photographWindow(window, pitch, cameraBorderPx, camera, random);
     KnownPatch patch{photograph.rgb, photograph.heightMm / pitch, pitch};
     patch.lightDeg = fabrics::lightSide(camera);
     return patch;
+}
+
+/// A part of the picture as it is, turned.
+KnownPatch takenAsItIs(const ScannedCloth& scan, const ClothBatchOptions& options, Random& random)
+{
+    const double shrink = random.uniform() < unzoomedShare ? 1 : drawnShrink(scan, options.side, largestPictureZoom, random);
+    const ScanPart part = partOf(scan, options.side, shrink, random);
+    KnownPatch patch;
+    cv::Mat height;
+    part.zoom(scan.rgb, patch.rgb);
+    part.zoom(scan.heightMm, height);
+    patch.mmPerPixel = scan.mmPerPixel * part.rect.width / options.side;
+    const int symmetry = static_cast<int>(random.below(8));
+    patch.rgb = turned(patch.rgb, symmetry);
+    patch.reliefPx = turned(height, symmetry) / patch.mmPerPixel;
+    if (scan.lightDeg) patch.lightDeg = sideAfter(*scan.lightDeg, symmetry);
+    return patch;
+}
+
+KnownPatch scannedPatch(const std::vector<ScannedCloth>& scans, const ClothBatchOptions& options, Random& random)
+{
+    if (random.uniform() >= options.anewShare) return takenAsItIs(scans[random.below(scans.size())], options, random);
+    const ScannedCloth* flat = nullptr;  // readScannedCloth() returns at least one.
+    do flat = &scans[random.below(scans.size())];
+    while (!flat->isFlat);
+    return photographedAnew(*flat, options, random);
 }
 
 void copyPhotograph(const cv::Mat& rgb, float* out)
@@ -113,16 +162,16 @@ std::vector<ScannedCloth> readScannedCloth(const fabrics::Dataset& dataset, cons
     const fabrics::PhotographViews views(dataset);
     std::vector<ScannedCloth> scans;
     for (const fabrics::SamplePlace& place : fabrics::readSamplePlaces(dataset)) {
-        if (place.modality != fabrics::Modality::Visual || place.light != "colour" ||
+        if (place.modality != fabrics::Modality::Visual ||
             std::find(heldOut.begin(), heldOut.end(), place.fabric) != heldOut.end() || !dataset.fabric(place.fabric).surfaceInMm)
             continue;
         const auto surface = fabrics::readSurface(dataset, place.fabric, place.index);
         const auto pitch = views.mmPerPixel(place.fabric, place.index);
         if (!surface || !pitch) continue;
-        scans.push_back({place.fabric.value, linearReflectance(fabrics::readPhotograph(dataset, place.fabric, place.index)),
-                         *surface, *pitch});
+        scans.push_back({place.fabric.value, fabrics::readPhotograph(dataset, place.fabric, place.index), *surface, *pitch,
+                         place.light == "colour", place.lightDeg});
     }
-    if (scans.empty())
+    if (std::ranges::none_of(scans, &ScannedCloth::isFlat))
         throw protocols::badInput(
             {"no scanned cloth remains for training", dataset.folder.string(),
              "pictures with light \"colour\", a surface in mm and a scale, of fabrics that are not held out",

@@ -1,9 +1,10 @@
 // Batches of cloth whose relief is known pixel by pixel: drawn fabrics, made when they are needed and never shown twice, and
-// scanned fabrics, photographed anew by the simulated camera. No torch here.
+// scanned fabrics, as they are or photographed anew by the simulated camera. No torch here.
 #pragma once
 
 #include <cstdint>
 #include <opencv2/core/mat.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,16 +13,18 @@
 
 namespace rendering::models {
 
-/// A piece of scanned cloth.
+/// A picture of scanned cloth.
 struct ScannedCloth {
     std::string fabric;
-    cv::Mat reflectance;  ///< CV_32FC3, linear, 0 to 1
-    cv::Mat heightMm;     ///< CV_32FC1 of the same size
+    cv::Mat rgb;       ///< CV_8UC3, sRGB
+    cv::Mat heightMm;  ///< CV_32FC1 of the same size
     double mmPerPixel = 0.2;
+    bool isFlat = false;                  ///< plain colour, with the light taken out: the simulated camera can photograph it anew
+    std::optional<double> lightDeg = {};  ///< side of a single lamp (told_lamp.h)
 };
 
-/// The pictures of a data set whose light is "colour", with their surfaces in mm. Fabrics of `heldOut` are left out. Throws
-/// badInput where none remains.
+/// All pictures of a data set that have a scale and a surface in mm. Fabrics of `heldOut` are left out. Throws badInput where no
+/// picture with light "colour" remains.
 std::vector<ScannedCloth> readScannedCloth(const fabrics::Dataset& dataset, const std::vector<protocols::FabricId>& heldOut);
 
 /// In the layout of the networks (N x C x H x W, row-major).
@@ -40,6 +43,7 @@ struct ClothBatchOptions {
     int size = 8;
     int side = 128;                  ///< px, a multiple of 16
     double scanShare = 0.3;          ///< share of scanned cloth, where there is any
+    double anewShare = 0.4;          ///< share of scanned cloth that is photographed anew
     double flatShare = 0.3;          ///< share of pictures with the light taken out, as published scans are
     double toldShare = 0.6;          ///< share of the pictures with one lamp whose side is told
     Architecture spectrograms = {};  ///< of the strokes

@@ -9,20 +9,20 @@ namespace {
 
 double inCircle(double degrees) { return std::fmod(std::fmod(degrees, 360) + 360, 360); }
 
-/// Side of the lamp after a symmetry. The axes of the picture point right and down, so a swap mirrors at upper left.
-double sideAfter(double side, int turn)
-{
-    if ((turn & 4) != 0) side = 270 - side;
-    if ((turn & 1) != 0) side = 180 - side;
-    return inCircle((turn & 2) != 0 ? -side : side);
-}
-
 void mirror(cv::Mat& image, int turn)
 {
     if ((turn & 3) != 0) cv::flip(image, image, (turn & 3) == 3 ? -1 : (turn & 3) == 1 ? 1 : 0);
 }
 
 }  // namespace
+
+double sideAfter(double lightDeg, int turn)
+{
+    // The axes of the picture point right and down, so a swap mirrors at upper left.
+    if ((turn & 4) != 0) lightDeg = 270 - lightDeg;
+    if ((turn & 1) != 0) lightDeg = 180 - lightDeg;
+    return inCircle((turn & 2) != 0 ? -lightDeg : lightDeg);
+}
 
 ToldLamp toldLamp(const std::optional<double>& lightDeg)
 {

@@ -19,6 +19,9 @@ struct ToldLamp {
 /// `lightDeg`: side from which the light comes, finite, 0 right, 90 top, anticlockwise; nullopt where nobody knows.
 ToldLamp toldLamp(const std::optional<double>& lightDeg);
 
+/// Side of a lamp after turned(), 0 to 360 degrees.
+double sideAfter(double lightDeg, int turn);
+
 /// One of the eight symmetries of the square: bit 2 swaps both axes, then bit 0 mirrors columns and bit 1 rows.
 cv::Mat turned(const cv::Mat& image, int turn);
 cv::Mat turnedBack(const cv::Mat& image, int turn);

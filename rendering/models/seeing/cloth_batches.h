@@ -43,9 +43,9 @@ struct ClothBatchOptions {
     int size = 8;
     int side = 128;                  ///< px, a multiple of 16
     double scanShare = 0.3;          ///< share of scanned cloth, where there is any
-    double anewShare = 0.4;          ///< share of scanned cloth that is photographed anew
     double flatShare = 0.3;          ///< share of pictures with the light taken out, as published scans are
     double toldShare = 0.6;          ///< share of the pictures with one lamp whose side is told
+    double anewShare = 0.4;          ///< share of scanned cloth that is photographed anew
     Architecture spectrograms = {};  ///< of the strokes
 };
 

@@ -43,6 +43,43 @@ cv::Mat scannedHeight(int side)
     return height;
 }
 
+struct FacingCounts {
+    int told = 0, facing = 0;
+};
+
+/// Pictures whose lamp is told, and how many of them are brighter where the cloth faces it.
+FacingCounts facingTheirLamp(const ClothBatch& batch)
+{
+    const auto pixels = static_cast<std::size_t>(batch.side * batch.side);
+    FacingCounts counts;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(batch.size); ++i) {
+        if (batch.lamps[2 * i] == 0) continue;
+        ++counts.told;
+        const double angle = (112.5 + 22.5 * static_cast<double>(batch.lamps[2 * i + 1])) * std::numbers::pi / 180;
+        const cv::Mat relief(batch.side, batch.side, CV_32F, const_cast<float*>(&batch.reliefs[pixels * i])),
+            green(batch.side, batch.side, CV_32F, const_cast<float*>(&batch.photographs[3 * pixels * i + pixels]));
+        cv::Mat right, down, light;
+        cv::Sobel(relief, right, CV_32F, 1, 0);
+        cv::Sobel(relief, down, CV_32F, 0, 1);
+        // Cloth that faces the lamp falls towards it.
+        cv::Mat facingLamp = down * std::sin(angle) - right * std::cos(angle);
+        facingLamp -= cv::mean(facingLamp);
+        cv::subtract(green, cv::mean(green), light);
+        counts.facing += facingLamp.dot(light) > 0 ? 1 : 0;
+    }
+    return counts;
+}
+
+/// The scan under a lamp at the lower right (315 degrees).
+cv::Mat litFromLowerRight(const cv::Mat& height)
+{
+    cv::Mat right, lit;
+    cv::Sobel(height, right, CV_32F, 1, 0);
+    cv::Mat(128 - 100 * right).convertTo(right, CV_8U);  // It is bright where it falls to the right.
+    cv::merge(std::vector<cv::Mat>{right, right, right}, lit);
+    return lit;
+}
+
 fabrics::Dataset scans(const std::filesystem::path& folder)
 {
     fabrics::Dataset dataset;
@@ -55,17 +92,22 @@ fabrics::Dataset scans(const std::filesystem::path& folder)
         fabric.id = protocols::FabricId(id);
         fabric.name = id;
         dataset.fabrics.push_back(fabric);
-        const auto photo = fabrics::samplePath(dataset, fabric.id, fabrics::Modality::Visual, 0);
-        const auto surface = fabrics::surfacePath(dataset, fabric.id, 0);
-        std::filesystem::create_directories(photo.parent_path());
-        std::filesystem::create_directories(surface.parent_path());
-        writePng(photo, cv::Mat(300, 300, CV_8UC3, cv::Scalar(128, 90, 60)));
-        writeTiff(surface, scannedHeight(300));
-        fabrics::SamplePlace place;
-        place.fabric = fabric.id;
-        place.mmPerPixel = 0.1;
-        place.light = "colour";
-        places.push_back(place);
+        for (const int index : {0, 1}) {
+            const auto photo = fabrics::samplePath(dataset, fabric.id, fabrics::Modality::Visual, index);
+            const auto surface = fabrics::surfacePath(dataset, fabric.id, index);
+            std::filesystem::create_directories(photo.parent_path());
+            std::filesystem::create_directories(surface.parent_path());
+            const cv::Mat height = scannedHeight(300);
+            writePng(photo, index == 0 ? cv::Mat(300, 300, CV_8UC3, cv::Scalar(128, 90, 60)) : litFromLowerRight(height));
+            writeTiff(surface, height);
+            fabrics::SamplePlace place;
+            place.fabric = fabric.id;
+            place.index = index;
+            place.mmPerPixel = 0.1;
+            place.light = index == 0 ? "colour" : "one_lamp";
+            if (index == 1) place.lightDeg = 315;
+            places.push_back(place);
+        }
     }
     fabrics::writeDatasetJson(dataset);
     fabrics::writeSamplePlaces(dataset, places);
@@ -163,24 +205,7 @@ private Q_SLOTS:
     {
         ClothBatchOptions options{24, 64, 0, 0, 1};
         const ClothBatch batch = drawClothBatch({}, options, 11, 0);
-        const auto pixels = static_cast<std::size_t>(options.side * options.side);
-        int told = 0, facing = 0;
-        for (std::size_t i = 0; i < 24; ++i) {
-            if (batch.lamps[2 * i] == 0) continue;
-            ++told;
-            const double angle = (112.5 + 22.5 * static_cast<double>(batch.lamps[2 * i + 1])) * std::numbers::pi / 180;
-            const cv::Mat relief(options.side, options.side, CV_32F, const_cast<float*>(&batch.reliefs[pixels * i])),
-                green(options.side, options.side, CV_32F, const_cast<float*>(&batch.photographs[3 * pixels * i + pixels]));
-            cv::Mat right, down, light;
-            cv::Sobel(relief, right, CV_32F, 1, 0);
-            cv::Sobel(relief, down, CV_32F, 0, 1);
-            // Cloth that faces the lamp falls towards it.
-            cv::Mat facingLamp = down * std::sin(angle) - right * std::cos(angle);
-            facingLamp -= cv::mean(facingLamp);
-            cv::subtract(green, cv::mean(green), light);
-            const double sum = facingLamp.dot(light);
-            facing += sum > 0 ? 1 : 0;
-        }
+        const auto [told, facing] = facingTheirLamp(batch);
         QVERIFY2(told >= 8 && facing >= 0.8 * told, qPrintable(QString("%1 of %2").arg(facing).arg(told)));
     }
 
@@ -189,7 +214,8 @@ private Q_SLOTS:
         QTemporaryDir folder;
         const fabrics::Dataset dataset = scans(folder.path().toStdString());
         const std::vector<ScannedCloth> cloth = readScannedCloth(dataset, {});
-        QCOMPARE(cloth.size(), std::size_t{2});
+        QCOMPARE(cloth.size(), std::size_t{4});
+        QVERIFY(cloth[0].isFlat && !cloth[0].lightDeg && !cloth[1].isFlat && cloth[1].lightDeg == 315.0);
         QCOMPARE(readScannedCloth(dataset, {protocols::FabricId("F02")}).front().fabric, std::string("F01"));
         const ClothBatch batch = drawClothBatch(cloth, {4, 64, 1}, 1, 0);
         double steepest = 0;
@@ -207,6 +233,16 @@ private Q_SLOTS:
         QVERIFY(refusalOf([&] {
                     readScannedCloth(dataset, {protocols::FabricId("F01"), protocols::FabricId("F02")});
                 }).contains("no scanned cloth remains"));
+    }
+
+    void scansAreAlsoShownAsTheyAreUnderTheirOwnLamp()
+    {
+        QTemporaryDir folder;
+        const std::vector<ScannedCloth> cloth = readScannedCloth(scans(folder.path().toStdString()), {});
+        ClothBatchOptions options{24, 64, 1, 0, 1, 0};
+        const auto [told, facing] = facingTheirLamp(drawClothBatch(cloth, options, 3, 0));
+        QVERIFY2(told >= 6 && told <= 18, qPrintable(QString::number(told)));  // Plain colour has no lamp.
+        QCOMPARE(facing, told);
     }
 };
 

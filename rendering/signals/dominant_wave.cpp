@@ -13,6 +13,10 @@ namespace {
 
 constexpr int largestWindow = 256, smallestWindow = 32, mostWindowsAlong = 8;
 constexpr double shortestPeriodPx = 2.2;
+constexpr double slowestSteps = 4;      ///< cycles per window
+constexpr double waveWidthSteps = 1.6;  ///< half width of a wave under a Hann window
+
+int windowSide(const cv::Mat& picture) { return std::min({picture.rows, picture.cols, largestWindow}) / 2 * 2; }
 
 cv::Mat greyOf(const cv::Mat& picture)
 {
@@ -55,7 +59,7 @@ int stepsOf(int index, int side) { return index <= side / 2 ? index : index - si
 bool isSearched(int down, int right, int side)
 {
     const double steps = std::hypot(down, right);
-    return (right > 0 || (right == 0 && down > 0)) && steps >= 4 && side / steps >= shortestPeriodPx;
+    return (right > 0 || (right == 0 && down > 0)) && steps >= slowestSteps && side / steps >= shortestPeriodPx;
 }
 
 struct Peak {
@@ -103,7 +107,7 @@ double medianAround(const cv::Mat& powers, const Peak& peak)
 
 std::optional<DominantWave> dominantWave(const cv::Mat& picture, double leastProminence)
 {
-    const int side = std::min({picture.rows, picture.cols, largestWindow}) / 2 * 2;
+    const int side = windowSide(picture);
     if (side < smallestWindow) return std::nullopt;
     const cv::Mat powers = powersOf(greyOf(picture), side);
     const std::optional<Peak> peak = strongest(powers);
@@ -122,6 +126,25 @@ std::optional<DominantWave> dominantWave(const cv::Mat& picture, double leastPro
     right /= mass;
     const double angle = std::atan2(down, right) * 180 / std::numbers::pi;
     return DominantWave{side / std::hypot(down, right), std::fmod(angle + 180, 180), prominence};
+}
+
+double waveShare(const cv::Mat& picture, const DominantWave& wave)
+{
+    const int side = windowSide(picture);
+    if (side < smallestWindow) return 0;
+    const cv::Mat powers = powersOf(greyOf(picture), side);
+    const double radius = side / wave.periodPx, angle = wave.directionDeg * std::numbers::pi / 180;
+    const double down = radius * std::sin(angle), right = radius * std::cos(angle);
+    double near = 0, all = 0;
+    for (int row = 0; row < side; ++row)
+        for (int column = 0; column < side; ++column) {
+            const int y = stepsOf(row, side), x = stepsOf(column, side);
+            if (std::hypot(y, x) < slowestSteps) continue;
+            const double power = powers.at<float>(row, column);
+            all += power;
+            if (std::min(std::hypot(y - down, x - right), std::hypot(y + down, x + right)) <= waveWidthSteps) near += power;
+        }
+    return all > 0 ? near / all : 0;
 }
 
 double angleBetween(const DominantWave& a, const DominantWave& b)

@@ -18,6 +18,11 @@ struct DominantWave {
 /// Returns nullopt where a side is shorter than 32 px, the picture is constant, or no prominence reaches `leastProminence`.
 std::optional<DominantWave> dominantWave(const cv::Mat& picture, double leastProminence = 100);
 
+/// Share of a picture's power that lies at a wave of it or of another picture of its size, 0 to 1: within 1.6 steps of the
+/// spectrum's grid around it. Waves longer than a quarter of the window do not count, as uneven light is no weave. 0 for a
+/// constant picture, and where a side is shorter than 32 px.
+double waveShare(const cv::Mat& picture, const DominantWave& wave);
+
 /// Angle between the directions of two waves, 0 to 90 degrees.
 double angleBetween(const DominantWave& a, const DominantWave& b);
 

@@ -18,6 +18,7 @@
 #include "study/commands/progress.h"
 #include "study/evaluation/evaluation_json.h"
 #include "study/evaluation/evaluation_text.h"
+#include "study/evaluation/photograph_changes.h"
 #include "study/evaluation/surfaces.h"
 #include "study/evaluation/weaves.h"
 #include "study/looking/picture_decoder.h"
@@ -36,7 +37,7 @@ struct EvaluateCall {
     std::optional<std::uint64_t> splitSeed;
     std::optional<int> samples;
     double bounds = 0.10;
-    bool clothCheck = false;
+    bool clothCheck = false, changes = false;
     JsonTarget json;
 };
 
@@ -107,6 +108,14 @@ int evaluate(const EvaluateCall& call)
     request.samplesPerFabric = call.samples;
     request.boundsFraction = call.bounds;
     request.threads = std::min(stats::threadCount(0), mostThreads);
+    if (call.changes) {
+        StagesShown stages;
+        const auto changes = evaluation::evaluateChanges(
+            dataset, request, [&](const std::string& stage, int done, int total) { stages.show(stage, done, total); });
+        if (call.json) writeJson(call.json, evaluation::changesJson(changes));
+        if (!call.json || !call.json->empty()) std::fputs(evaluation::changesText(changes).c_str(), stdout);
+        return 0;
+    }
     std::optional<evaluation::SurfaceReport> surfaces;
     if (evaluation::hasSurfaces(dataset)) {
         StagesShown stages;
@@ -164,6 +173,8 @@ void addEvaluate(CLI::App& app, Action& action)
         ->check(finiteIn(1e-6, 1))
         ->capture_default_str();
     command->add_flag("--cloth-check", call->clothCheck, "only say of each picture in the folder DATASET whether it shows cloth");
+    command->add_flag("--changes", call->changes,
+                      "only say how much dye, light, focus and noise of a photograph change what is generated from it");
     addJsonOption(*command, call->json);
     command->callback([call, &action] { action.work = [call] { return evaluate(*call); }; });
 }

@@ -29,6 +29,8 @@ void compareWaves(WeaveComparison& weave, const cv::Mat& photograph, const cv::M
     if (!weave.comparable()) return;
     weave.periodChange = weave.relief->periodPx / weave.photograph->periodPx - 1;
     weave.turnDeg = rendering::signals::angleBetween(*weave.photograph, *weave.relief);
+    weave.shareOfRelief = rendering::signals::waveShare(heightMm, *weave.relief);
+    weave.shareOfPhotograph = rendering::signals::waveShare(seen, *weave.photograph);
 }
 
 std::string figure(const char* format, double value)
@@ -53,7 +55,8 @@ nlohmann::ordered_json waveJson(const std::optional<rendering::signals::Dominant
 
 bool WeaveComparison::kept() const
 {
-    return comparable() && std::abs(periodChange) <= mostPeriodChange && turnDeg <= mostTurnDeg;
+    return comparable() && std::abs(periodChange) <= mostPeriodChange && turnDeg <= mostTurnDeg &&
+           shareOfRelief >= leastShareRatio * shareOfPhotograph && shareOfRelief <= mostShareRatio * shareOfPhotograph;
 }
 
 WeaveReport evaluateWeaves(const fabrics::Dataset& dataset, const EvaluationRequest& request, const Report& report,
@@ -101,6 +104,8 @@ nlohmann::ordered_json weavesJson(const WeaveReport& weaves)
                                    {"relief", waveJson(weave.relief)}};
         row["period_change"] = weave.comparable() ? nlohmann::ordered_json(weave.periodChange) : nullptr;
         row["turn_deg"] = weave.comparable() ? nlohmann::ordered_json(weave.turnDeg) : nullptr;
+        row["share_of_photograph"] = weave.comparable() ? nlohmann::ordered_json(weave.shareOfPhotograph) : nullptr;
+        row["share_of_relief"] = weave.comparable() ? nlohmann::ordered_json(weave.shareOfRelief) : nullptr;
         row["kept"] = weave.photograph ? nlohmann::ordered_json(weave.kept()) : nullptr;
         if (!weave.comparable()) row["why"] = {{"period_change", "the photograph or the relief has no clear wave"}};
         rows.push_back(row);
@@ -122,7 +127,9 @@ std::string weavesText(const WeaveReport& weaves)
         text += "  " + weave.fabric.value + " " + name + " " + figure("%3.0f", weave.index) + "  photograph " +
                 waveText(weave.photograph) + "  relief " + waveText(weave.relief);
         if (weave.comparable())
-            text += "  off by " + figure("%5.1f %%", 100 * weave.periodChange) + figure(" and %4.1f deg", weave.turnDeg);
+            text += "  off by " + figure("%5.1f %%", 100 * weave.periodChange) + figure(" and %4.1f deg", weave.turnDeg) +
+                    figure(", share of power %4.1f %%", 100 * weave.shareOfRelief) +
+                    figure(" (photograph %4.1f %%)", 100 * weave.shareOfPhotograph);
         if (weave.photograph) {
             ++withWave;
             kept += weave.kept() ? 1 : 0;
@@ -132,8 +139,8 @@ std::string weavesText(const WeaveReport& weaves)
             text += figure("  (scale unknown, taken as %.3f mm/px)", *weave.facts.assumedMmPerPixel);
         text += "\n";
     }
-    return text + "  kept within 5 % and 5 deg: " + std::to_string(kept) + " of " + std::to_string(withWave) +
-           " photographs with a clear wave\n";
+    return text + "  kept within 5 % and 5 deg, with a third to twice the photograph's share of power: " + std::to_string(kept) +
+           " of " + std::to_string(withWave) + " photographs with a clear wave\n";
 }
 
 }  // namespace study::evaluation

@@ -1,5 +1,5 @@
-// Evaluation on photographs without measurements: whether the generated relief keeps the weave, given by period and direction of
-// the strongest wave in the photograph.
+// Evaluation on photographs without measurements: whether the generated relief keeps the weave, given by period, direction and
+// share of power of the strongest wave in the photograph.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -18,12 +18,14 @@ struct WeaveComparison {
     std::string name;
     int index = 0;
     std::optional<rendering::signals::DominantWave> photograph, relief;  ///< none: no clear wave
-    double periodChange = 0;  ///< period of the relief over that of the photograph, minus 1
-    double turnDeg = 0;       ///< angle between the two waves
+    double periodChange = 0;                          ///< period of the relief over that of the photograph, minus 1
+    double turnDeg = 0;                               ///< angle between the two waves
+    double shareOfPhotograph = 0, shareOfRelief = 0;  ///< waveShare() of each at its own wave
     rendering::models::PhotographFacts facts;
 
     bool comparable() const { return photograph && relief; }
-    /// Whether the relief keeps the weave within 5 % and 5°.
+    /// Whether the relief keeps the weave within 5 % and 5°, and has at least a third and at most twice its share of power: a
+    /// trace of the weave beneath noise would be no weave to a finger.
     bool kept() const;
 };
 
@@ -32,7 +34,7 @@ struct WeaveReport {
     std::vector<WeaveComparison> photographs;
 };
 
-inline constexpr double mostPeriodChange = 0.05, mostTurnDeg = 5;
+inline constexpr double mostPeriodChange = 0.05, mostTurnDeg = 5, leastShareRatio = 1.0 / 3, mostShareRatio = 2;
 
 /// Compares every photograph of the data set with its relief, both on the same pixels.
 WeaveReport evaluateWeaves(const rendering::fabrics::Dataset& dataset, const EvaluationRequest& request,

@@ -102,6 +102,26 @@ private Q_SLOTS:
         QVERIFY(QString::fromStdString(weavesText(turned)).contains("NOT KEPT"));
     }
 
+    void aTraceOfTheWeaveBeneathNoiseIsNotKept()
+    {
+        const Generate noisy = [](std::span<const models::InputPhotograph> photographs,
+                                  const models::GenerationOptions& options) {
+            auto answers = madeUp(1, false)(photographs, options);
+            for (models::GeneratedSignals& one : answers) {
+                cv::Mat noise(one.heightMm.size(), CV_32F);
+                cv::theRNG().state = 9;
+                cv::randn(noise, 0, 0.06);  // against a wave of 0.04 mm
+                one.heightMm += noise;
+            }
+            return answers;
+        };
+        const WeaveReport weaves = evaluateWeaves(m_dataset, {}, {}, noisy);
+        const WeaveComparison& one = weaves.photographs[0];
+        QVERIFY2(one.comparable() && one.turnDeg < 1 && std::abs(one.periodChange) < 0.01, "the wave is still the strongest");
+        QVERIFY2(one.shareOfPhotograph > 0.9 && one.shareOfRelief < 0.3, qPrintable(QString::number(one.shareOfRelief)));
+        QVERIFY(!one.kept());
+    }
+
     void jsonHasTheReasonForAMissingComparison()
     {
         const nlohmann::ordered_json json = weavesJson(evaluateWeaves(m_dataset, {}, {}, madeUp(1, false)));

@@ -140,9 +140,7 @@ void addNew(CLI::App& study, Action& action)
     command->add_option("--dataset", call->dataset, "the data set")->required();
     command->add_option("--protocol", call->protocol, "protocol file (default: the paper's study)");
     command->add_option("--model", call->model, "weights of the generators (default: the shipped ones)");
-    command->add_option(
-        "--control", call->control,
-        "weights of an L1-only control, compared in the report (default: the shipped ones of the shipped weights)");
+    command->add_option("--control", call->control, "weights of an L1-only control of the model, compared in the report");
     command->add_option("--participants", call->participants, "number of participants (default: the protocol's)")
         ->check(CLI::Range(1, 10000));
     command->add_option("--seed", call->seed, "seed of fabrics, samples and running orders")->capture_default_str();

@@ -57,12 +57,9 @@ void readModel(const NewStudy& request, StudyMaterial& material)
     material.control = request.control;
     if (!request.control.empty())
         (void)models::readModelCardFields(request.control);  // refuses weights without a card before any work
-    else if (const auto shipped = models::shippedModel().parent_path() / "l1-only.safetensors";
-             request.model.empty() && std::filesystem::exists(shipped))
-        material.control = shipped;
     if (request.model.empty() && !material.dataset.procedural)
         material.stamps.push_back(
-            "The shipped weights generated the signals. They were trained on procedural fabrics, not on this data set.");
+            "The shipped weights generated the signals. They were trained on drawn fabrics and on scanned cloth, not on this data set.");
 }
 
 }  // namespace

@@ -39,6 +39,17 @@ torch::Tensor slopeDistance(const torch::Tensor& generated, const torch::Tensor&
            ((downSlopes(generated) - downSlopes(known)) / steepness).abs().mean();
 }
 
+/// Factor that brings each map closest to the known one, [N, 1, 1, 1], without gradient. What a photograph does not tell makes
+/// the closest map flat. So distances are measured at this factor, and the deviation has a loss of its own.
+torch::Tensor closestFactor(const torch::Tensor& seen, const torch::Tensor& wanted)
+{
+    constexpr double most = 4;
+    return ((seen * wanted).mean({1, 2, 3}) / (power(seen) + 0.1 * flatVariance))
+        .clamp(1 / most, most)
+        .view({-1, 1, 1, 1})
+        .detach();
+}
+
 torch::Tensor correlationOf(const torch::Tensor& a, const torch::Tensor& b)
 {
     return (a * b).mean({1, 2, 3}) / (power(a) * power(b) + 1e-10).sqrt();
@@ -64,9 +75,10 @@ torch::Tensor reliefLoss(const torch::Tensor& generated, const torch::Tensor& kn
 {
     const torch::Tensor seen = withoutSlowPart(generated), wanted = withoutSlowPart(known);
     const torch::Tensor deviation = (power(wanted) + flatVariance).sqrt().view({-1, 1, 1, 1});
+    const torch::Tensor factor = closestFactor(seen, wanted);
     torch::Tensor sum = weights.correlation * (1 - correlationOf(seen, wanted)).mean() +
-                        weights.height * ((seen - wanted) / deviation).abs().mean() +
-                        weights.slope * slopeDistance(generated, known) +
+                        weights.height * ((factor * seen - wanted) / deviation).abs().mean() +
+                        weights.slope * slopeDistance(factor * generated, known) +
                         weights.amplitude * 0.5 *
                             ((power(seen) + 0.1 * flatVariance).log() - (power(wanted) + 0.1 * flatVariance).log()).abs().mean();
     if (weights.spectrum > 0)

@@ -18,9 +18,9 @@ torch::Tensor reliefCorrelation(const torch::Tensor& generated, const torch::Ten
 
 struct ReliefLossWeights {
     double correlation = 1;  ///< 1 - correlation
-    double height = 0.3;     ///< L1 of heights over the known deviation
-    double slope = 0.3;      ///< L1 of slopes over the known root mean square slope
-    double amplitude = 0.1;  ///< absolute logarithm of the ratio of deviations
+    double height = 0.3;     ///< L1 of heights over the known deviation, at the factor that brings them closest
+    double slope = 0.3;      ///< L1 of slopes over the known root mean square slope, at the same factor
+    double amplitude = 0.3;  ///< absolute logarithm of the ratio of deviations
     double spectrum = 0;     ///< L1 of the logarithms of the radial power spectra, nepers
 };
 

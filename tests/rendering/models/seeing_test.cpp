@@ -155,6 +155,17 @@ private Q_SLOTS:
         QVERIFY(std::isfinite(number(reliefLoss(0 * known, 0 * known, {}))));
     }
 
+    void reliefThatIsHardToSeeIsNotDrawnFlat()
+    {
+        // A map with a little of the truth: the smallest distance pixel by pixel would be reached by a flat one.
+        torch::manual_seed(9);
+        const torch::Tensor known = wave(8, 0.5), noise = torch::randn({1, 1, 128, 128});
+        const torch::Tensor guess = 0.3 * known + 0.95 * 0.5 / std::numbers::sqrt2 * noise / noise.std();
+        const auto lossAt = [&](double factor) { return number(reliefLoss(factor * guess, known, {})); };
+        QVERIFY2(lossAt(1) < lossAt(0.5) && lossAt(0.5) < lossAt(0.2) && lossAt(1) < lossAt(2),
+                 qPrintable(QString("%1 %2 %3 %4").arg(lossAt(0.2)).arg(lossAt(0.5)).arg(lossAt(1)).arg(lossAt(2))));
+    }
+
     void batchesOfDrawnClothAreRepeatableAndNeverShowAFabricTwice()
     {
         const ClothBatchOptions options{2, 64, 0};

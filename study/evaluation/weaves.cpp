@@ -71,7 +71,7 @@ WeaveReport evaluateWeaves(const fabrics::Dataset& dataset, const EvaluationRequ
     weaves.model = models::readModelCardFields(options.model).summary.name;
     for (const auto& fabric : dataset.fabrics)
         for (const int index : fabrics::sampleIndices(dataset, fabric.id, Modality::Visual))
-            weaves.photographs.push_back({fabric.id, fabric.name, index, {}, {}, 0, 0, {}});
+            weaves.photographs.push_back({fabric.id, fabric.name, index, {}, {}, 0, 0, 0, 0, {}});
     if (weaves.photographs.empty())
         throw protocols::badInput({"the data set has no photographs to test with", dataset.folder.string(),
                                    "visual/*.png of at least one fabric", "import photographs with `vis2hap import photos`"});

@@ -59,7 +59,8 @@ void readModel(const NewStudy& request, StudyMaterial& material)
         (void)models::readModelCardFields(request.control);  // refuses weights without a card before any work
     if (request.model.empty() && !material.dataset.procedural)
         material.stamps.push_back(
-            "The shipped weights generated the signals. They were trained on drawn fabrics and on scanned cloth, not on this data set.");
+            "The shipped weights generated the signals. They were trained on drawn fabrics and on scanned cloth, not on this "
+            "data set.");
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "rendering/models/seeing/pitch_unit.h"
 #include "rendering/models/seeing/seen_texture.h"
 #include "rendering/models/seeing/told_lamp.h"
+#include "rendering/signals/dominant_wave.h"
 #include "rendering/signals/spectrogram.h"
 #include "rendering/signals/tactile/photometric_stereo.h"
 
@@ -23,6 +24,9 @@ constexpr int tilePx = 512;  ///< px of the relief from one pass
 constexpr double longestWavePx = 128;
 constexpr double ninetyPercent = 1.6448536269514722;  ///< standard deviations on each side of a normal 90 % interval
 constexpr int displacementStep = 16;                  ///< no displacement of displacementsOf() is larger
+/// Threads with a shorter wave, in pixels, lie near the finest that the networks resolve. They see such a picture enlarged.
+constexpr double fineThreadsPx = 3.5;
+constexpr double enlargement = 2;
 
 int upTo16(int length) { return (length + 15) / 16 * 16; }
 
@@ -79,6 +83,22 @@ cv::Mat reliefPx(SeeingNetworks& networks, const cv::Mat& rgb, const ToldLamp& l
             cv::Mat(sum / static_cast<double>(displacements.size())).copyTo(relief(tile));
         }
     return relief({0, 0, rgb.cols, rgb.rows}).clone();
+}
+
+bool hasFineThreads(const cv::Mat& rgb)
+{
+    const std::optional<signals::DominantWave> wave = signals::dominantWave(rgb);
+    return wave && wave->periodPx < fineThreadsPx;
+}
+
+/// Relief in pixels of `rgb`. A picture of fine threads is enlarged for the networks, and its relief is made small again.
+cv::Mat reliefOfThreads(SeeingNetworks& networks, const cv::Mat& rgb, const ToldLamp& lamp, Quality quality)
+{
+    if (!hasFineThreads(rgb)) return reliefPx(networks, rgb, lamp, quality);
+    cv::Mat large, relief;
+    cv::resize(rgb, large, {}, enlargement, enlargement, cv::INTER_CUBIC);
+    cv::resize(reliefPx(networks, large, lamp, quality), relief, rgb.size(), 0, 0, cv::INTER_AREA);
+    return relief / enlargement;
 }
 
 /// Crops [N, 3, side, side], evenly spread.
@@ -148,7 +168,7 @@ GeneratedSignals seenSignals(SeeingNetworks& networks, const Architecture& archi
     const cv::Mat rgb = turned(photograph.photograph, lamp.turn);
     GeneratedSignals signals;
     if (options.height) {
-        const cv::Mat heightMm = turnedBack(reliefPx(networks, rgb, lamp, options.quality), lamp.turn) * pitch;
+        const cv::Mat heightMm = turnedBack(reliefOfThreads(networks, rgb, lamp, options.quality), lamp.turn) * pitch;
         signals.heightMm = signals::zeroedRelief(heightMm, {pitch, pitch}, longestWavePx * pitch, architecture.zeroPercentile);
         signals.heightMmPerPixel = pitch;
     }

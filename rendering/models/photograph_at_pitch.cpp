@@ -37,7 +37,8 @@ constexpr double mostEnlargement = 4;
 
 double assumedMmPerPixel(const cv::Mat& rgb, const Architecture& architecture)
 {
-    const auto wave = signals::dominantWave(rgb);
+    const UsedSide across = usedSide(rgb.cols, 1), down = usedSide(rgb.rows, 1);
+    const auto wave = signals::dominantWave(rgb({across.from, down.from, across.length, down.length}));
     if (architecture.sees) return ordinaryThreadMm / (wave ? wave->periodPx : ordinaryPeriodPx);
     return wave && wave->periodPx < finestPeriodPx
                ? architecture.mmPerPixel * std::min(mostEnlargement, ordinaryPeriodPx / wave->periodPx)

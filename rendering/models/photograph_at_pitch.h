@@ -20,7 +20,8 @@ struct PhotographAtPitch {
 
 /// Pitch that is assumed for a photograph of unknown scale, in mm per pixel. For networks that see, the threads are then 0.45 mm
 /// apart, as in ordinary clothing; without a clear weave (dominant_wave.h) nine pixels count as a thread. For other networks it
-/// is the model's pitch, unless the weave would be finer than finestPeriodPx; then the weave gets an ordinary period.
+/// is the model's pitch, unless the weave would be finer than finestPeriodPx; then the weave gets an ordinary period. Only the
+/// middle, at most largestSidePx wide and high, counts.
 double assumedMmPerPixel(const cv::Mat& rgb, const Architecture& architecture);
 
 /// Finest weave that a photograph of stated scale should show, mm: thinner threads are rare, so the scale is doubtful.

@@ -17,4 +17,6 @@ std::filesystem::path shippedModel()
     return std::filesystem::path(VIS2HAP_SOURCE_DIR) / "rendering" / "models" / "weights" / "vis2hap.safetensors";
 }
 
+std::filesystem::path earlierModel() { return shippedModel().parent_path() / "version-0.5.0.safetensors"; }
+
 }  // namespace rendering::models

@@ -19,5 +19,7 @@ ModelCard readModelCard(const std::filesystem::path& model);
 
 /// Weights that come with the program: beside the executable in an installed tree, else in the source tree.
 std::filesystem::path shippedModel();
+/// Weights of version 0.5.0, for comparisons of speed. An installed tree may lack them.
+std::filesystem::path earlierModel();
 
 }  // namespace rendering::models

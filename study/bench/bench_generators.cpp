@@ -49,6 +49,17 @@ BenchRow qualityRow(const ordered_json& quality)
                  quality["height_deviation_from_accurate_mm"].get<double>(), quality["ms_at_128"].get<double>())};
 }
 
+/// The same work by the networks of 0.5.0, in the same turns.
+BenchRow earlierRow(const ordered_json& quality)
+{
+    return {"photograph of 128x128, beside 0.5.0",
+            quality["quality"].get<std::string>(),
+            quality["ms_at_128"].get<double>(),
+            quality["ratio_at_128_to_version_0_5_0"].get<double>(),
+            "ours over theirs",
+            "both in the same turns, median of the ratios"};
+}
+
 BenchRow memoryRow(const ordered_json& bench, const char* field, const char* photograph)
 {
     return {"memory of the generators",
@@ -66,6 +77,8 @@ std::vector<BenchRow> benchGenerators(bool peers)
     const auto bench = ordered_json::parse(rendering::models::outputOfSecondProgram({"bench", "--json"}));
     std::vector<BenchRow> rows;
     for (const auto& quality : bench["qualities"]) rows.push_back(qualityRow(quality));
+    for (const auto& quality : bench["qualities"])
+        if (quality["ratio_at_128_to_version_0_5_0"].get<double>() > 0) rows.push_back(earlierRow(quality));
     rows.push_back(memoryRow(bench, "peak_mb_at_128", "128x128"));
     rows.push_back(memoryRow(bench, "peak_mb_at_largest", "the largest, 2048x2048"));
     if (peers) addPeers(rows);

@@ -121,22 +121,34 @@ double average(const std::vector<double>& values)
     return values.empty() ? 0 : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-GeneratorBenchRow benchQuality(const LoadedModel& model, const std::vector<BenchCase>& cases,
+/// Our model and the networks of 0.5.0, which are timed in turns so that both meet the same load of the machine.
+struct BenchModels {
+    const LoadedModel& ours;
+    const LoadedModel* earlier = nullptr;
+};
+
+GeneratorBenchRow benchQuality(const BenchModels& models, const std::vector<BenchCase>& cases,
                                const std::vector<GeneratedSignals>& accurate, Quality quality)
 {
     using std::chrono::steady_clock;
     GenerationOptions options;
     options.quality = quality;
-    std::vector<double> milliseconds, at128, height, friction, meanError, spreadError;
-    const auto timed = [&](const InputPhotograph& photograph, std::vector<double>& times) {
+    std::vector<double> milliseconds, at128, ratios, height, friction, meanError, spreadError;
+    const auto timed = [&](const LoadedModel& model, const InputPhotograph& photograph, std::vector<double>& times) {
         const steady_clock::time_point started = steady_clock::now();
         GeneratedSignals signals = model.generate(photograph, options);
         times.push_back(std::chrono::duration<double, std::milli>(steady_clock::now() - started).count());
         return signals;
     };
     for (std::size_t i = 0; i < cases.size(); ++i) {
-        timed({middle128(cases[i].photograph.photograph), cases[i].photograph.mmPerPixel}, at128);
-        const GeneratedSignals signals = timed(cases[i].photograph, milliseconds);
+        const InputPhotograph small{middle128(cases[i].photograph.photograph), cases[i].photograph.mmPerPixel};
+        timed(models.ours, small, at128);
+        if (models.earlier) {
+            std::vector<double> theirs;
+            timed(*models.earlier, small, theirs);
+            ratios.push_back(at128.back() / theirs.back());
+        }
+        const GeneratedSignals signals = timed(models.ours, cases[i].photograph, milliseconds);
         cv::Mat difference;
         cv::absdiff(signals.heightMm, accurate[i].heightMm, difference);
         height.push_back(cv::mean(difference)[0]);
@@ -145,8 +157,8 @@ GeneratorBenchRow benchQuality(const LoadedModel& model, const std::vector<Bench
         if (cases[i].heightSpreadMm && *cases[i].heightSpreadMm > 0)
             spreadError.push_back(std::abs(spread(signals.heightMm) / *cases[i].heightSpreadMm - 1));
     }
-    return {quality,           median(milliseconds), median(at128),       average(height),
-            average(friction), average(meanError),   average(spreadError)};
+    return {quality,         median(milliseconds), median(at128),      ratios.empty() ? 0 : median(ratios),
+            average(height), average(friction),    average(meanError), average(spreadError)};
 }
 
 }  // namespace
@@ -176,8 +188,11 @@ BenchTable benchGenerators(const std::filesystem::path& model, const std::filesy
     accurate.quality = Quality::Accurate;
     std::vector<GeneratedSignals> best;
     for (const BenchCase& one : cases) best.push_back(loaded.generate(one.photograph, accurate));
+    std::optional<LoadedModel> earlier;
+    if (std::filesystem::exists(earlierModel())) earlier.emplace(earlierModel());
+    if (earlier) earlier->generate(cases.front().photograph, accurate);  // The first call prepares plans that later ones use.
     for (const Quality quality : {Quality::Fast, Quality::Balanced, Quality::Accurate})
-        table.rows.push_back(benchQuality(loaded, cases, best, quality));
+        table.rows.push_back(benchQuality({loaded, earlier ? &*earlier : nullptr}, cases, best, quality));
     return table;
 }
 
@@ -187,9 +202,11 @@ std::string asText(const BenchTable& table)
     std::string text = "generators, " + std::to_string(table.photographs) + " photographs of " + table.dataset + "\n";
     for (const GeneratorBenchRow& row : table.rows)
         text += nameOf(row.quality) + ": " + number(row.millisecondsPerPhotograph, 10) + " ms per photograph (" +
-                number(row.millisecondsAt128, 10) + " ms for 128x128), height " + number(row.heightDeviationFromAccurateMm, 1e5) +
-                " mm from accurate, mean friction " + number(100 * row.meanFrictionRelativeError, 100) +
-                " % from measured, relief " + number(100 * row.heightSpreadRelativeError, 100) + " % from measured\n";
+                number(row.millisecondsAt128, 10) + " ms for 128x128" +
+                (row.ratioAt128 > 0 ? ", " + number(row.ratioAt128, 100) + " times the networks of 0.5.0" : "") + "), height " +
+                number(row.heightDeviationFromAccurateMm, 1e5) + " mm from accurate, mean friction " +
+                number(100 * row.meanFrictionRelativeError, 100) + " % from measured, relief " +
+                number(100 * row.heightSpreadRelativeError, 100) + " % from measured\n";
     text += "memory: " + number(table.peakMbAt128, 1) + " MB after a photograph of 128x128, " + number(table.peakMbAtLargest, 1) +
             " MB after the largest, " + std::to_string(largestSidePx) + "x" + std::to_string(largestSidePx) + "\n";
     return text;
@@ -202,6 +219,7 @@ std::string asJson(const BenchTable& table)
         rows.push_back({{"quality", nameOf(row.quality)},
                         {"ms_per_photograph", row.millisecondsPerPhotograph},
                         {"ms_at_128", row.millisecondsAt128},
+                        {"ratio_at_128_to_version_0_5_0", row.ratioAt128},
                         {"height_deviation_from_accurate_mm", row.heightDeviationFromAccurateMm},
                         {"mean_friction_deviation_from_accurate", row.frictionDeviationFromAccurate},
                         {"mean_friction_relative_error", row.meanFrictionRelativeError},

@@ -14,6 +14,7 @@ struct GeneratorBenchRow {
     Quality quality = Quality::Fast;
     double millisecondsPerPhotograph = 0;      ///< median, for height and friction
     double millisecondsAt128 = 0;              ///< the same for the middle 128 x 128 px of the photographs
+    double ratioAt128 = 0;                     ///< to the networks of 0.5.0 in the same turns, median; 0 without their weights
     double heightDeviationFromAccurateMm = 0;  ///< mean absolute deviation
     double frictionDeviationFromAccurate = 0;  ///< relative deviation of the mean friction
     double meanFrictionRelativeError = 0;      ///< against the measured mean of the fabric

@@ -90,7 +90,7 @@ private Q_SLOTS:
     /// Version 0.5.0 stored known photographs and fabrics in its card. Such cards are read; what they remember is not.
     void olderWeightsAreReadWithoutTheirMemory()
     {
-        const fs::path old = models::shippedModel().parent_path() / "version-0.5.0.safetensors";
+        const fs::path old = models::earlierModel();
         fs::copy_file(old, model(), fs::copy_options::overwrite_existing);
         std::string card = bytesOf(models::cardOf(old));
         card.insert(card.rfind("\n}"), ",\n \"photographs\": {\"nearest\": [[1, 2]]}, \"friction_by_texture\": 7");

@@ -68,9 +68,12 @@ const QList<Room>& rooms()
         {"rendering/models/seeing/",
          "the networks that see any cloth, and what all networks need of libtorch",
          {"rendering/models/", "rendering/signals/", "rendering/fabrics/", "rendering/images/", "protocols/"}},
+        {"rendering/models/lab/",
+         "the adaptation of networks that see to a laboratory's own cloth",
+         {"rendering/models/", "rendering/signals/", "rendering/fabrics/", "rendering/images/", "protocols/"}},
         {"rendering/models/networks/",
-         "the networks of the paper, their training and use; besides `rendering/models/seeing/` the only place that includes "
-         "libtorch",
+         "the networks of the paper, their training and use; besides `rendering/models/seeing/` and `rendering/models/lab/` the "
+         "only place that includes libtorch",
          {"rendering/models/", "rendering/signals/", "rendering/fabrics/", "rendering/images/", "protocols/"}},
         {"rendering/composition/",
          "conditions to signals to friction images",
@@ -239,7 +242,8 @@ QStringList includeFaults(const QString& file, const QString& text)
         static const QRegularExpression qtHeader("^Q[A-Z]|^Qt");
         if (!room->qt && include.contains(qtHeader)) faults << file + " includes Qt's " + include;
         const bool torch = include.startsWith("torch/") || include.startsWith("ATen/") || include.startsWith("c10/");
-        const bool ofNetworks = file.startsWith("rendering/models/networks/") || file.startsWith("rendering/models/seeing/");
+        const bool ofNetworks = file.startsWith("rendering/models/networks/") || file.startsWith("rendering/models/seeing/") ||
+                                file.startsWith("rendering/models/lab/");
         if (torch && !ofNetworks) faults << file + " includes torch's " + include;
         const bool jsonInReports = include.startsWith("nlohmann/") && file.startsWith("reports/");
         if (jsonInReports && !file.startsWith("reports/json/")) faults << file + " includes " + include;

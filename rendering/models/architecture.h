@@ -28,6 +28,9 @@ struct Architecture {
     /// Factor of the deviation of friction that networks that see state. With it, the 90 % interval held 90 % of the drawn
     /// fabrics of a family of its own.
     double intervalFactor = 1;
+    /// What a laboratory measured over what networks that see generate (lab/lab_training.h): its rig and its sensor have their
+    /// own scales. Friction and relief are multiplied with them.
+    double frictionFactor = 1, reliefFactor = 1;
     bool operator==(const Architecture&) const = default;
 };
 

@@ -28,9 +28,13 @@ ordered_json architectureJson(const Architecture& a)
 {
     const ordered_json spectrogram{{"window", a.window}, {"hop", a.hop},       {"samples", a.traceSamples},
                                    {"rows", a.rows},     {"frames", a.frames}, {"mm_per_sample", a.traceMmPerSample}};
-    if (a.sees)
-        return {{"kind", seeingKind}, {"base_channels", a.baseChannels},     {"friction_channels", a.frictionChannels},
-                {"crop", a.crop},     {"interval_factor", a.intervalFactor}, {"spectrogram", spectrogram}};
+    if (a.sees) {
+        ordered_json json{{"kind", seeingKind}, {"base_channels", a.baseChannels},     {"friction_channels", a.frictionChannels},
+                          {"crop", a.crop},     {"interval_factor", a.intervalFactor}, {"spectrogram", spectrogram}};
+        if (a.frictionFactor != 1 || a.reliefFactor != 1)
+            json["lab_factors"] = {{"friction", a.frictionFactor}, {"relief", a.reliefFactor}};
+        return json;
+    }
     return {{"kind", architectureKind},
             {"base_channels", a.baseChannels},
             {"crop", a.crop},
@@ -52,6 +56,10 @@ Architecture architectureFrom(const ordered_json& json)
         a.frictionChannels = json.at("friction_channels").get<int>();
         a.imposesSpectrum = false;
         a.intervalFactor = json.value("interval_factor", 1.0);
+        if (json.contains("lab_factors")) {
+            a.frictionFactor = json.at("lab_factors").at("friction").get<double>();
+            a.reliefFactor = json.at("lab_factors").at("relief").get<double>();
+        }
     } else {
         a.mmPerPixel = json.at("mm_per_pixel").get<double>();
         a.heightScaleMm = json.at("height_scale_mm").get<double>();
@@ -78,7 +86,7 @@ bool sensible(const Architecture& a)
            within(a.heightScaleMm, 1e-9, 1e3) && within(a.meanFrictionScale, 1e-9, 1e3) && within(a.window, 4, 4096) &&
            within(a.hop, 1, a.window) && within(a.traceSamples, 4, 1 << 20) && within(a.rows, 2, 2049) &&
            within(a.frames, 1, 1 << 16) && within(a.traceMmPerSample, 1e-9, 1e3) && within(a.zeroPercentile, 0, 50) &&
-           within(a.intervalFactor, 0.1, 10) &&
+           within(a.intervalFactor, 0.1, 10) && within(a.frictionFactor, 0.01, 100) && within(a.reliefFactor, 0.01, 100) &&
            0.25 * std::pow(std::max(a.baseChannels, a.frictionChannels), 2) * (a.rows + 3.0) * (a.frames + 3.0) <=
                mostSeedParameters;
 }
@@ -116,6 +124,7 @@ std::string cardText(const ModelCardFields& card)
                       {"held_out", card.heldOut},
                       {"architecture", architectureJson(card.architecture)},
                       {"validation", ordered_json::parse(card.validationJson)}};
+    if (!card.fromHash.empty()) json["from"] = {{"name", card.fromName}, {"sha256", card.fromHash}};
     json["training_sample_hashes"] = card.summary.trainingSampleHashes;
     return json.dump(1) + "\n";
 }
@@ -140,6 +149,10 @@ ModelCardFields readModelCardFields(const std::filesystem::path& model)
         card.summary.trainingSampleHashes = json.at("training_sample_hashes").get<std::vector<std::string>>();
         card.datasetName = json.at("dataset").at("name").get<std::string>();
         card.datasetHash = json.at("dataset").at("sha256").get<std::string>();
+        if (json.contains("from")) {
+            card.fromName = json.at("from").at("name").get<std::string>();
+            card.fromHash = json.at("from").at("sha256").get<std::string>();
+        }
         card.objective = json.at("losses").get<std::string>();
         card.split = json.at("split").get<std::string>();
         card.bestStep = json.at("best_step").get<int>();

@@ -26,6 +26,7 @@ struct ModelCardFields {
     std::string split = "location";     ///< training_data.h
     std::vector<std::string> heldOut;
     std::string datasetName, datasetHash;
+    std::string fromName, fromHash;       ///< the model that training started from, and the hash of its weights; empty for none
     std::string validationJson = "null";  ///< a JSON object: figures before and after training
 };
 

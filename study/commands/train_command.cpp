@@ -1,9 +1,13 @@
-// vis2hap train DATASET --out MODEL ...: passes its options to the second program, which does the work.
+// vis2hap train DATASET --out MODEL ...: passes its options to the second program, which does the work. With --from it adapts a
+// model to the data set of a lab.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -13,6 +17,7 @@
 #include "rendering/models/fair_control.h"
 #include "rendering/models/process/second_program.h"
 #include "study/commands/command_line.h"
+#include "study/commands/progress.h"
 
 namespace study::commands {
 
@@ -33,7 +38,8 @@ std::vector<PassedOption> passedOptions()
 {
     return {
         {"--seed", "seed of the first weights, the batches and the augmentation (default 1)", ""},
-        {"--hold-out", "fabrics left out of training, e.g. F02,F09", ""},
+        {"--hold-out", "fabrics left out of training, e.g. F02,F09; with DATASET and --from: those that the gain is checked on",
+         ""},
         {"--split",
          "what the 8:1:1 split divides: location (default), sample, or augmented (the paper's, in which test copies leak)", ""},
         {"--split-seed", "seed of the split (default 1)", ""},
@@ -46,9 +52,10 @@ std::vector<PassedOption> passedOptions()
         {"--validate-every", "steps between validations (default 250)", ""},
         {"--patience", "stop after this many validations without improvement (default 12)", ""},
         {"--validation-pairs", "number of pairs for validation (default 60)", ""},
-        {"--from", "with --drawn: a model of such a training to start from", ""},
-        {"--scans", "with --drawn: a data set of `vis2hap import scans`", ""},
-        {"--scan-share", "with --drawn: share of scanned cloth in a batch (default 0.3)", ""}};
+        {"--from",
+         "with DATASET: adapt this model to the data set, for 10 minutes unless told otherwise; with --drawn: start from it", ""},
+        {"--scans", "with --drawn or --from: a data set of `vis2hap import scans`", ""},
+        {"--scan-share", "with --scans: share of scanned cloth beside drawn cloth (default 0.3)", ""}};
 }
 
 struct TrainCall {
@@ -73,15 +80,52 @@ std::vector<std::string> optionsOfControl(const TrainCall& call)
     return arguments;
 }
 
+const std::string& valueOf(const TrainCall& call, std::string_view name)
+{
+    return std::find_if(call.passed.begin(), call.passed.end(), [&](const PassedOption& one) { return one.name == name; })->value;
+}
+
+bool adapts(const TrainCall& call) { return !call.drawn && !valueOf(call, "--from").empty(); }
+
+/// A model keeps its networks and losses when it is adapted to a lab.
+void refuseOptionsOfNewNetworks(const TrainCall& call)
+{
+    std::string given;
+    for (const char* name : {"--split", "--crop", "--channels", "--patience", "--validation-pairs", "--validate-every"})
+        if (given.empty() && !valueOf(call, name).empty()) given = name;
+    for (const auto& [wanted, name] :
+         {std::pair{call.reference, "--reference"}, {call.l1Only, "--l1-only"}, {!call.controlOf.empty(), "--control-of"}})
+        if (given.empty() && wanted) given = name;
+    if (!given.empty())
+        throw protocols::badInput({given + " was given together with --from", "train DATASET",
+                                   "options that leave the networks and losses of the model as they are",
+                                   "leave one of them out"});
+}
+
+/// The weights file: of an adaptation beside the data set, unless --out names another.
+std::string outOf(const TrainCall& call)
+{
+    if (!call.out.empty()) return call.out;
+    if (call.clothCheck || !adapts(call))
+        throw protocols::badInput({"--out is missing", "train", "the weights file to write", "name it with --out MODEL"});
+    std::filesystem::path folder = std::filesystem::absolute(call.dataset).lexically_normal();
+    if (!folder.has_filename()) folder = folder.parent_path();
+    return folder.string() + ".safetensors";
+}
+
 std::vector<std::string> argumentsOf(const TrainCall& call)
 {
     if (call.drawn != call.dataset.empty())
         throw protocols::badInput({call.drawn ? "both DATASET and --drawn were given" : "neither DATASET nor --drawn was given",
                                    "train", "a data set, or --drawn for fabrics that are drawn without end",
                                    "give one of them; scans join drawn fabrics by --scans DATASET"});
-    std::vector<std::string> arguments{call.drawn ? "train-cloth" : "train"};
-    if (!call.drawn) arguments.push_back(call.dataset);
-    arguments.insert(arguments.end(), {"--out", call.out});
+    if (adapts(call)) refuseOptionsOfNewNetworks(call);
+    std::vector<std::string> arguments{call.drawn || adapts(call) ? "train-cloth" : "train"};
+    if (adapts(call))
+        arguments.insert(arguments.end(), {"--lab", call.dataset});
+    else if (!call.drawn)
+        arguments.push_back(call.dataset);
+    arguments.insert(arguments.end(), {"--out", outOf(call)});
     const auto pass = [&](const char* name, const std::string& value) {
         if (!value.empty()) arguments.insert(arguments.end(), {name, value});
     };
@@ -101,17 +145,18 @@ int fitCheck(const TrainCall& call)
     if (!call.dataset.empty() || call.drawn)
         throw protocols::badInput(
             {"--cloth-check takes no data set", "train", "train --cloth-check --out FILE", "leave the data set and --drawn out"});
+    const std::string out = outOf(call);
     const auto check = [&] {
         Progress progress("pictures");
         return rendering::models::fitClothCheck(checkSeed, checkPictures, 0,
                                                 [&](int done, int total) { progress.show(done, total, "pictures"); });
     }();
-    rendering::models::writeClothCheck(call.out, check);
+    rendering::models::writeClothCheck(out, check);
     const auto figures = rendering::models::clothCheckFigures(check, checkFamily, checkFigurePictures);
     std::printf("of %d drawn photographs that the fit did not see, %.1f %% are refused and %.1f %% unusual\n",
                 checkFigurePictures, 100 * figures.clothRefused, 100 * figures.clothUnusual);
     std::printf("of %d drawn pictures of other things, %.1f %% are refused\nwrote %s\n", checkFigurePictures,
-                100 * figures.othersRefused, call.out.c_str());
+                100 * figures.othersRefused, out.c_str());
     return 0;
 }
 
@@ -123,8 +168,10 @@ void addTrain(CLI::App& app, Action& action)
     auto* command = app.add_subcommand("train", "train the generators on a data set (uses libtorch)");
     command->add_option("DATASET", call->dataset, "the data set");
     command->add_flag("--drawn", call->drawn, "train networks for any cloth on drawn fabrics, none of which is shown twice");
-    command->add_option("--out", call->out, "weights file to write, with MODEL.json and the folder MODEL.log beside it")
-        ->required();
+    command->add_option(
+        "--out", call->out,
+        "weights file to write, with MODEL.json and the folder MODEL.log beside it (needed; with DATASET and --from "
+        "DATASET.safetensors)");
     auto* steps =
         command->add_option("--steps", call->steps, "training steps (default 5000); the same number gives the same weights");
     command->add_option("--minutes", call->minutes, "minutes of training instead of a number of steps")->excludes(steps);

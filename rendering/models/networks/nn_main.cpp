@@ -15,6 +15,7 @@
 
 #include "protocols/files/errors.h"
 #include "rendering/models/exchange.h"
+#include "rendering/models/lab/lab_training.h"
 #include "rendering/models/networks/inference.h"
 #include "rendering/models/networks/nn_bench.h"
 #include "rendering/models/networks/peer_step.h"
@@ -85,12 +86,16 @@ void offerTraining(CLI::App& app, const std::string& command)
 
 /// Trained networks need smaller steps than new ones.
 constexpr double rateFromModel = 5e-4;
+/// A few photographs need still smaller ones, and more frequent checkpoints.
+constexpr double rateForLab = 3e-4;
+constexpr int labCheckpointEvery = 50;
+constexpr double labMinutes = 10;
 
 void offerClothTraining(CLI::App& app, const std::string& command)
 {
     struct ClothCall {
         models::ClothTrainingOptions options;
-        std::string scans;
+        std::string lab, scans;
         std::vector<std::string> heldOut;
         int steps = 0;
         double minutes = 0;
@@ -100,8 +105,11 @@ void offerClothTraining(CLI::App& app, const std::string& command)
     models::ClothTrainingOptions& options = call->options;
     train->add_option("--out", options.out, "weights file; its model card is written to MODEL.json")->required();
     train->add_option("--from", options.from, "model of such a training to start from");
+    train->add_option("--lab", call->lab, "a lab's own data set, to which the model of --from is adapted");
+    train->add_option("--split-seed", options.splitSeed, "with --lab: seed of the held-out places and fabrics (default 1)");
     train->add_option("--scans", call->scans, "data set of `vis2hap import scans`");
-    CLI::Option* steps = train->add_option("--steps", call->steps, "optimisation steps (default 15000)");
+    CLI::Option* steps =
+        train->add_option("--steps", call->steps, "optimisation steps (default 15000; with --lab 10 minutes instead)");
     CLI::Option* minutes = train->add_option("--minutes", call->minutes, "wall time instead of steps")->excludes(steps);
     train->add_option("--seed", options.seed, "seed of the first weights and of the drawn fabrics (default 1)");
     train->add_option("--hold-out", call->heldOut, "scans to leave out, F03,F07")->delimiter(',');
@@ -110,22 +118,35 @@ void offerClothTraining(CLI::App& app, const std::string& command)
     train->add_option("--crop", options.side, "side of a patch in px (default 128)");
     train->add_option("--channels", options.baseChannels, "width of the relief network (default 24)");
     train->add_option("--scan-share", options.scanShare, "share of scanned cloth in a batch (default 0.3)");
-    CLI::Option* rate =
-        train->add_option("--learning-rate", options.learningRate, "initial learning rate (default 0.002; with --from 0.0005)");
-    train->add_option("--checkpoint-every", options.checkpointEvery, "steps (default 500)");
+    CLI::Option* rate = train->add_option("--learning-rate", options.learningRate,
+                                          "initial learning rate (default 0.002; with --from 0.0005, with --lab 0.0003)");
+    CLI::Option* checkpoints =
+        train->add_option("--checkpoint-every", options.checkpointEvery, "steps (default 500; with --lab 50)");
     train->add_option("--validate-every", options.validateEvery, "steps (default 1000)");
     train->add_option("--validation-patches", options.validationPatches, "drawn patches for the validation figures (default 96)");
     train->add_option("--threads", options.threads, "default: all threads of the machine");
-    train->callback([call, steps, minutes, rate, command] {
+    train->callback([call, steps, minutes, rate, checkpoints, command] {
         models::ClothTrainingOptions& chosen = call->options;
+        const bool ofLab = !call->lab.empty();
         if (minutes->count() > 0)
             chosen.minutes = call->minutes;
+        else if (ofLab && steps->count() == 0)
+            chosen.minutes = labMinutes;
         else
             chosen.steps = steps->count() > 0 ? call->steps : 15000;
         for (const std::string& id : call->heldOut) chosen.heldOut.emplace_back(id);
-        if (!chosen.from.empty() && rate->count() == 0) chosen.learningRate = rateFromModel;
+        if (!chosen.from.empty() && rate->count() == 0) chosen.learningRate = ofLab ? rateForLab : rateFromModel;
+        if (ofLab && checkpoints->count() == 0) chosen.checkpointEvery = labCheckpointEvery;
         chosen.command = command;
         const auto scans = call->scans.empty() ? std::nullopt : std::optional(fabrics::readDataset(call->scans));
+        if (ofLab) {
+            if (chosen.from.empty())
+                throw protocols::badInput(
+                    {"--lab was given without --from", "train-cloth", "a model to adapt", "name it with --from"});
+            models::adaptToLab(fabrics::readDataset(call->lab), scans ? &*scans : nullptr, chosen, std::cout,
+                               isatty(STDOUT_FILENO) == 1);
+            return;
+        }
         models::trainOnCloth(scans ? &*scans : nullptr, chosen, std::cout, isatty(STDOUT_FILENO) == 1);
     });
 }

@@ -143,6 +143,8 @@ KnownPatch scannedPatch(const std::vector<ScannedCloth>& scans, const ClothBatch
     return photographedAnew(*flat, options, random);
 }
 
+}  // namespace
+
 void copyPhotograph(const cv::Mat& rgb, float* out)
 {
     const std::size_t pixels = rgb.total();
@@ -154,8 +156,6 @@ void copyPhotograph(const cv::Mat& rgb, float* out)
                     static_cast<float>(pixel[static_cast<int>(c)]) / 255;
         }
 }
-
-}  // namespace
 
 std::vector<ScannedCloth> readScannedCloth(const fabrics::Dataset& dataset, const std::vector<protocols::FabricId>& heldOut)
 {

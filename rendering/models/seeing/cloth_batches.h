@@ -39,6 +39,9 @@ struct ClothBatch {
     std::vector<float> logRatios;  ///< [N, 1, rows, frames] of a stroke at another place (friction_target.h); NaN for scans
 };
 
+/// Writes a picture CV_8UC3 as [3, rows, columns], 0 to 1.
+void copyPhotograph(const cv::Mat& rgb, float* out);
+
 struct ClothBatchOptions {
     int size = 8;
     int side = 128;                  ///< px, a multiple of 16

@@ -2,12 +2,13 @@
 // Only the torch sources include it.
 #pragma once
 
+#include <cmath>
 #include <future>
 #include <nlohmann/json_fwd.hpp>
 
+#include "rendering/models/seeing/averaged_networks.h"
 #include "rendering/models/seeing/cloth_batches.h"
 #include "rendering/models/seeing/cloth_training.h"
-#include "rendering/models/seeing/seeing_weights.h"
 
 namespace rendering::models {
 
@@ -25,16 +26,16 @@ public:
     /// Runs one step; `fraction` of the training is done, which sets the learning rate. Step `number` always draws the same
     /// batch, so a resumed run draws the batches of an uninterrupted one.
     ClothLosses step(int number, double fraction);
-    bool finite();
+    bool finite() { return m_trained.finite(); }
 
     /// Starts from trained networks instead of new ones.
-    void startFrom(SeeingNetworks& networks);
+    void startFrom(SeeingNetworks& networks) { m_trained.startFrom(networks); }
 
     /// Moving average of the weights: the result.
-    SeeingNetworks& result() { return m_average; }
+    SeeingNetworks& result() { return m_trained.average(); }
 
     /// Networks and optimiser, always the same tensors in the same order.
-    std::vector<StoredTensor> tensors();
+    std::vector<StoredTensor> tensors() { return m_trained.tensors(); }
     void continueFrom(const std::vector<StoredTensor>& tensors);
 
 private:
@@ -43,11 +44,24 @@ private:
     const std::vector<ScannedCloth>& m_scans;
     const Architecture m_architecture;
     const ClothTrainingOptions& m_options;
-    SeeingNetworks m_networks, m_average;
-    torch::optim::Adam m_steps;
+    AveragedNetworks m_trained;
     std::future<ClothBatch> m_next;  ///< drawn during the computation of the present step
     int m_nextNumber = -1;
 };
+
+/// What the networks make of a drawn patch, beside what is known.
+struct SeenPatch {
+    double correlation = 0, sqRatio = 0;
+    double logError = 0, logSpread = 0, friction = 0;  ///< of the mean friction: error of its logarithm, stated deviation, truth
+    double standardError() const { return std::abs(logError) / std::exp(logSpread); }
+    double frictionError() const { return std::abs(std::expm1(logError)); }  ///< relative
+};
+
+/// At least `patches` drawn fabrics of a family; equal arguments give equal batches.
+std::vector<ClothBatch> drawnBatches(const Architecture& architecture, int patches, std::uint64_t family);
+
+/// In the order of the batches. Leaves the networks in training mode.
+std::vector<SeenPatch> seenPatches(SeeingNetworks& networks, const std::vector<ClothBatch>& batches);
 
 /// Figures over `patches` drawn fabrics of a family of their own: relief_correlation (mean and median, without slow parts),
 /// sq_ratio_low and sq_ratio_high (5 and 95 % of generated over known Sq), friction_error (mean relative error of the mean

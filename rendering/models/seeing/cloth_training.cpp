@@ -22,36 +22,6 @@ constexpr int stepsPerLogRow = 50;
 /// Patches that set the interval of friction, against those of a validation: a tail needs more of them than a mean.
 constexpr int patchesPerFactor = 5;
 
-void checkOptions(const ClothTrainingOptions& options)
-{
-    const auto refuse = [](const std::string& what, const std::string& expected) {
-        throw protocols::badInput({what, "train", expected, "correct the option"});
-    };
-    if (options.steps.has_value() == options.minutes.has_value())
-        refuse("both or neither of --steps and --minutes were given", "one of them");
-    if (options.steps && *options.steps < 1) refuse("--steps is " + std::to_string(*options.steps), "at least 1");
-    if (options.minutes && !(*options.minutes > 0)) refuse("--minutes is not positive", "minutes of wall time");
-    if (options.side < 48 || options.side > largestCrop || options.side % 16 != 0)
-        refuse("--crop is " + std::to_string(options.side), "a multiple of 16 from 48 to " + std::to_string(largestCrop));
-    if (options.baseChannels < 1 || options.baseChannels > mostChannels)
-        refuse("--channels is " + std::to_string(options.baseChannels), "1 to " + std::to_string(mostChannels));
-    if (options.batch < 2 || options.checkpointEvery < 1 || options.validateEvery < 1 || options.validationPatches < 1 ||
-        !(options.learningRate > 0))
-        refuse("a count or rate is too small", "positive numbers, and a batch of at least 2");
-    if (!(options.scanShare >= 0 && options.scanShare <= 1)) refuse("--scan-share is out of range", "0 to 1");
-}
-
-/// Card of the model that training starts from.
-std::optional<ModelCardFields> cardOfStart(const ClothTrainingOptions& options)
-{
-    if (options.from.empty()) return std::nullopt;
-    ModelCardFields card = readModelCardFields(options.from);
-    if (!card.architecture.sees)
-        throw protocols::badInput({"is no model of `vis2hap train --drawn`", options.from.string(), "networks for any cloth",
-                                   "name such a model, or leave --from out"});
-    return card;
-}
-
 Architecture architectureFor(const ClothTrainingOptions& options, const std::optional<ModelCardFields>& start)
 {
     if (start) return start->architecture;
@@ -84,7 +54,7 @@ public:
           m_options(options),
           m_out(log),
           m_terminal(terminal),
-          m_start(cardOfStart(options)),
+          m_start(options.from.empty() ? std::nullopt : std::optional(cardOfSeeingModel(options.from))),
           m_architecture(architectureFor(options, m_start))
     {
         if (scans == nullptr) return;
@@ -185,6 +155,10 @@ private:
         for (const protocols::FabricId& id : m_options.heldOut) card.heldOut.push_back(id.value);
         card.datasetName = m_dataset != nullptr ? m_dataset->name : "drawn fabrics";
         card.datasetHash = m_scansHash;
+        if (m_start) {
+            card.fromName = m_start->summary.name;
+            card.fromHash = m_start->summary.sha256;
+        }
         TrainingLog log(logOf(m_options.out), state.step);
         card.validationJson = validate(training, state, log).dump();
         writeSeeingModel(m_options.out, training.result(), card);
@@ -204,14 +178,47 @@ private:
 
 }  // namespace
 
-void trainOnCloth(const fabrics::Dataset* scans, const ClothTrainingOptions& options, std::ostream& log, bool terminal)
+void requireUsable(const ClothTrainingOptions& options)
 {
-    checkOptions(options);
-    protocols::requireWritable(options.out);
+    const auto refuse = [](const std::string& what, const std::string& expected) {
+        throw protocols::badInput({what, "train", expected, "correct the option"});
+    };
+    if (options.steps.has_value() == options.minutes.has_value())
+        refuse("both or neither of --steps and --minutes were given", "one of them");
+    if (options.steps && *options.steps < 1) refuse("--steps is " + std::to_string(*options.steps), "at least 1");
+    if (options.minutes && !(*options.minutes > 0)) refuse("--minutes is not positive", "minutes of wall time");
+    if (options.side < 48 || options.side > largestCrop || options.side % 16 != 0)
+        refuse("--crop is " + std::to_string(options.side), "a multiple of 16 from 48 to " + std::to_string(largestCrop));
+    if (options.baseChannels < 1 || options.baseChannels > mostChannels)
+        refuse("--channels is " + std::to_string(options.baseChannels), "1 to " + std::to_string(mostChannels));
+    if (options.batch < 2 || options.checkpointEvery < 1 || options.validateEvery < 1 || options.validationPatches < 1 ||
+        !(options.learningRate > 0))
+        refuse("a count or rate is too small", "positive numbers, and a batch of at least 2");
+    if (!(options.scanShare >= 0 && options.scanShare <= 1)) refuse("--scan-share is out of range", "0 to 1");
+}
+
+void setTrainingThreads(const ClothTrainingOptions& options)
+{
     // Drawing the next batch takes about as long as a step, so one thread is left to it.
     const int threads =
         options.threads > 0 ? options.threads : static_cast<int>(std::max(2U, std::thread::hardware_concurrency()));
     torch::set_num_threads(std::max(1, threads - 1));
+}
+
+ModelCardFields cardOfSeeingModel(const std::filesystem::path& model)
+{
+    ModelCardFields card = readModelCardFields(model);
+    if (!card.architecture.sees)
+        throw protocols::badInput({"is no model of `vis2hap train --drawn`", model.string(), "networks for any cloth",
+                                   "name such a model, or leave --from out"});
+    return card;
+}
+
+void trainOnCloth(const fabrics::Dataset* scans, const ClothTrainingOptions& options, std::ostream& log, bool terminal)
+{
+    requireUsable(options);
+    protocols::requireWritable(options.out);
+    setTrainingThreads(options);
     ClothRun(scans, options, log, terminal).run();
 }
 

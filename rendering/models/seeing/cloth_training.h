@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "rendering/fabrics/dataset.h"
+#include "rendering/models/model_card_fields.h"
 
 namespace rendering::models {
 
@@ -19,7 +20,8 @@ struct ClothTrainingOptions {
     std::optional<int> steps;                  ///< exactly one of steps and minutes is set
     std::optional<double> minutes;             ///< wall time of the optimisation
     std::uint64_t seed = 1;                    ///< of the first weights and of the drawn fabrics
-    std::vector<protocols::FabricId> heldOut;  ///< scans that are left out
+    std::vector<protocols::FabricId> heldOut;  ///< scans that are left out; of a lab's own cloth, the fabrics that are held out
+    std::uint64_t splitSeed = 1;               ///< of the places and fabrics of a lab that are held out
     bool resume = false;
     int batch = 8;
     int side = 128;              ///< px of a patch, multiple of 16
@@ -38,5 +40,14 @@ struct ClothTrainingOptions {
 /// other settings), environmentFault where nothing can be written, workFailed where the loss stops being finite; the last good
 /// checkpoint stays.
 void trainOnCloth(const fabrics::Dataset* scans, const ClothTrainingOptions& options, std::ostream& log, bool terminal);
+
+/// Throws badInput for options that no training can follow.
+void requireUsable(const ClothTrainingOptions& options);
+
+/// Sets the threads of the computation; one of the options' threads draws the next batch.
+void setTrainingThreads(const ClothTrainingOptions& options);
+
+/// Card of a model that training can start from. Throws badInput for a model of other networks.
+ModelCardFields cardOfSeeingModel(const std::filesystem::path& model);
 
 }  // namespace rendering::models

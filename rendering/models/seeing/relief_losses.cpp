@@ -19,71 +19,113 @@ torch::Tensor slowKernel()
     return weights / weights.sum();
 }
 
-torch::Tensor power(const torch::Tensor& maps) { return maps.square().mean({1, 2, 3}); }
-
-torch::Tensor acrossSlopes(const torch::Tensor& maps)
+/// Mean of each map, [N]. `mask`: [N, 1, H, W], 1 where a point counts; undefined where all do.
+torch::Tensor meanOver(const torch::Tensor& maps, const torch::Tensor& mask)
 {
-    return maps.narrow(3, 1, maps.size(3) - 1) - maps.narrow(3, 0, maps.size(3) - 1);
+    if (!mask.defined()) return maps.mean({1, 2, 3});
+    return (maps * mask).sum({1, 2, 3}) / mask.sum({1, 2, 3}).clamp_min(1);
 }
 
-torch::Tensor downSlopes(const torch::Tensor& maps)
+torch::Tensor power(const torch::Tensor& maps, const torch::Tensor& mask) { return meanOver(maps.square(), mask); }
+
+/// Differences of neighbours along an axis of the maps, 3 across and 2 down.
+torch::Tensor slopesAlong(const torch::Tensor& maps, int axis)
 {
-    return maps.narrow(2, 1, maps.size(2) - 1) - maps.narrow(2, 0, maps.size(2) - 1);
+    const std::int64_t steps = maps.size(axis) - 1;
+    return maps.narrow(axis, 1, steps) - maps.narrow(axis, 0, steps);
 }
 
-torch::Tensor slopeDistance(const torch::Tensor& generated, const torch::Tensor& known)
+/// 1 where both neighbours count.
+torch::Tensor bothCount(const torch::Tensor& mask, int axis)
+{
+    if (!mask.defined()) return mask;
+    const std::int64_t steps = mask.size(axis) - 1;
+    return mask.narrow(axis, 1, steps) * mask.narrow(axis, 0, steps);
+}
+
+torch::Tensor slopeDistance(const torch::Tensor& generated, const torch::Tensor& known, const torch::Tensor& mask)
 {
     const torch::Tensor steepness =
-        (power(acrossSlopes(known)) + power(downSlopes(known)) + 0.1 * flatVariance).sqrt().view({-1, 1, 1, 1});
-    return ((acrossSlopes(generated) - acrossSlopes(known)) / steepness).abs().mean() +
-           ((downSlopes(generated) - downSlopes(known)) / steepness).abs().mean();
+        (power(slopesAlong(known, 3), bothCount(mask, 3)) + power(slopesAlong(known, 2), bothCount(mask, 2)) + 0.1 * flatVariance)
+            .sqrt()
+            .view({-1, 1, 1, 1});
+    torch::Tensor sum;
+    for (const int axis : {3, 2}) {
+        const torch::Tensor differences = (slopesAlong(generated, axis) - slopesAlong(known, axis)) / steepness;
+        const torch::Tensor distance = meanOver(differences.abs(), bothCount(mask, axis)).mean();
+        sum = sum.defined() ? sum + distance : distance;
+    }
+    return sum;
 }
 
 /// Factor that brings each map closest to the known one, [N, 1, 1, 1], without gradient. What a photograph does not tell makes
 /// the closest map flat. So distances are measured at this factor, and the deviation has a loss of its own.
-torch::Tensor closestFactor(const torch::Tensor& seen, const torch::Tensor& wanted)
+torch::Tensor closestFactor(const torch::Tensor& seen, const torch::Tensor& wanted, const torch::Tensor& mask)
 {
     constexpr double most = 4;
-    return ((seen * wanted).mean({1, 2, 3}) / (power(seen) + 0.1 * flatVariance))
+    return (meanOver(seen * wanted, mask) / (power(seen, mask) + 0.1 * flatVariance))
         .clamp(1 / most, most)
         .view({-1, 1, 1, 1})
         .detach();
 }
 
-torch::Tensor correlationOf(const torch::Tensor& a, const torch::Tensor& b)
+torch::Tensor correlationOf(const torch::Tensor& a, const torch::Tensor& b, const torch::Tensor& mask)
 {
-    return (a * b).mean({1, 2, 3}) / (power(a) * power(b) + 1e-10).sqrt();
+    return meanOver(a * b, mask) / (power(a, mask) * power(b, mask) + 1e-10).sqrt();
 }
 
-}  // namespace
-
-torch::Tensor withoutSlowPart(const torch::Tensor& maps)
+torch::Tensor slowPart(const torch::Tensor& maps)
 {
     const torch::Tensor kernel = slowKernel();
     const std::int64_t taps = kernel.size(0), reach = taps / 2;
     const torch::Tensor wide = torch::nn::functional::pad(
         maps, torch::nn::functional::PadFuncOptions({reach, reach, reach, reach}).mode(torch::kReplicate));
-    return maps - torch::conv2d(torch::conv2d(wide, kernel.view({1, 1, 1, taps})), kernel.view({1, 1, taps, 1}));
+    return torch::conv2d(torch::conv2d(wide, kernel.view({1, 1, 1, taps})), kernel.view({1, 1, taps, 1}));
 }
+
+/// Without the slow part of the points that count; 0 elsewhere.
+torch::Tensor withoutSlowPartOver(const torch::Tensor& maps, const torch::Tensor& mask)
+{
+    if (!mask.defined()) return maps - slowPart(maps);
+    return (maps - slowPart(maps * mask) / slowPart(mask).clamp_min(1e-3)) * mask;
+}
+
+torch::Tensor reliefLossOver(const torch::Tensor& generated, const torch::Tensor& known, const ReliefLossWeights& weights,
+                             const torch::Tensor& mask)
+{
+    const torch::Tensor seen = withoutSlowPartOver(generated, mask), wanted = withoutSlowPartOver(known, mask);
+    const torch::Tensor deviation = (power(wanted, mask) + flatVariance).sqrt().view({-1, 1, 1, 1});
+    const torch::Tensor factor = closestFactor(seen, wanted, mask);
+    const torch::Tensor logRatio =
+        (power(seen, mask) + 0.1 * flatVariance).log() - (power(wanted, mask) + 0.1 * flatVariance).log();
+    torch::Tensor sum = weights.correlation * (1 - correlationOf(seen, wanted, mask)).mean() +
+                        weights.height * meanOver(((factor * seen - wanted) / deviation).abs(), mask).mean() +
+                        weights.slope * slopeDistance(factor * generated, known, mask) +
+                        weights.amplitude * 0.5 * logRatio.abs().mean();
+    if (weights.spectrum > 0)
+        sum = sum + weights.spectrum * (torch::log(ringMeans(seen) + 1e-5) - torch::log(ringMeans(wanted) + 1e-5)).abs().mean();
+    return sum;
+}
+
+}  // namespace
+
+torch::Tensor withoutSlowPart(const torch::Tensor& maps) { return withoutSlowPartOver(maps, {}); }
 
 torch::Tensor reliefCorrelation(const torch::Tensor& generated, const torch::Tensor& known)
 {
-    return correlationOf(withoutSlowPart(generated), withoutSlowPart(known));
+    return correlationOf(withoutSlowPart(generated), withoutSlowPart(known), {});
 }
 
 torch::Tensor reliefLoss(const torch::Tensor& generated, const torch::Tensor& known, const ReliefLossWeights& weights)
 {
-    const torch::Tensor seen = withoutSlowPart(generated), wanted = withoutSlowPart(known);
-    const torch::Tensor deviation = (power(wanted) + flatVariance).sqrt().view({-1, 1, 1, 1});
-    const torch::Tensor factor = closestFactor(seen, wanted);
-    torch::Tensor sum = weights.correlation * (1 - correlationOf(seen, wanted)).mean() +
-                        weights.height * ((factor * seen - wanted) / deviation).abs().mean() +
-                        weights.slope * slopeDistance(factor * generated, known) +
-                        weights.amplitude * 0.5 *
-                            ((power(seen) + 0.1 * flatVariance).log() - (power(wanted) + 0.1 * flatVariance).log()).abs().mean();
-    if (weights.spectrum > 0)
-        sum = sum + weights.spectrum * (torch::log(ringMeans(seen) + 1e-5) - torch::log(ringMeans(wanted) + 1e-5)).abs().mean();
-    return sum;
+    return reliefLossOver(generated, known, weights, {});
+}
+
+torch::Tensor measuredReliefLoss(const torch::Tensor& generated, const torch::Tensor& known, const ReliefLossWeights& weights)
+{
+    const torch::Tensor measured = torch::isfinite(known);
+    return reliefLossOver(generated, torch::where(measured, known, torch::zeros_like(known)), weights,
+                          measured.to(torch::kFloat));
 }
 
 }  // namespace rendering::models

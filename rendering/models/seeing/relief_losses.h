@@ -5,10 +5,9 @@
 
 #include <torch/torch.h>
 
-namespace rendering::models {
+#include "rendering/models/seeing/slow_relief.h"
 
-/// Standard deviation of the Gaussian whose result counts as slow, px.
-inline constexpr double slowSigmaPx = 16;
+namespace rendering::models {
 
 /// Maps [N, 1, H, W] without their slow part; sides of more than 32 px.
 torch::Tensor withoutSlowPart(const torch::Tensor& maps);
@@ -26,5 +25,8 @@ struct ReliefLossWeights {
 
 /// Weighted sum, a scalar.
 torch::Tensor reliefLoss(const torch::Tensor& generated, const torch::Tensor& known, const ReliefLossWeights& weights);
+
+/// The same over the measured points; `known` has NaN elsewhere.
+torch::Tensor measuredReliefLoss(const torch::Tensor& generated, const torch::Tensor& known, const ReliefLossWeights& weights);
 
 }  // namespace rendering::models

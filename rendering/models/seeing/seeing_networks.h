@@ -26,6 +26,9 @@ private:
 };
 TORCH_MODULE(ReliefNetwork);
 
+/// Standard deviations on each side of a normal 90 % interval.
+inline constexpr double ninetyPercent = 1.6448536269514722;
+
 /// What a photograph tells of friction.
 struct SeenFriction {
     torch::Tensor logMean;    ///< [N, 1]: natural logarithm of the coefficient

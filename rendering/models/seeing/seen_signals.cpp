@@ -22,8 +22,7 @@ namespace {
 constexpr int tilePx = 512;  ///< px of the relief from one pass
 /// Slow waves of the relief, which a photograph does not show, end here, in pixels.
 constexpr double longestWavePx = 128;
-constexpr double ninetyPercent = 1.6448536269514722;  ///< standard deviations on each side of a normal 90 % interval
-constexpr int displacementStep = 16;                  ///< no displacement of displacementsOf() is larger
+constexpr int displacementStep = 16;  ///< no displacement of displacementsOf() is larger
 /// Threads with a shorter wave, in pixels, lie near the finest that the networks resolve. They see such a picture enlarged.
 constexpr double fineThreadsPx = 3.5;
 constexpr double enlargement = 2;
@@ -138,7 +137,7 @@ void addFriction(GeneratedSignals& signals, SeeingNetworks& networks, const Arch
     FrictionTarget target;
     const torch::Tensor logRatio = seen.logRatio.mean(0).contiguous();
     target.logRatio = cv::Mat(architecture.rows, architecture.frames, CV_32F, logRatio.data_ptr<float>()).clone();
-    const double logMean = seen.logMean.mean().item<double>(),
+    const double logMean = seen.logMean.mean().item<double>() + std::log(architecture.frictionFactor),
                  halfWidth = ninetyPercent * architecture.intervalFactor * seen.logSpread.exp().mean().item<double>();
     target.mean = static_cast<float>(std::exp(logMean));
     signals.spectrogram = magnitudes(target, architecture);
@@ -168,7 +167,8 @@ GeneratedSignals seenSignals(SeeingNetworks& networks, const Architecture& archi
     const cv::Mat rgb = turned(photograph.photograph, lamp.turn);
     GeneratedSignals signals;
     if (options.height) {
-        const cv::Mat heightMm = turnedBack(reliefOfThreads(networks, rgb, lamp, options.quality), lamp.turn) * pitch;
+        const cv::Mat heightMm =
+            turnedBack(reliefOfThreads(networks, rgb, lamp, options.quality), lamp.turn) * (pitch * architecture.reliefFactor);
         signals.heightMm = signals::zeroedRelief(heightMm, {pitch, pitch}, longestWavePx * pitch, architecture.zeroPercentile);
         signals.heightMmPerPixel = pitch;
     }

@@ -68,7 +68,7 @@ struct LabCloth {
 
 struct LabOptions {
     std::uint64_t splitSeed = 1;
-    std::vector<protocols::FabricId> heldOut;  ///< whole fabrics; empty: drawn by seed
+    std::vector<protocols::FabricId> heldOut = {};  ///< whole fabrics; empty: drawn by seed
     std::size_t memoryBytes = std::size_t{3} << 30;
 };
 

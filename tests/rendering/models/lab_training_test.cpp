@@ -1,0 +1,262 @@
+// A model is adapted to a laboratory with another law of friction, by the command that a lab types. The shipped model gains in
+// two steps, because the law is a factor. All else is tested with tiny networks.
+#include <QElapsedTimer>
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "protocols/files/csv_table.h"
+#include "protocols/files/sha256.h"
+#include "rendering/fabrics/drawn/drawn_dataset.h"
+#include "rendering/models/generation.h"
+#include "rendering/models/model_card_fields.h"
+#include "rendering/models/process/child_process.h"
+#include "tests/rendering/fabric_files.h"
+#include "tests/support/program.h"
+
+using namespace rendering;
+
+namespace {
+
+constexpr double lawOfTheLab = 1.7;
+
+struct Ended {
+    int exitCode = 0;
+    QString output, errors;
+};
+
+Ended runNetworks(const QStringList& arguments)
+{
+    QProcess process;
+    process.start(QString::fromStdString(models::generatorProgram().string()), arguments);
+    process.waitForFinished(300000);
+    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
+            QString::fromUtf8(process.readAllStandardOutput()), QString::fromUtf8(process.readAllStandardError())};
+}
+
+QByteArray wholeFile(const QString& file)
+{
+    QFile opened(file);
+    return opened.open(QIODevice::ReadOnly) ? opened.readAll() : QByteArray();
+}
+
+/// Multiplies all tangential forces, as another probe would.
+void changeLaw(const fabrics::Dataset& dataset, double factor)
+{
+    for (const fabrics::FabricInfo& fabric : dataset.fabrics)
+        for (const int index : fabrics::sampleIndices(dataset, fabric.id, fabrics::Modality::Friction)) {
+            const auto file = fabrics::samplePath(dataset, fabric.id, fabrics::Modality::Friction, index);
+            const protocols::CsvTable table = protocols::readCsvTable(file);
+            std::string text = "t_s,normal_n,tangential_n\n";
+            for (std::size_t row = 0; row < table.rows.size(); ++row)
+                text += table.rows[row][0] + "," + table.rows[row][1] + "," +
+                        std::to_string(factor * protocols::numberAt(table, row, 2)) + "\n";
+            fabric_files::write(file, text);
+        }
+}
+
+}  // namespace
+
+class LabTrainingTest : public QObject {
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_folder;
+    fabrics::Dataset m_lab;
+
+    QString at(const char* name) const { return m_folder.filePath(name); }
+
+    QStringList adaptation(const QString& from, const char* out, const QStringList& more) const
+    {
+        return QStringList{"train-cloth",
+                           "--lab",
+                           at("lab"),
+                           "--from",
+                           from,
+                           "--out",
+                           at(out),
+                           "--batch",
+                           "4",
+                           "--threads",
+                           "1",
+                           "--seed",
+                           "3",
+                           "--validation-patches",
+                           "16",
+                           "--checkpoint-every",
+                           "2"} +
+               more;
+    }
+
+    models::ModelCardFields cardAt(const char* name) const { return models::readModelCardFields(at(name).toStdString()); }
+
+    static double frictionBy(const std::filesystem::path& model, const cv::Mat& photograph)
+    {
+        models::GenerationOptions options;
+        options.model = model;
+        return models::generate(std::vector<models::InputPhotograph>{{photograph, 0.05}}, options).front().meanFriction;
+    }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        for (const auto& [name, value] : models::missingThreadSettings())
+            qputenv(name.c_str(), QByteArray::fromStdString(value));  // Otherwise each run starts twice, to set it.
+        const Ended tiny = runNetworks({"train-cloth", "--out", at("tiny.safetensors"), "--steps", "40", "--crop", "48",
+                                        "--channels", "4", "--batch", "4", "--validation-patches", "8"});
+        QVERIFY2(tiny.exitCode == 0, qPrintable(tiny.errors));
+        m_lab = fabrics::makeDrawnFabrics(at("lab").toStdString(), {.fabrics = 6, .samples = 3, .seed = 31});
+        changeLaw(m_lab, lawOfTheLab);
+    }
+
+    void anotherLawOfFrictionIsGainedAndToldInTableAndCard()
+    {
+        const Ended ended = runNetworks(
+            adaptation(QString::fromStdString(models::shippedModel().string()), "adapted.safetensors", {"--steps", "2"}));
+        QVERIFY2(ended.exitCode == 0, qPrintable(ended.errors));
+        for (const char* line : {"held-out places: ", "held-out fabrics F0", "shipped abilities, on 32 drawn fabrics", "before",
+                                 "worse by at most", "This lab measures", "wrote "})
+            QVERIFY2(ended.output.contains(line), qPrintable(ended.output));
+
+        const models::ModelCardFields card = cardAt("adapted.safetensors"),
+                                      start = models::readModelCardFields(models::shippedModel());
+        QCOMPARE(card.fromHash, start.summary.sha256);
+        QCOMPARE(card.datasetName, m_lab.name);
+        QCOMPARE(card.heldOut.size(), std::size_t{1});
+        const auto figures = nlohmann::json::parse(card.validationJson);
+        for (const char* part : {"held_out_places", "held_out_fabrics"}) {
+            const double before = figures.at(part).at("before").at("friction_error").get<double>(),
+                         after = figures.at(part).at("after").at("friction_error").get<double>();
+            QVERIFY2(after < 0.9 * before, qPrintable(ended.output));
+        }
+        QVERIFY(figures.at("shipped_abilities").at("relief_correlation").at("worse_percent").get<double>() <= 5);
+        QVERIFY(figures.at("shipped_abilities").at("friction_error").at("worse_percent").get<double>() <= 5);
+        QVERIFY(card.architecture.frictionFactor > 1.2);
+    }
+
+    void theAdaptedModelStatesTheFrictionOfTheLab()
+    {
+        const cv::Mat photograph = fabrics::readPhotograph(m_lab, m_lab.fabrics.front().id, 0);
+        const double shipped = frictionBy(models::shippedModel(), photograph),
+                     adapted = frictionBy(at("adapted.safetensors").toStdString(), photograph);
+        const double factor = cardAt("adapted.safetensors").architecture.frictionFactor;
+        QVERIFY2(std::abs(adapted / shipped / factor - 1) < 0.1,
+                 qPrintable(QString("%1 %2 %3").arg(shipped).arg(adapted).arg(factor)));
+        QVERIFY(adapted > 1.15 * shipped);
+    }
+
+    void heldOutPhotographsAreNotInTheCard()
+    {
+        const models::ModelCardFields card = cardAt("adapted.safetensors");
+        int known = 0, unseen = 0;
+        for (const fabrics::FabricInfo& fabric : m_lab.fabrics)
+            for (const int index : fabrics::sampleIndices(m_lab, fabric.id, fabrics::Modality::Visual)) {
+                const std::string hash =
+                    protocols::sha256OfFile(fabrics::samplePath(m_lab, fabric.id, fabrics::Modality::Visual, index));
+                const bool trained = std::ranges::binary_search(card.summary.trainingSampleHashes, hash);
+                QVERIFY(!trained || fabric.id.value != card.heldOut.front());
+                ++(trained ? known : unseen);
+            }
+        QCOMPARE(known, 10);
+        QCOMPARE(unseen, 8);
+    }
+
+    void killedAdaptationResumesToTheSameWeights()
+    {
+        const QStringList steps{"--steps", "6"};
+        const Ended whole = runNetworks(adaptation(at("tiny.safetensors"), "whole.safetensors", steps));
+        QVERIFY2(whole.exitCode == 0, qPrintable(whole.errors));
+        QProcess broken;
+        broken.start(QString::fromStdString(models::generatorProgram().string()),
+                     adaptation(at("tiny.safetensors"), "broken.safetensors", steps));
+        QElapsedTimer waited;
+        waited.start();
+        while (!QFile::exists(at("broken.safetensors.checkpoint")) && waited.elapsed() < 120000) QTest::qWait(2);
+        broken.kill();
+        broken.waitForFinished();
+        QVERIFY2(!QFile::exists(at("broken.safetensors")), "the run ended before it was interrupted");
+        const Ended resumed =
+            runNetworks(adaptation(at("tiny.safetensors"), "broken.safetensors", steps + QStringList{"--resume"}));
+        QVERIFY2(resumed.exitCode == 0, qPrintable(resumed.errors));
+        QVERIFY(resumed.output.contains("resumed at step"));
+        QCOMPARE(wholeFile(at("broken.safetensors")), wholeFile(at("whole.safetensors")));
+        QVERIFY(!QFile::exists(at("broken.safetensors.checkpoint")));
+    }
+
+    void theCommandOfALabAdapts()
+    {
+        const auto ended = support::runProgram(
+            {"train", at("lab"), "--from", at("tiny.safetensors"), "--minutes", "0.01", "--batch", "4", "--seed", "3"});
+        QVERIFY2(ended.exitCode == 0, qPrintable(ended.err));
+        QVERIFY(ended.out.contains("held-out places: "));
+        QVERIFY(QFile::exists(at("lab.safetensors")) && cardAt("lab.safetensors").trainingMinutes < 1);
+    }
+
+    void callsThatCannotWorkAreRefused_data()
+    {
+        QTest::addColumn<QStringList>("options");
+        QTest::addColumn<QString>("named");
+        QTest::newRow("losses") << QStringList{"--from", "M", "--out", "N", "--reference"}
+                                << "--reference was given together with --from";
+        QTest::newRow("width") << QStringList{"--from", "M", "--out", "N", "--channels", "8"} << "--channels was given together";
+        QTest::newRow("no model") << QStringList{"--from", "nowhere", "--out", "N"} << "the model card is missing";
+        QTest::newRow("no file") << QStringList{"--steps", "5"} << "--out is missing";
+    }
+    void callsThatCannotWorkAreRefused()
+    {
+        QFETCH(QStringList, options);
+        QFETCH(QString, named);
+        const auto ended = support::runProgram(QStringList{"train", at("lab")} + options);
+        QCOMPARE(ended.exitCode, 2);
+        QVERIFY2(ended.err.contains(named), qPrintable(ended.err));
+    }
+
+    void theGivenModelIsNotOverwritten()
+    {
+        const Ended ended = runNetworks(adaptation(at("tiny.safetensors"), "tiny.safetensors", {"--steps", "1"}));
+        QCOMPARE(ended.exitCode, 2);
+        QVERIFY2(ended.errors.contains("--out names the model of --from"), qPrintable(ended.errors));
+    }
+
+    void fewOrUnmeasuredPhotographsAreRefused()
+    {
+        const fabrics::Dataset few = fabrics::makeDrawnFabrics(at("few").toStdString(), {.fabrics = 3, .samples = 3, .seed = 5});
+        QStringList call = adaptation(at("tiny.safetensors"), "few.safetensors", {"--steps", "1"});
+        call[call.indexOf("--lab") + 1] = at("few");
+        const Ended nine = runNetworks(call);
+        QCOMPARE(nine.exitCode, 2);
+        QVERIFY2(nine.errors.contains("only 9 photographs") && nine.errors.count('\n') == 1, qPrintable(nine.errors));
+        for (const fabrics::FabricInfo& fabric : few.fabrics)
+            for (const char* measured : {"surface", "tactile", "height", "friction"})
+                std::filesystem::remove_all(few.folder / fabric.id.value / measured);
+        const Ended unmeasured = runNetworks(call);
+        QCOMPARE(unmeasured.exitCode, 2);
+        QVERIFY2(unmeasured.errors.contains("measured heights (presses or surfaces) or strokes"), qPrintable(unmeasured.errors));
+        QVERIFY(!QFile::exists(at("few.safetensors")) && !QFile::exists(at("few.safetensors.log")));
+    }
+
+    /// The second adaptation to strokes alone finds the factor taken already.
+    void aModelThatGainedNothingIsNotWritten()
+    {
+        for (const fabrics::FabricInfo& fabric : m_lab.fabrics)
+            for (const char* heights : {"surface", "tactile", "height"})
+                std::filesystem::remove_all(m_lab.folder / fabric.id.value / heights);
+        const QStringList still{"--steps", "1", "--learning-rate", "1e-9"};
+        const Ended first = runNetworks(adaptation(at("tiny.safetensors"), "first.safetensors", still));
+        QVERIFY2(first.exitCode == 0 && !first.output.contains("Sq, "), qPrintable(first.errors));
+        const Ended second = runNetworks(adaptation(at("first.safetensors"), "second.safetensors", still));
+        QCOMPARE(second.exitCode, 1);
+        QVERIFY2(second.errors.contains("nothing was gained") && second.errors.contains("first.safetensors stays the better one"),
+                 qPrintable(second.errors));
+        for (const char* left :
+             {"second.safetensors", "second.safetensors.json", "second.safetensors.checkpoint", "second.safetensors.log"})
+            QVERIFY2(!std::filesystem::exists(at(left).toStdString()), left);
+    }
+};
+
+QTEST_GUILESS_MAIN(LabTrainingTest)
+#include "lab_training_test.moc"

@@ -165,7 +165,7 @@ int fitCheck(const TrainCall& call)
 void addTrain(CLI::App& app, Action& action)
 {
     auto call = std::make_shared<TrainCall>();
-    auto* command = app.add_subcommand("train", "train the generators on a data set (uses libtorch)");
+    auto* command = app.add_subcommand("train", "train the generators on a data set, or adapt a model to it (uses libtorch)");
     command->add_option("DATASET", call->dataset, "the data set");
     command->add_flag("--drawn", call->drawn, "train networks for any cloth on drawn fabrics, none of which is shown twice");
     command->add_option(

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -12,6 +13,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "protocols/files/errors.h"
 #include "rendering/models/exchange.h"
@@ -199,9 +201,16 @@ void offerPeerSteps(CLI::App& app)
 /// Command line for the model card, without --resume, because a resumed run gives the same result as an uninterrupted one.
 std::string commandLine(int argc, char** argv)
 {
+    std::vector<std::string> words(argv + 1, argv + argc);
+    std::erase(words, "--resume");
+    // `vis2hap train` calls this program with train-cloth; the card names what the user types.
+    const auto cloth = std::find(words.begin(), words.end(), "train-cloth"), lab = std::find(words.begin(), words.end(), "--lab");
+    if (cloth != words.end()) {
+        *cloth = lab == words.end() ? "train --drawn" : "train";
+        if (lab != words.end()) words.erase(lab);
+    }
     std::string command = "vis2hap";
-    for (int i = 1; i < argc; ++i)
-        if (std::string_view(argv[i]) != "--resume") command += std::string(" ") + argv[i];
+    for (const std::string& word : words) command += " " + word;
     return command;
 }
 

@@ -96,6 +96,7 @@ private Q_SLOTS:
         const models::ModelCardFields card = models::readModelCardFields(at("model.safetensors").toStdString());
         QVERIFY(card.architecture.sees);
         QCOMPARE(card.steps, 150);
+        QVERIFY(card.summary.trainingCommand.starts_with("vis2hap train --drawn --out "));  // what the user types
         const auto figures = nlohmann::ordered_json::parse(card.validationJson);
         QCOMPARE(figures.at("patches").get<int>(), 8);
         QVERIFY2(figures.at("relief_correlation").get<double>() > 0.1, qPrintable(QString::fromStdString(card.validationJson)));

@@ -125,6 +125,7 @@ private Q_SLOTS:
         const models::ModelCardFields card = cardAt("adapted.safetensors"),
                                       start = models::readModelCardFields(models::shippedModel());
         QCOMPARE(card.fromHash, start.summary.sha256);
+        QVERIFY(card.summary.trainingCommand.starts_with("vis2hap train " + at("lab").toStdString()));  // what the user types
         QCOMPARE(card.datasetName, m_lab.name);
         QCOMPARE(card.heldOut.size(), std::size_t{1});
         const auto figures = nlohmann::json::parse(card.validationJson);

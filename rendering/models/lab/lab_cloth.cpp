@@ -26,6 +26,9 @@ using fabrics::Modality;
 using fabrics::SamplePlace;
 using protocols::FabricId;
 
+/// More presses of a fabric tell nothing new of its statistics.
+constexpr std::size_t mostPresses = 60;
+
 using LabSplit = std::vector<std::pair<SamplePlace, LabPart>>;
 
 /// How the heights of presses come to be.
@@ -246,10 +249,12 @@ private:
             fabric.strokes.push_back({std::move(*target), part});
         } else {
             if (!m_reading.possible) return;
+            const bool aligned = m_dataset.pairing == fabrics::Pairing::Aligned, enough = fabric.presses.size() >= mostPresses;
+            if (enough && !aligned) return;
             const cv::Mat height = pressHeight(m_dataset, m_reading, place);
             if (height.empty()) return;
-            fabric.presses.push_back({height, part});
-            m_pressAt[{place.fabric, place.index}] = {height, place.rotationDeg.value_or(0)};
+            if (!enough) fabric.presses.push_back({height, part});
+            if (aligned) m_pressAt[{place.fabric, place.index}] = {height, place.rotationDeg.value_or(0)};
         }
         remember(place, part);
     }
@@ -258,7 +263,8 @@ private:
     {
         const std::size_t at = m_places.at(place.fabric);
         const LabFabric& fabric = m_cloth.fabrics[at];
-        if (m_used >= m_budget) {
+        std::size_t& used = m_used[at];
+        if (used >= m_budget / m_cloth.fabrics.size()) {
             ++m_beyondBudget;
             return;
         }
@@ -266,13 +272,13 @@ private:
         photograph.fabric = at;
         photograph.part = part;
         const auto press = m_pressAt.find({place.fabric, place.index});
-        if (photograph.reliefMm.empty() && m_dataset.pairing == fabrics::Pairing::Aligned && press != m_pressAt.end())
+        if (photograph.reliefMm.empty() && press != m_pressAt.end())
             photograph.reliefMm = onPhotograph(
                 press->second.heightMm, m_cloth.pressMmPerPixel,
                 {photograph.rgb.size(), photograph.mmPerPixel, place.rotationDeg.value_or(0) - press->second.rotationDeg});
         if (photograph.reliefMm.empty() && fabric.presses.empty() && fabric.strokes.empty()) return;
         cutToMiddle(photograph);
-        m_used += bytesOf(photograph);
+        used += bytesOf(photograph);
         m_cloth.photographs.push_back(std::move(photograph));
         remember(place, part);
     }
@@ -285,7 +291,8 @@ private:
     const Dataset& m_dataset;
     const Architecture& m_architecture;
     fabrics::PhotographViews m_views;
-    std::size_t m_budget, m_used = 0;
+    std::size_t m_budget;
+    std::map<std::size_t, std::size_t> m_used;  ///< bytes of the photographs of each fabric
     int m_otherQuantities = 0, m_beyondBudget = 0;
     PressReading m_reading;
     LabSplit m_split;

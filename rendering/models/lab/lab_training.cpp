@@ -411,6 +411,7 @@ void adaptToLab(const fabrics::Dataset& lab, const fabrics::Dataset* scans, cons
                                    "a new file, so that both can be compared", "name another file with --out"});
     protocols::requireWritable(options.out);
     setTrainingThreads(options);
+    log << "reading " << lab.folder.string() << std::endl;
     LabRun(lab, scans, options, log, terminal).run();
 }
 

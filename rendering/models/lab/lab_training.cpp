@@ -105,7 +105,7 @@ private:
         m_out << "adapting " << m_start.summary.name << " to \"" << m_dataset.name
               << "\": " << countOf(m_lab.photographsOf(LabPart::Training).size(), "photograph") << " of "
               << countOf(fabrics, "fabric")
-              << "; held out: " << countOf(m_lab.photographsOf(LabPart::HeldOutPlace).size(), "place");
+              << "; held out: " << countOf(m_lab.photographsOf(LabPart::HeldOutPlace).size(), "photograph") << " of other places";
         if (const std::string ids = heldOutIds(); !ids.empty())
             m_out << ", and " << ids << " with " << countOf(m_lab.photographsOf(LabPart::HeldOutFabric).size(), "photograph");
         m_out << "\nmeasured: " << countOf(strokes, "stroke") << ", " << countOf(presses, "press") << ", "

@@ -5,20 +5,12 @@
 #include <QWidget>
 #include <filesystem>
 
+#include "study/app/pages/photographs/photograph_form.h"
+#include "study/app/pages/photographs/step_work.h"
 #include "study/app/state/in_background.h"
 #include "study/app/state/photograph_steps.h"
 
-class QLabel;
-class QLineEdit;
-class QPlainTextEdit;
-class QPushButton;
-class QVBoxLayout;
-
 namespace study::app {
-
-class MessageBar;
-class PhotographList;
-class PhotographScale;
 
 class PhotographsPage : public QWidget {
     Q_OBJECT
@@ -42,10 +34,6 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    void build();
-    void addStep(QVBoxLayout& column, const char* objectName, const QString& title, const QString& sentence);
-    void buildPhotographs(QVBoxLayout& column);
-    void buildResults(QVBoxLayout& column);
     void connectSteps();
     void browseFiles();
     void browseFolder();
@@ -65,9 +53,6 @@ private:
     void proposeFolder();
     /// The set as the page shows it. Empty where names or scale are not valid; the page then shows why.
     std::optional<PhotographSet> goodSet();
-    /// Runs a step; its progress and its fault appear in `message`.
-    using Step = std::function<InBackground::Then(const ToolProgress& progress)>;
-    void run(MessageBar& message, const QString& doing, Step step);
     void enable();
     void goBack();
 
@@ -76,28 +61,9 @@ private:
     QImage m_drawn;                   ///< friction images of the data set
     bool m_isTargetTyped = false;
     bool m_isViewedAgain = false;  ///< another photograph was chosen while one was read
-    QLineEdit* m_place;
-    QPushButton* m_browseFiles;
-    QPushButton* m_browseFolder;
-    QPushButton* m_add;
-    MessageBar* m_placeMessage;
-    PhotographList* m_list;
-    PhotographScale* m_scale;
-    QPushButton* m_check;
-    MessageBar* m_checkMessage;
-    QPlainTextEdit* m_warnings;
-    QLineEdit* m_target;
-    QPushButton* m_browseTarget;
-    QPushButton* m_write;
-    MessageBar* m_targetMessage;
-    std::vector<QPushButton*> m_conditions;
-    QPushButton* m_draw;
-    MessageBar* m_drawMessage;
-    QLabel* m_picture;
-    QPushButton* m_study;
-    MessageBar* m_studyMessage;
-    QPushButton* m_back;
-    InBackground m_work, m_viewing;
+    PhotographForm m_form;
+    StepWork m_work;
+    InBackground m_viewing;
 };
 
 }  // namespace study::app

@@ -55,17 +55,23 @@ std::unique_ptr<HapticDisplay> openFolder(const std::filesystem::path& folder)
 
 }  // namespace
 
-std::unique_ptr<HapticDisplay> openDisplay(const std::string& specification)
+std::unique_ptr<HapticDisplay> openDisplay(const std::string& specification, const std::stop_token& stop)
 {
     const std::string folderKind = "folder:";
     if (specification == "none") return std::make_unique<NoDisplay>();
     if (specification.starts_with(folderKind) && specification.size() > folderKind.size())
         return openFolder(specification.substr(folderKind.size()));
-    if (const auto address = driverAddressFrom(specification)) return std::make_unique<ExternalDisplay>(*address);
+    if (const auto address = driverAddressFrom(specification))
+        return std::make_unique<ExternalDisplay>(*address, DriverPatience{.stop = stop});
     throw protocols::badInput({.what = "unknown display '" + specification + "'",
                                .where = "",
                                .expected = "none, folder:DIR, exec:COMMAND or tcp:HOST:PORT",
                                .nextStep = "correct the name of the display"});
+}
+
+bool hasDriver(const std::string& specification)
+{
+    return specification.starts_with("exec:") || specification.starts_with("tcp:");
 }
 
 }  // namespace rendering

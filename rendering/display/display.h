@@ -8,6 +8,7 @@
 #include <memory>
 #include <opencv2/core/mat.hpp>
 #include <optional>
+#include <stop_token>
 #include <string>
 
 namespace rendering {
@@ -57,7 +58,10 @@ public:
 /// "none", "folder:DIR", "exec:COMMAND" (a driver that is started and uses its standard streams) or "tcp:HOST:PORT" (a
 /// driver that waits for a connection). A folder holds the shown image in DIR/current.pgm, all 0 while cleared. The file is
 /// replaced by rename, so a reader never sees half an image. Throws badInput for any other, workFailed for a driver that
-/// does not answer.
-std::unique_ptr<HapticDisplay> openDisplay(const std::string& specification);
+/// does not answer. `stop` ends the wait for a driver, from any thread, and the program that was started for it.
+std::unique_ptr<HapticDisplay> openDisplay(const std::string& specification, const std::stop_token& stop = {});
+
+/// Whether opening this display waits for a driver, which may take seconds.
+bool hasDriver(const std::string& specification);
 
 }  // namespace rendering

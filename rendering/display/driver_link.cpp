@@ -15,6 +15,8 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <future>
+#include <memory>
 #include <thread>
 
 #include "protocols/files/errors.h"
@@ -30,6 +32,7 @@ using std::chrono::steady_clock;
 
 constexpr std::size_t mostWaiting = std::size_t{1} << 22;  // Bytes of lines that have not been requested yet.
 constexpr std::size_t errorTextKept = 2000;
+constexpr milliseconds untilStopIsSeen(50);
 
 std::string systemText() { return std::strerror(errno); }
 
@@ -56,13 +59,50 @@ void tuneConnection(int socket)
     setOption(socket, IPPROTO_TCP, TCP_KEEPCNT, 3);
 }
 
+/// Number of descriptors that are ready; 0 where the deadline passed or a stop was requested before.
+template <std::size_t Count>
+int waitFor(std::array<pollfd, Count>& descriptors, Instant deadline, const std::stop_token& stop)
+{
+    const int slice = static_cast<int>(untilStopIsSeen.count());
+    while (true) {
+        const int left = millisecondsTo(deadline);
+        const bool isLast = !stop.stop_possible() || left <= slice;
+        const int ready = ::poll(descriptors.data(), descriptors.size(), isLast ? left : slice);
+        if (ready != 0) return std::max(0, ready);
+        if (isLast || stop.stop_requested()) return 0;
+    }
+}
+
+/// Addresses of a host, or the error number of getaddrinfo().
+struct Addresses {
+    std::shared_ptr<addrinfo> first;
+    int fault = 0;
+};
+
+/// The resolver knows no deadline, so it runs on a thread of its own. The thread is left alone where it takes too long.
+Addresses addressesOf(const DriverAddress& address, Instant deadline, const std::stop_token& stop)
+{
+    std::promise<Addresses> promise;
+    auto answer = promise.get_future();
+    std::thread([host = address.host, port = address.port, promise = std::move(promise)]() mutable {
+        addrinfo wanted{}, *found = nullptr;
+        wanted.ai_socktype = SOCK_STREAM;
+        const int fault = ::getaddrinfo(host.c_str(), port.c_str(), &wanted, &found);
+        promise.set_value({fault == 0 ? std::shared_ptr<addrinfo>(found, &::freeaddrinfo) : nullptr, fault});
+    }).detach();
+    while (!stop.stop_requested() && steady_clock::now() < deadline)
+        if (answer.wait_until(std::min(deadline, steady_clock::now() + untilStopIsSeen)) == std::future_status::ready)
+            return answer.get();
+    return {nullptr, EAI_AGAIN};
+}
+
 /// Error number of the attempt; 0 where it is connected.
-int connectBefore(int socket, const addrinfo& place, Instant deadline)
+int connectBefore(int socket, const addrinfo& place, Instant deadline, const std::stop_token& stop)
 {
     if (::connect(socket, place.ai_addr, place.ai_addrlen) == 0) return 0;
     if (errno != EINPROGRESS) return errno;
-    pollfd waiting{socket, POLLOUT, 0};
-    if (::poll(&waiting, 1, millisecondsTo(deadline)) <= 0) return ETIMEDOUT;
+    std::array<pollfd, 1> waiting{pollfd{socket, POLLOUT, 0}};
+    if (waitFor(waiting, deadline, stop) == 0) return ETIMEDOUT;
     int fault = 0;
     socklen_t size = sizeof fault;
     ::getsockopt(socket, SOL_SOCKET, SO_ERROR, &fault, &size);
@@ -115,7 +155,7 @@ std::optional<DriverAddress> driverAddressFrom(const std::string& specification)
     return DriverAddress{{}, host, place.substr(colon + 1)};
 }
 
-DriverLink::DriverLink(const DriverAddress& address, Instant deadline)
+DriverLink::DriverLink(const DriverAddress& address, Instant deadline, const std::stop_token& stop) : m_stop(stop)
 {
     if (address.isProgram())
         startProgram(address.command);
@@ -123,7 +163,7 @@ DriverLink::DriverLink(const DriverAddress& address, Instant deadline)
         connectTo(address, deadline);
 }
 
-DriverLink::~DriverLink() { close(steady_clock::now() + milliseconds(500)); }
+DriverLink::~DriverLink() { close(steady_clock::now() + milliseconds(m_stop.stop_requested() ? 0 : 500)); }
 
 /// Standard input and output are one socket, so that writing to an ended driver fails without SIGPIPE.
 void DriverLink::startProgram(const std::string& command)
@@ -162,17 +202,15 @@ void DriverLink::startProgram(const std::string& command)
 
 void DriverLink::connectTo(const DriverAddress& address, Instant deadline)
 {
-    addrinfo wanted{}, *places = nullptr;
-    wanted.ai_socktype = SOCK_STREAM;
-    if (const int fault = ::getaddrinfo(address.host.c_str(), address.port.c_str(), &wanted, &places); fault != 0) {
-        m_trouble = std::string("cannot be reached (") + ::gai_strerror(fault) + ")";
+    const Addresses places = addressesOf(address, deadline, m_stop);
+    if (places.fault != 0) {
+        m_trouble = std::string("cannot be reached (") + ::gai_strerror(places.fault) + ")";
         return;
     }
-    const std::unique_ptr<addrinfo, decltype(&::freeaddrinfo)> owned(places, &::freeaddrinfo);
     int fault = EADDRNOTAVAIL;
-    for (const addrinfo* place = places; place != nullptr; place = place->ai_next) {
+    for (const addrinfo* place = places.first.get(); place != nullptr; place = place->ai_next) {
         m_socket = ::socket(place->ai_family, place->ai_socktype | SOCK_CLOEXEC | SOCK_NONBLOCK, place->ai_protocol);
-        fault = m_socket < 0 ? errno : connectBefore(m_socket, *place, deadline);
+        fault = m_socket < 0 ? errno : connectBefore(m_socket, *place, deadline, m_stop);
         if (fault == 0) return tuneConnection(m_socket);
         if (m_socket >= 0) ::close(m_socket);
         m_socket = -1;
@@ -210,7 +248,10 @@ std::optional<std::string> DriverLink::receive(Instant deadline)
 void DriverLink::pump(short events, Instant deadline)
 {
     std::array<pollfd, 2> waiting{pollfd{m_socket, events, 0}, pollfd{m_errors, POLLIN, 0}};
-    if (::poll(waiting.data(), waiting.size(), millisecondsTo(deadline)) <= 0) return;
+    if (waitFor(waiting, deadline, m_stop) == 0) {
+        if (m_stop.stop_requested()) m_trouble = "was stopped before it answered";
+        return;
+    }
     if (waiting[1].revents != 0) takeErrors();
     if (waiting[0].revents & (POLLIN | POLLHUP | POLLERR)) takeIn();
 }
@@ -262,7 +303,7 @@ std::string DriverLink::trouble()
 {
     if (!isLost()) return {};
     std::string text = m_trouble;
-    if (m_program > 0 && !m_ending) waitForEnd(steady_clock::now() + milliseconds(200));
+    if (m_program > 0 && !m_ending && !m_stop.stop_requested()) waitForEnd(steady_clock::now() + milliseconds(200));
     if (m_ending) text = endingText(*m_ending);
     if (m_errors >= 0) takeErrors();
     const std::string words = lastLineOf(m_errorText);

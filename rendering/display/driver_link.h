@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -30,8 +31,9 @@ class DriverLink {
 public:
     static constexpr std::size_t longestLine = 65536;
 
-    /// The link is lost from the beginning where the program cannot be started or the connection is refused.
-    DriverLink(const DriverAddress& address, Instant deadline);
+    /// The link is lost from the beginning where the program cannot be started or the connection is refused. `stop` loses the
+    /// link at once: every wait ends, and the driver gets no time to end by itself.
+    DriverLink(const DriverAddress& address, Instant deadline, const std::stop_token& stop = {});
     /// Ends the driver like `close`.
     ~DriverLink();
     DriverLink(const DriverLink&) = delete;
@@ -65,6 +67,7 @@ private:
     std::optional<std::string> nextLine();
     bool waitForEnd(Instant deadline);
 
+    std::stop_token m_stop;
     int m_socket = -1;
     int m_errors = -1;
     pid_t m_program = -1;

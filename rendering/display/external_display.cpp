@@ -118,7 +118,7 @@ void ExternalDisplay::ask(const DriverRequest& request, int tries)
 
 ExternalDisplay::StartResult ExternalDisplay::start()
 {
-    m_link = std::make_unique<DriverLink>(m_address, steady_clock::now() + m_patience.reply);
+    m_link = std::make_unique<DriverLink>(m_address, steady_clock::now() + m_patience.reply, m_patience.stop);
     if (m_link->isLost()) {
         lose(m_link->trouble());
         return StartResult::TryAgain;

@@ -4,6 +4,7 @@
 
 #include <deque>
 #include <optional>
+#include <stop_token>
 #include <string>
 
 #include "protocols/files/errors.h"
@@ -17,6 +18,7 @@ struct DriverPatience {
     std::chrono::milliseconds reply{2000};  ///< from the first byte of a request to its reply
     std::chrono::milliseconds start{5000};  ///< from the start to the hello, because a device may need time to start
     int tries = 3;                          ///< for one request; the driver is started again before each further try
+    std::stop_token stop = {};              ///< ends every wait; the request then fails
 };
 
 class ExternalDisplay final : public HapticDisplay {

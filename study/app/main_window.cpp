@@ -4,15 +4,12 @@
 #include <QKeyEvent>
 #include <QScreen>
 #include <QShortcut>
-#include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include "protocols/files/errors.h"
-#include "study/app/pages/data_page.h"
 #include "study/app/pages/monitor_window.h"
-#include "study/app/pages/new_study_page.h"
-#include "study/app/pages/photographs/photographs_page.h"
 #include "study/app/pages/session_page.h"
+#include "study/app/pages/setup/connecting_page.h"
 #include "study/app/pages/setup/display_page.h"
 #include "study/app/pages/setup/keys_page.h"
 #include "study/app/pages/setup/latency_page.h"
@@ -26,6 +23,7 @@
 #include "study/app/participant_room.h"
 #include "study/app/pieces/pieces.h"
 #include "study/app/state/recent_studies.h"
+#include "study/app/window_pages.h"
 
 namespace study::app {
 
@@ -42,36 +40,23 @@ void showingFaults(Page& page, Work work)
     }
 }
 
+AppOptions withClock(AppOptions options)
+{
+    if (!options.clock) options.clock = std::make_shared<session::SystemClock>();
+    return options;
+}
+
 }  // namespace
 
 MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
     : QWidget(parent),
-      m_options(options),
+      m_options(withClock(options)),
       m_appearanceKeys(new AppearanceKeys(options.settings, *this, AppearanceKeys::Growth::WithWindow)),
-      m_pages(new QStackedWidget(this)),
-      m_startPage(new StartPage(this)),
-      m_newStudyPage(new NewStudyPage(options.makeStudy, this)),
-      m_dataPage(new DataPage(options.lookAtData, this)),
-      m_photographsPage(new PhotographsPage(options.photographs, this)),
-      m_displayPage(new DisplayPage(options, this)),
-      m_keysPage(new KeysPage(options.settings, this)),
+      m_opening(options.openDisplay),
       m_participantRoom(new ParticipantRoom(this)),
-      m_participantPage(new ParticipantPage(m_participantRoom->side(), m_participantRoom->sound(), this)),
-      m_rehearsalPage(new RehearsalPage(this)),
-      m_studyPage(new StudyPage(this)),
-      m_toolsPage(new ToolsPage(options.useTool, this)),
-      m_sessionPage(new SessionPage(this))
+      m_pages(new WindowPages(m_options, *m_participantRoom, this))
 {
     setObjectName("mainWindow");
-    if (!m_options.clock) m_options.clock = std::make_shared<session::SystemClock>();
-    m_latencyPage = new LatencyPage(m_options.clock, this);
-    m_pages->setObjectName("pages");
-    for (QWidget* page :
-         {static_cast<QWidget*>(m_startPage), static_cast<QWidget*>(m_newStudyPage), static_cast<QWidget*>(m_dataPage),
-          static_cast<QWidget*>(m_photographsPage), static_cast<QWidget*>(m_displayPage), static_cast<QWidget*>(m_keysPage),
-          static_cast<QWidget*>(m_latencyPage), static_cast<QWidget*>(m_participantPage), static_cast<QWidget*>(m_rehearsalPage),
-          static_cast<QWidget*>(m_studyPage), static_cast<QWidget*>(m_toolsPage), static_cast<QWidget*>(m_sessionPage)})
-        m_pages->addWidget(page);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_pages);
@@ -87,14 +72,14 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
     connectPages();
     connectDisplayPage();
     connectKeysPages();
-    m_studyPage->offerTools(static_cast<bool>(options.useTool));
+    m_pages->study->offerTools(static_cast<bool>(options.useTool));
     connectTools();
     connectParticipantSide();
     connectRehearsal();
     connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q), this), &QShortcut::activated, this, [this] { close(); });
     showStart();
     if (isWanted && !isAllowed)
-        m_startPage->showFault(
+        m_pages->start->showFault(
             tr("The display of the last time, %1, is not connected: an operator could open its plain images. Choose "
                "another display here, or start the program with --plain-images.")
                 .arg(QString::fromStdString(remembered)));
@@ -104,43 +89,24 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::connectPages()
 {
-    connect(m_startPage, &StartPage::openRequested, this,
-            [this](const QString& folder) { showingFaults(*m_startPage, [&] { openStudy(folder.toStdString()); }); });
-    connect(m_startPage, &StartPage::newStudyRequested, this, [this] {
-        m_pages->setCurrentWidget(m_newStudyPage);
-        m_newStudyPage->focusFirst();
-    });
-    connect(m_startPage, &StartPage::dataRequested, this, [this] {
-        m_pages->setCurrentWidget(m_dataPage);
-        m_dataPage->focusFirst();
-    });
-    connect(m_dataPage, &DataPage::backRequested, this, &MainWindow::showStart);
-    connect(m_startPage, &StartPage::photographsRequested, this, [this] {
-        m_pages->setCurrentWidget(m_photographsPage);
-        m_photographsPage->focusFirst();
-    });
-    connect(m_photographsPage, &PhotographsPage::backRequested, this, &MainWindow::showStart);
-    connect(m_photographsPage, &PhotographsPage::studyRequested, this, [this](const QString& dataset, const QString& protocol) {
-        m_newStudyPage->fill(dataset, protocol);
-        m_pages->setCurrentWidget(m_newStudyPage);
-        m_newStudyPage->focusFirst();
-    });
-    connect(m_newStudyPage, &NewStudyPage::backRequested, this, &MainWindow::showStart);
-    connect(m_newStudyPage, &NewStudyPage::made, this, [this](const QString& folder) {
+    connect(m_pages->start, &StartPage::openRequested, this,
+            [this](const QString& folder) { showingFaults(*m_pages->start, [&] { openStudy(folder.toStdString()); }); });
+    connect(m_pages, &WindowPages::startRequested, this, &MainWindow::showStart);
+    connect(m_pages, &WindowPages::studyMade, this, [this](const QString& folder) {
         showStart();
-        showingFaults(*m_startPage, [&] { openStudy(folder.toStdString()); });
+        showingFaults(*m_pages->start, [&] { openStudy(folder.toStdString()); });
     });
-    connect(m_studyPage, &StudyPage::closeRequested, this, &MainWindow::closeStudy);
-    connect(m_studyPage, &StudyPage::sessionRequested, this, [this](const QString& participant) {
-        if (const QString fault = m_study->protocolFault(); !fault.isEmpty()) return m_studyPage->showFault(fault);
-        showingFaults(*m_studyPage, [&] { requestSession(protocols::ParticipantId(participant.toStdString())); });
+    connect(m_pages->study, &StudyPage::closeRequested, this, &MainWindow::closeStudy);
+    connect(m_pages->study, &StudyPage::sessionRequested, this, [this](const QString& participant) {
+        if (const QString fault = m_study->protocolFault(); !fault.isEmpty()) return m_pages->study->showFault(fault);
+        requestSession(protocols::ParticipantId(participant.toStdString()));
     });
-    connect(m_sessionPage, &SessionPage::correctionRequested, this,
-            [this] { m_sessionPage->openCorrection(m_session->correctables()); });
-    connect(m_sessionPage, &SessionPage::eventRequested, this, [this](const session::EventBody& event) {
+    connect(m_pages->session, &SessionPage::correctionRequested, this,
+            [this] { m_pages->session->openCorrection(m_session->correctables()); });
+    connect(m_pages->session, &SessionPage::eventRequested, this, [this](const session::EventBody& event) {
         if (m_session) m_session->send(event);
     });
-    connect(m_sessionPage, &SessionPage::answerMarked, this, [this](AnswerMark mark) {
+    connect(m_pages->session, &SessionPage::answerMarked, this, [this](AnswerMark mark) {
         if (!m_session) return;
         if (mark == AnswerMark::Emptied)
             m_session->unmarkEntry();
@@ -148,28 +114,44 @@ void MainWindow::connectPages()
             m_session->markAnswerBegun(mark == AnswerMark::Spoken ? session::BegunBy::Spoken : session::BegunBy::Entry);
     });
     // Queued, so that the page is not rebuilt while it still handles its own event.
-    connect(m_sessionPage, &SessionPage::leaveRequested, this, &MainWindow::leaveSession, Qt::QueuedConnection);
+    connect(m_pages->session, &SessionPage::leaveRequested, this, &MainWindow::leaveSession, Qt::QueuedConnection);
 }
 
 void MainWindow::connectDisplayPage()
 {
-    connect(m_startPage, &StartPage::displayRequested, this, [this] { showDisplay(); });
-    connect(m_studyPage, &StudyPage::displayRequested, this, [this] { showDisplay(); });
-    connect(m_displayPage, &DisplayPage::backRequested, this, &MainWindow::leaveDisplay);
-    connect(m_displayPage, &DisplayPage::chosen, this, [this](const QString& specification) {
+    connect(m_pages->start, &StartPage::displayRequested, this, [this] { showDisplay(); });
+    connect(m_pages->study, &StudyPage::displayRequested, this, [this] { showDisplay(); });
+    connect(m_pages->display, &DisplayPage::backRequested, this, &MainWindow::leaveDisplay);
+    connect(m_pages->connecting, &ConnectingPage::stopRequested, this, &MainWindow::stopConnecting);
+    connect(m_pages->display, &DisplayPage::chosen, this, [this](const QString& specification) {
         m_rehearses = false;
         useDisplay(specification.toStdString());
     });
-    connect(m_displayPage, &DisplayPage::rehearsalRequested, this, [this] {
+    connect(m_pages->display, &DisplayPage::rehearsalRequested, this, [this] {
         m_rehearses = true;
         useDisplay("none");
         const auto waiting = m_waiting;
         leaveDisplay();
-        if (waiting) showingFaults(*m_studyPage, [&] { requestSession(*waiting); });
+        if (waiting) requestSession(*waiting);
     });
-    connect(m_sessionPage, &SessionPage::patternRequested, this, [this](const std::optional<TestPattern>& pattern) {
+    connect(m_pages->session, &SessionPage::patternRequested, this, [this](const std::optional<TestPattern>& pattern) {
         if (m_session) m_session->showPattern(pattern, rememberedScale(m_options.settings.get(), m_options.display));
     });
+}
+
+void MainWindow::connectDisplay(DisplayOpening::Opened use, DisplayOpening::Failed failed)
+{
+    m_stopped = failed;
+    m_opening.open(m_options.display, std::move(use), std::move(failed));
+    if (!m_opening.isOpening()) return;
+    m_pages->setCurrentWidget(m_pages->connecting);
+    m_pages->connecting->present(QString::fromStdString(m_options.display));
+}
+
+void MainWindow::stopConnecting()
+{
+    m_opening.stop();
+    if (m_stopped) m_stopped(tr("Connecting the display was stopped."));
 }
 
 void MainWindow::useDisplay(const std::string& specification)
@@ -180,26 +162,24 @@ void MainWindow::useDisplay(const std::string& specification)
 
 void MainWindow::showDisplay(const QString& why)
 {
-    m_displayPage->present(m_options.display, why);
-    m_pages->setCurrentWidget(m_displayPage);
-    m_displayPage->focusFirst();
+    m_pages->display->present(m_options.display, why);
+    m_pages->bring(*m_pages->display);
 }
 
 void MainWindow::connectKeysPages()
 {
-    connect(m_startPage, &StartPage::keysRequested, this, &MainWindow::showKeys);
-    connect(m_studyPage, &StudyPage::keysRequested, this, &MainWindow::showKeys);
-    connect(m_keysPage, &KeysPage::backRequested, this, &MainWindow::leaveDisplay);
-    connect(m_latencyPage, &LatencyPage::backRequested, this, &MainWindow::showKeys);
-    connect(m_keysPage, &KeysPage::latencyTaskRequested, this, [this] {
-        m_latencyPage->present(QString::fromStdString(m_options.operatedBy.operatorName));
-        m_pages->setCurrentWidget(m_latencyPage);
-        m_latencyPage->focusFirst();
+    connect(m_pages->start, &StartPage::keysRequested, this, &MainWindow::showKeys);
+    connect(m_pages->study, &StudyPage::keysRequested, this, &MainWindow::showKeys);
+    connect(m_pages->keys, &KeysPage::backRequested, this, &MainWindow::leaveDisplay);
+    connect(m_pages->latency, &LatencyPage::backRequested, this, &MainWindow::showKeys);
+    connect(m_pages->keys, &KeysPage::latencyTaskRequested, this, [this] {
+        m_pages->latency->present(QString::fromStdString(m_options.operatedBy.operatorName));
+        m_pages->bring(*m_pages->latency);
     });
-    connect(m_latencyPage, &LatencyPage::measured, this, [this](const database::OperatorLatency& run) {
-        showingFaults(*m_latencyPage, [&] {
+    connect(m_pages->latency, &LatencyPage::measured, this, [this](const database::OperatorLatency& run) {
+        showingFaults(*m_pages->latency, [&] {
             m_study->storeLatency(run);
-            m_latencyPage->showStored(run);
+            m_pages->latency->showStored(run);
         });
     });
 }
@@ -209,26 +189,26 @@ void MainWindow::connectParticipantSide()
     auto* shortcut = new QShortcut(QKeySequence(Qt::Key_F4), this);
     shortcut->setAutoRepeat(false);
     connect(shortcut, &QShortcut::activated, this, &MainWindow::showParticipantSide);
-    connect(m_startPage, &StartPage::participantRequested, this, &MainWindow::showParticipantSide);
-    connect(m_studyPage, &StudyPage::participantRequested, this, &MainWindow::showParticipantSide);
-    connect(m_participantPage, &ParticipantPage::backRequested, this, &MainWindow::leaveParticipantSide);
+    connect(m_pages->start, &StartPage::participantRequested, this, &MainWindow::showParticipantSide);
+    connect(m_pages->study, &StudyPage::participantRequested, this, &MainWindow::showParticipantSide);
+    connect(m_pages->participant, &ParticipantPage::backRequested, this, &MainWindow::leaveParticipantSide);
     connect(&participantSide(), &ParticipantSide::acted, this, &MainWindow::takeAct);
     tellParticipant();
 }
 
 void MainWindow::showParticipantSide()
 {
-    if (m_pages->currentWidget() == m_participantPage) return leaveParticipantSide();
+    if (m_pages->currentWidget() == m_pages->participant) return leaveParticipantSide();
+    if (m_opening.isOpening()) return;  // another page comes by itself in a moment
     m_beforeParticipantPage = m_pages->currentWidget();
-    m_participantPage->present();
-    m_pages->setCurrentWidget(m_participantPage);
-    m_participantPage->focusFirst();
+    m_pages->participant->present();
+    m_pages->bring(*m_pages->participant);
 }
 
 void MainWindow::leaveParticipantSide()
 {
     m_pages->setCurrentWidget(m_beforeParticipantPage);
-    if (m_session) m_sessionPage->present(m_session->view(), m_session->canCorrect());
+    if (m_session) m_pages->session->present(m_session->view(), m_session->canCorrect());
 }
 
 void MainWindow::tellParticipant() { m_participantRoom->tell(m_study.get(), m_session.get()); }
@@ -236,16 +216,15 @@ void MainWindow::tellParticipant() { m_participantRoom->tell(m_study.get(), m_se
 void MainWindow::takeAct(const participant::ParticipantAct& act)
 {
     if (!m_session) return;
-    if (m_participantRoom->take(act, *m_session)) m_sessionPage->holdKeys();
-    m_sessionPage->showAct(act);
+    if (m_participantRoom->take(act, *m_session)) m_pages->session->holdKeys();
+    m_pages->session->showAct(act);
 }
 
 void MainWindow::showKeys()
 {
-    m_keysPage->present();
-    m_keysPage->offerLatencyTask(m_study != nullptr);
-    m_pages->setCurrentWidget(m_keysPage);
-    m_keysPage->focusFirst();
+    m_pages->keys->present();
+    m_pages->keys->offerLatencyTask(m_study != nullptr);
+    m_pages->bring(*m_pages->keys);
 }
 
 void MainWindow::leaveDisplay()
@@ -261,61 +240,73 @@ void MainWindow::leaveDisplay()
 
 void MainWindow::connectTools()
 {
-    connect(m_studyPage, &StudyPage::toolsRequested, this, [this] {
-        m_toolsPage->present(m_study->store().folder().folder);
-        m_pages->setCurrentWidget(m_toolsPage);
-        m_toolsPage->focusFirst();
+    connect(m_pages->study, &StudyPage::toolsRequested, this, [this] {
+        m_pages->tools->present(m_study->store().folder().folder);
+        m_pages->bring(*m_pages->tools);
     });
-    connect(m_toolsPage, &ToolsPage::backRequested, this, &MainWindow::showStudy);
-    connect(m_toolsPage, &ToolsPage::monitorRequested, this, [this] { showingFaults(*m_toolsPage, [&] { openMonitor(); }); });
+    connect(m_pages->tools, &ToolsPage::backRequested, this, &MainWindow::showStudy);
+    connect(m_pages->tools, &ToolsPage::monitorRequested, this,
+            [this] { showingFaults(*m_pages->tools, [&] { openMonitor(); }); });
 }
 
 void MainWindow::connectRehearsal()
 {
-    m_studyPage->offerRehearsal(static_cast<bool>(m_options.makeRehearsal));
-    connect(m_studyPage, &StudyPage::rehearsalRequested, this, [this] {
+    m_pages->study->offerRehearsal(static_cast<bool>(m_options.makeRehearsal));
+    connect(m_pages->study, &StudyPage::rehearsalRequested, this, [this] {
         m_isRehearsing = true;
-        m_rehearsalPage->begin(m_study->codesOnPieces());
+        m_pages->rehearsal->begin(m_study->codesOnPieces());
         showRehearsal();
     });
-    connect(m_rehearsalPage, &RehearsalPage::checksRequested, this, [this] { m_rehearsalPage->refresh(room()); });
-    connect(m_rehearsalPage, &RehearsalPage::displayRequested, this, [this] { showDisplay(); });
-    connect(m_rehearsalPage, &RehearsalPage::sessionRequested, this,
-            [this] { showingFaults(*m_rehearsalPage, [&] { playRehearsal(); }); });
-    connect(m_rehearsalPage, &RehearsalPage::backRequested, this, [this] {
+    connect(m_pages->rehearsal, &RehearsalPage::checksRequested, this, &MainWindow::showRehearsal);
+    connect(m_pages->rehearsal, &RehearsalPage::displayRequested, this, [this] { showDisplay(); });
+    connect(m_pages->rehearsal, &RehearsalPage::sessionRequested, this, [this] {
+        m_session.reset();  // A driver serves one connection at a time.
+        connectDisplay(
+            [this](auto display) {
+                m_pages->setCurrentWidget(m_pages->rehearsal);
+                showingFaults(*m_pages->rehearsal, [&] { playRehearsal(std::move(display)); });
+            },
+            [this](const QString& fault) {
+                m_pages->setCurrentWidget(m_pages->rehearsal);
+                m_pages->rehearsal->showFault(fault);
+            });
+    });
+    connect(m_pages->rehearsal, &RehearsalPage::backRequested, this, [this] {
         m_isRehearsing = false;
         showStudy();
     });
 }
 
-RehearsalPage::Room MainWindow::room()
-{
-    const StudyOverview overview = m_study->overview();
-    RehearsalPage::Room room{overview.nextParticipant, {}, m_study->codesOnPieces(), {}, {}};
-    showingFaults(*m_rehearsalPage, [&] {
-        const auto display = m_options.openDisplay(m_options.display);
-        if (display->isThere()) room.displayName = QString::fromStdString(display->name());
-    });
-    room.diskFault = faultOfDisk(m_study->store().folder().folder);
-    room.clockFault = faultOfClocks(m_study->lastWallTime());
-    return room;
-}
-
 void MainWindow::showRehearsal()
 {
-    m_rehearsalPage->refresh(room());
-    m_pages->setCurrentWidget(m_rehearsalPage);
-    m_rehearsalPage->focusFirst();
+    connectDisplay(
+        [this](auto display) {
+            const QString name = display->isThere() ? QString::fromStdString(display->name()) : QString();
+            display.reset();  // The session connects it again.
+            presentRehearsal(name);
+        },
+        [this](const QString& fault) {
+            presentRehearsal({});
+            m_pages->rehearsal->showFault(fault);
+        });
 }
 
-void MainWindow::playRehearsal()
+void MainWindow::presentRehearsal(const QString& displayName)
+{
+    m_pages->rehearsal->refresh({m_study->overview().nextParticipant, displayName, m_study->codesOnPieces(),
+                                 faultOfDisk(m_study->store().folder().folder), faultOfClocks(m_study->lastWallTime())});
+    if (m_pages->currentWidget() == m_pages->rehearsal) return;
+    m_pages->bring(*m_pages->rehearsal);
+}
+
+void MainWindow::playRehearsal(std::unique_ptr<rendering::HapticDisplay> display)
 {
     m_session.reset();
     m_rehearsal.reset();
     m_rehearsalFolder = m_options.makeRehearsal(m_study->store().folder().folder);
     m_rehearsal = std::make_unique<OpenStudy>(*m_rehearsalFolder);
     try {
-        begin(*m_rehearsal, protocols::ParticipantId(rehearsalParticipant), m_options.openDisplay(m_options.display));
+        begin(*m_rehearsal, protocols::ParticipantId(rehearsalParticipant), std::move(display));
     } catch (...) {
         m_session.reset();
         m_rehearsal.reset();  // a later session is of the study again
@@ -332,6 +323,8 @@ void MainWindow::openMonitor()
     m_monitor->activateWindow();
 }
 
+StartPage& MainWindow::startPage() const { return *m_pages->start; }
+
 QWidget* MainWindow::currentPage() const { return m_pages->currentWidget(); }
 
 ParticipantSide& MainWindow::participantSide() const { return m_participantRoom->side(); }
@@ -341,11 +334,10 @@ ParticipantSound& MainWindow::participantSound() const { return m_participantRoo
 void MainWindow::showStart()
 {
     setWindowTitle(tr("Vis2Hap"));
-    m_startPage->present(recentStudies(m_options.settings.get()),
-                         {static_cast<bool>(m_options.makeStudy), static_cast<bool>(m_options.lookAtData),
-                          static_cast<bool>(m_options.photographs)});
-    m_pages->setCurrentWidget(m_startPage);
-    m_startPage->focusFirst();
+    m_pages->start->present(recentStudies(m_options.settings.get()),
+                            {static_cast<bool>(m_options.makeStudy), static_cast<bool>(m_options.lookAtData),
+                             static_cast<bool>(m_options.photographs)});
+    m_pages->bring(*m_pages->start);
 }
 
 void MainWindow::openStudy(const std::filesystem::path& folder)
@@ -362,10 +354,9 @@ void MainWindow::openStudy(const std::filesystem::path& folder)
 void MainWindow::showStudy()
 {
     setWindowTitle(tr("%1 – Vis2Hap").arg(m_study->name()));
-    m_studyPage->present(m_study->overview(), m_options.kind);
-    if (const QString fault = m_study->protocolFault(); !fault.isEmpty()) m_studyPage->showFault(fault);
-    m_pages->setCurrentWidget(m_studyPage);
-    m_studyPage->focusFirst();
+    m_pages->study->present(m_study->overview(), m_options.kind);
+    if (const QString fault = m_study->protocolFault(); !fault.isEmpty()) m_pages->study->showFault(fault);
+    m_pages->bring(*m_pages->study);
 }
 
 void MainWindow::closeStudy()
@@ -380,19 +371,35 @@ void MainWindow::closeStudy()
 void MainWindow::startSession(const protocols::ParticipantId& participant)
 {
     m_session.reset();  // A driver serves one connection at a time.
-    begin(*m_study, participant, m_options.openDisplay(m_options.display));
+    begin(*m_study, participant, m_options.openDisplay(m_options.display, {}));
 }
 
 void MainWindow::requestSession(const protocols::ParticipantId& participant)
 {
     m_session.reset();
-    auto display = m_options.openDisplay(m_options.display);
-    if (display->isThere() || m_rehearses || m_options.kind != database::ParticipantKind::Human)
-        return begin(*m_study, participant, std::move(display));
-    display.reset();
-    showDisplay(tr("No display is connected, so %1 would feel nothing. Connect a display, or rehearse without one.")
-                    .arg(QString::fromStdString(participant.value)));
-    m_waiting = participant;
+    const auto use = [this, participant](std::unique_ptr<rendering::HapticDisplay> display) {
+        if (display->isThere() || m_rehearses || m_options.kind != database::ParticipantKind::Human) {
+            try {
+                begin(*m_study, participant, std::move(display));
+            } catch (const std::exception& fault) {
+                showStudyFault(QString::fromUtf8(fault.what()));
+            }
+            return;
+        }
+        display.reset();
+        showDisplay(tr("No display is connected, so %1 would feel nothing. Connect a display, or rehearse without one.")
+                        .arg(QString::fromStdString(participant.value)));
+        m_waiting = participant;
+    };
+    connectDisplay(use, [this](const QString& fault) { showStudyFault(fault); });
+}
+
+void MainWindow::showStudyFault(const QString& text)
+{
+    if (m_pages->currentWidget() != m_pages->study) {
+        m_pages->bring(*m_pages->study);
+    }
+    m_pages->study->showFault(text);
 }
 
 void MainWindow::begin(OpenStudy& study, const protocols::ParticipantId& participant,
@@ -404,12 +411,12 @@ void MainWindow::begin(OpenStudy& study, const protocols::ParticipantId& partici
     connectSession();
     SessionFacts facts = m_session->facts();
     facts.isRehearsal = &study == m_rehearsal.get();
-    facts.keys = m_keysPage->keys();
+    facts.keys = m_pages->keys->keys();
     facts.mmPerPixel = rememberedScale(m_options.settings.get(), m_options.display);
-    m_sessionPage->begin(facts);
-    m_pages->setCurrentWidget(m_sessionPage);
+    m_pages->session->begin(facts);
+    m_pages->setCurrentWidget(m_pages->session);
     setWindowTitle(tr("%1 – %2 – Vis2Hap").arg(QString::fromStdString(participant.value), study.name()));
-    m_sessionPage->present(m_session->view(), m_session->canCorrect());
+    m_pages->session->present(m_session->view(), m_session->canCorrect());
     m_participantRoom->begin(*m_session);
     tellParticipant();
 }
@@ -417,8 +424,8 @@ void MainWindow::begin(OpenStudy& study, const protocols::ParticipantId& partici
 void MainWindow::connectSession()
 {
     connect(m_session.get(), &SessionController::viewChanged, this, &MainWindow::refreshSession);
-    connect(m_session.get(), &SessionController::reported, m_sessionPage, &SessionPage::showMessage);
-    connect(m_session.get(), &SessionController::patternShown, m_sessionPage, &SessionPage::showPattern);
+    connect(m_session.get(), &SessionController::reported, m_pages->session, &SessionPage::showMessage);
+    connect(m_session.get(), &SessionController::patternShown, m_pages->session, &SessionPage::showPattern);
 }
 
 void MainWindow::refreshSession()
@@ -428,9 +435,9 @@ void MainWindow::refreshSession()
     const auto& outcome = m_session->lastOutcome();
     const bool isByOperator = !m_participantRoom->isTaking() && session::isEnteredByOperator(outcome->event);
     const bool isAccepted = !outcome->refusal && !outcome->fault;
-    if (isByOperator && (isAccepted || m_sessionPage->shownView().state != m_session->view().state))
-        m_sessionPage->closePanelAndMessage();
-    m_sessionPage->present(m_session->view(), m_session->canCorrect());
+    if (isByOperator && (isAccepted || m_pages->session->shownView().state != m_session->view().state))
+        m_pages->session->closePanelAndMessage();
+    m_pages->session->present(m_session->view(), m_session->canCorrect());
     tellParticipant();
 }
 
@@ -454,7 +461,7 @@ void MainWindow::leaveSession()
     if (m_rehearsal) {
         m_rehearsal.reset();
         m_rehearsalFolder.reset();
-        m_rehearsalPage->sessionLeft(isFinished);
+        m_pages->rehearsal->sessionLeft(isFinished);
         showRehearsal();
     } else {
         showStudy();
@@ -469,15 +476,15 @@ void MainWindow::closeEvent(QCloseEvent* event)
         return;
     }
     m_monitor.reset();  // an open monitor would keep the program running
-    m_participantPage->closeWindow();
+    m_pages->participant->closeWindow();
     QWidget::closeEvent(event);
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event)
 {
     // Handles the keys of the session page when none of its controls has the focus.
-    if (m_pages->currentWidget() == m_sessionPage && event->modifiers() == Qt::NoModifier && !event->isAutoRepeat() &&
-        m_sessionPage->pressKey(event->key()))
+    if (m_pages->currentWidget() == m_pages->session && event->modifiers() == Qt::NoModifier && !event->isAutoRepeat() &&
+        m_pages->session->pressKey(event->key()))
         return;
     QWidget::keyPressEvent(event);
 }

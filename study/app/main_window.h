@@ -9,10 +9,9 @@
 #include "study/app/pages/setup/rehearsal_page.h"
 #include "study/app/pieces/appearance_keys.h"
 #include "study/app/state/app_options.h"
+#include "study/app/state/display_opening.h"
 #include "study/app/state/open_study.h"
 #include "study/app/state/session_controller.h"
-
-class QStackedWidget;
 
 namespace study::participant {
 struct ParticipantAct;
@@ -20,21 +19,12 @@ struct ParticipantAct;
 
 namespace study::app {
 
-class DataPage;
-class DisplayPage;
-class KeysPage;
-class LatencyPage;
 class MonitorWindow;
-class NewStudyPage;
-class ParticipantPage;
 class ParticipantRoom;
 class ParticipantSide;
 class ParticipantSound;
-class PhotographsPage;
-class SessionPage;
 class StartPage;
-class StudyPage;
-class ToolsPage;
+class WindowPages;
 
 class MainWindow : public QWidget {
     Q_OBJECT
@@ -44,10 +34,10 @@ public:
 
     /// Opens the study for writing and shows its page. Throws protocols::Error and then keeps the current study open.
     void openStudy(const std::filesystem::path& folder);
-    /// Enrols the participant, or resumes the session, and shows it. Throws protocols::Error.
+    /// Enrols the participant, or resumes the session, and shows it. Waits for the display. Throws protocols::Error.
     void startSession(const protocols::ParticipantId& participant);
     /// Starts the session of a person only with a display, or where the operator chose to rehearse without one; otherwise shows
-    /// the display page with the reason. Throws protocols::Error.
+    /// the display page with the reason. A driver is waited for on a page of its own. Faults are shown on the page of the study.
     void requestSession(const protocols::ParticipantId& participant);
 
     OpenStudy* study() const { return m_study.get(); }
@@ -55,7 +45,7 @@ public:
     /// The visible page.
     QWidget* currentPage() const;
 
-    StartPage& startPage() const { return *m_startPage; }
+    StartPage& startPage() const;
     ParticipantSide& participantSide() const;
     ParticipantSound& participantSound() const;
     void setAppearance(const Appearance& appearance) { m_appearanceKeys->set(appearance); }
@@ -69,6 +59,10 @@ private:
     void connectDisplayPage();
     void connectSession();
     void begin(OpenStudy& study, const protocols::ParticipantId& participant, std::unique_ptr<rendering::HapticDisplay> display);
+    /// Connects the display of the sessions, on the connecting page where its driver must be waited for. Then calls `use`, or
+    /// `failed` with the reason; both show the page that comes next.
+    void connectDisplay(DisplayOpening::Opened use, DisplayOpening::Failed failed);
+    void stopConnecting();
     void useDisplay(const std::string& specification);
     void showDisplay(const QString& why = {});
     void showKeys();
@@ -84,9 +78,11 @@ private:
     void tellParticipant();
     void takeAct(const participant::ParticipantAct& act);
     void connectRehearsal();
-    RehearsalPage::Room room();
     void showRehearsal();
-    void playRehearsal();
+    /// `displayName`: empty if no display is connected.
+    void presentRehearsal(const QString& displayName);
+    void playRehearsal(std::unique_ptr<rendering::HapticDisplay> display);
+    void showStudyFault(const QString& text);
     void openMonitor();
     void refreshSession();
     void leaveSession();
@@ -100,27 +96,17 @@ private:
     std::shared_ptr<const std::filesystem::path> m_rehearsalFolder;
     std::unique_ptr<OpenStudy> m_rehearsal;        ///< while a rehearsal is played; closes before its folder vanishes
     std::unique_ptr<SessionController> m_session;  ///< of either study; after both, so that it ends first
-    bool m_isRehearsing = false;                   ///< the page of the rehearsal is in use
+    DisplayOpening m_opening;
+    DisplayOpening::Failed m_stopped;  ///< what follows when the operator stops connecting
+    bool m_isRehearsing = false;       ///< the page of the rehearsal is in use
     bool m_leavingWasRefused = false;
     bool m_rehearses = false;                           ///< the operator chose to run sessions without a display
     std::optional<protocols::ParticipantId> m_waiting;  ///< whose session waits for a display
 
-    QStackedWidget* m_pages;
-    StartPage* m_startPage;
-    NewStudyPage* m_newStudyPage;
-    DataPage* m_dataPage;
-    PhotographsPage* m_photographsPage;
-    DisplayPage* m_displayPage;
-    KeysPage* m_keysPage;
-    LatencyPage* m_latencyPage;
     ParticipantRoom* m_participantRoom;
-    ParticipantPage* m_participantPage;
+    WindowPages* m_pages;
     QWidget* m_beforeParticipantPage = nullptr;  ///< the page to go back to
-    RehearsalPage* m_rehearsalPage;
-    StudyPage* m_studyPage;
-    ToolsPage* m_toolsPage;
-    SessionPage* m_sessionPage;
-    std::unique_ptr<MonitorWindow> m_monitor;  ///< of the open study; empty until it is asked for
+    std::unique_ptr<MonitorWindow> m_monitor;    ///< of the open study; empty until it is asked for
 };
 
 }  // namespace study::app

@@ -48,7 +48,7 @@ Search insertBelow(QLayout& layout, const QWidget& control, QWidget& added)
     return Search::Missing;
 }
 
-constexpr int marginPx = 28;
+constexpr int pageMarginPx = 28;
 
 }  // namespace
 
@@ -154,7 +154,7 @@ QScrollArea* scrolling(const char* objectName, QWidget* page, QWidget* parent)
     area->setFrameShape(QFrame::NoFrame);
     auto* whole = new QWidget(area);
     auto* row = new QHBoxLayout(whole);
-    row->setContentsMargins(marginPx, 22, marginPx, 18);
+    row->setContentsMargins(pageMarginPx, 22, pageMarginPx, 18);
     row->setSpacing(0);
     if (page->layout()) page->layout()->setContentsMargins(0, 0, 0, 0);
     row->addWidget(page, 1);
@@ -165,7 +165,7 @@ QScrollArea* scrolling(const char* objectName, QWidget* page, QWidget* parent)
     new PageFit(*area, *page);
     // Scroll to a control that gets the focus outside the visible part.
     QObject::connect(qApp, &QApplication::focusChanged, area, [area](QWidget*, QWidget* now) {
-        if (now && area->isVisible() && area->isAncestorOf(now)) area->ensureWidgetVisible(now, 0, marginPx);
+        if (now && area->isVisible() && area->isAncestorOf(now)) area->ensureWidgetVisible(now, 0, pageMarginPx);
     });
     return area;
 }
@@ -179,7 +179,7 @@ bool isLowFor(const QWidget& bar)
 void showInOneRow(const QWidget& bar, const std::vector<std::pair<QWidget*, bool>>& isWanted, int gapPx)
 {
     const bool isLow = isLowFor(bar);
-    int room = bar.contentsRect().width() - 2 * marginPx + gapPx;
+    int room = bar.contentsRect().width() - 2 * pageMarginPx + gapPx;
     for (const auto& [part, wanted] : isWanted) {
         part->ensurePolished();
         if (wanted) room -= part->sizeHint().width() + gapPx;

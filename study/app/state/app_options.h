@@ -41,7 +41,9 @@ using MakingProgress = std::function<void(double fraction, const std::string& wh
 /// Makes the study or throws protocols::Error. Called on a worker thread.
 using MakeStudy = std::function<void(const NewStudyRequest&, const MakingProgress&)>;
 
-using OpenDisplay = std::function<std::unique_ptr<rendering::HapticDisplay>(const std::string& specification)>;
+/// Opens a display as app::openDisplay() does. Displays with a driver are opened on a worker thread.
+using OpenDisplay =
+    std::function<std::unique_ptr<rendering::HapticDisplay>(const std::string& specification, const std::stop_token& stop)>;
 
 struct AppOptions {
     std::optional<std::filesystem::path> study;  ///< opened at the start

@@ -109,12 +109,22 @@ void ScreenCover::onTouched(std::function<void(const rendering::Touch&)> touched
     m_window->touched = std::move(touched);
 }
 
-std::unique_ptr<rendering::HapticDisplay> openDisplay(const std::string& specification)
+std::unique_ptr<rendering::HapticDisplay> openDisplay(const std::string& specification, const std::stop_token& stop)
+{
+    withCover(nullptr, specification);  // A wrong screen is reported before a driver is started.
+    return withCover(rendering::openDisplay(coveredDisplay(specification), stop), specification);
+}
+
+std::string coveredDisplay(const std::string& specification) { return partsOf(specification).wrapped; }
+
+std::unique_ptr<rendering::HapticDisplay> withCover(std::unique_ptr<rendering::HapticDisplay> display,
+                                                    const std::string& specification)
 {
     const CoverSpecification parts = partsOf(specification);
-    if (!parts.screen) return rendering::openDisplay(parts.wrapped);
+    if (!parts.screen) return display;
     QScreen& screen = screenNumbered(*parts.screen, specification);
-    return std::make_unique<ScreenCover>(rendering::openDisplay(parts.wrapped), screen);
+    if (!display) return nullptr;
+    return std::make_unique<ScreenCover>(std::move(display), screen);
 }
 
 }  // namespace study::app

@@ -43,7 +43,14 @@ private:
 
 /// Opens a display. Accepts every specification of rendering::openDisplay. "cover:N" covers screen N (0 is the main screen);
 /// it stands alone or after another display: "folder:DIR,cover:1", "exec:COMMAND,cover:1". Throws badInput if screen N does
-/// not exist or if no screen is left for the console.
-std::unique_ptr<rendering::HapticDisplay> openDisplay(const std::string& specification);
+/// not exist or if no screen is left for the console. `stop`: see rendering::openDisplay().
+std::unique_ptr<rendering::HapticDisplay> openDisplay(const std::string& specification, const std::stop_token& stop = {});
+
+/// The display under the cover: "exec:COMMAND,cover:1" gives "exec:COMMAND", "cover:1" gives "none".
+std::string coveredDisplay(const std::string& specification);
+/// Covers the screen that `specification` names, if it names one. Throws like openDisplay(). `display` may be null: then it is
+/// only checked that the screen can be covered.
+std::unique_ptr<rendering::HapticDisplay> withCover(std::unique_ptr<rendering::HapticDisplay> display,
+                                                    const std::string& specification);
 
 }  // namespace study::app

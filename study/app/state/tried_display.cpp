@@ -41,22 +41,32 @@ void rememberScale(QSettings* settings, const std::string& specification, double
     settings->setValue(scaleKey, mmPerPixel);
 }
 
-TriedDisplay::TriedDisplay(OpenDisplay open, QObject* parent) : QObject(parent), m_open(std::move(open)) {}
+TriedDisplay::TriedDisplay(OpenDisplay open, QObject* parent) : QObject(parent), m_opening(std::move(open)) {}
 
 TriedDisplay::~TriedDisplay() { close(); }
 
 void TriedDisplay::connectTo(const std::string& specification)
 {
     close();  // A driver serves one connection at a time.
-    m_display = m_open(specification);
+    m_opening.open(
+        specification, [this](std::unique_ptr<rendering::HapticDisplay> display) { use(std::move(display)); },
+        [this](const QString& fault) { Q_EMIT failed(fault); });
+}
+
+void TriedDisplay::use(std::unique_ptr<rendering::HapticDisplay> display)
+{
+    m_display = std::move(display);
     m_display->onTouched([this](const rendering::Touch&) { Q_EMIT touched(); });
-    if (m_display->descriptorToWatch() < 0) return;
-    m_watch = std::make_unique<QSocketNotifier>(m_display->descriptorToWatch(), QSocketNotifier::Read);
-    connect(m_watch.get(), &QSocketNotifier::activated, this, &TriedDisplay::attend);
+    if (m_display->descriptorToWatch() >= 0) {
+        m_watch = std::make_unique<QSocketNotifier>(m_display->descriptorToWatch(), QSocketNotifier::Read);
+        connect(m_watch.get(), &QSocketNotifier::activated, this, &TriedDisplay::attend);
+    }
+    Q_EMIT opened();
 }
 
 void TriedDisplay::close()
 {
+    m_opening.stop();
     try {
         if (m_shown) m_display->clear();
     } catch (const std::exception&) {

@@ -12,6 +12,7 @@
 #include "rendering/display/display.h"
 #include "rendering/display/test_patterns.h"
 #include "study/app/state/app_options.h"
+#include "study/app/state/display_opening.h"
 
 class QSettings;
 
@@ -40,9 +41,12 @@ public:
     TriedDisplay(OpenDisplay open, QObject* parent);
     ~TriedDisplay() override;
 
-    /// Closes the display that was connected, and connects this one. Throws the errors of `open`.
+    /// Closes the display that was connected, and connects this one: opened() or failed() follows, at once where no driver is
+    /// waited for.
     void connectTo(const std::string& specification);
-    /// Clears the display and closes it. Nothing is left to feel, because a driver clears its device when the connection ends.
+    bool isConnecting() const { return m_opening.isOpening(); }
+    /// Stops connecting. Clears the display and closes it. Nothing is left to feel, because a driver clears its device when the
+    /// connection ends.
     void close();
     bool isConnected() const { return static_cast<bool>(m_display); }
     /// The connected display; null if none.
@@ -55,14 +59,18 @@ public:
     const std::optional<TestPattern>& shown() const { return m_shown; }
 
 Q_SIGNALS:
+    void opened();
+    /// The display cannot be connected.
+    void failed(const QString& fault);
     /// The display was lost while a pattern was shown. It is closed now.
     void lost(const QString& fault);
     void touched();
 
 private:
     void attend();
+    void use(std::unique_ptr<rendering::HapticDisplay> display);
 
-    OpenDisplay m_open;
+    DisplayOpening m_opening;
     std::unique_ptr<rendering::HapticDisplay> m_display;
     std::unique_ptr<QSocketNotifier> m_watch;  ///< declared after the display, so destroyed before it
     std::optional<TestPattern> m_shown;

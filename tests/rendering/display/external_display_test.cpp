@@ -30,7 +30,7 @@ DriverAddress program(const std::string& command) { return {command, {}, {}}; }
 
 DriverAddress broken(const std::string& fault) { return program(std::string(VIS2HAP_BROKEN_DISPLAY " '") + fault + "'"); }
 
-constexpr DriverPatience impatient{.reply = 300ms, .start = 500ms, .tries = 3};
+const DriverPatience impatient{.reply = 300ms, .start = 500ms, .tries = 3};
 
 /// A port without a listener: the system assigned it, and it was released.
 int freePort()
@@ -92,6 +92,27 @@ private Q_SLOTS:
             display.show(grey);
         }
         QCOMPARE(cv::countNonZero(felt()), 0);
+    }
+
+    void aWaitForADriverCanBeStopped_data()
+    {
+        QTest::addColumn<QString>("specification");
+        QTest::newRow("program") << "exec:exec sleep 60";
+        QTest::newRow("program that does not end when asked") << "exec:trap '' TERM; sleep 60 & wait";
+    }
+    void aWaitForADriverCanBeStopped()
+    {
+        QFETCH(QString, specification);
+        std::stop_source stop;
+        QElapsedTimer waited;
+        std::thread presser([&] {
+            std::this_thread::sleep_for(200ms);
+            waited.start();
+            stop.request_stop();
+        });
+        const QString refusal = refusalOf([&] { openDisplay(specification.toStdString(), stop.get_token()); });
+        presser.join();
+        QVERIFY2(!refusal.isEmpty() && waited.elapsed() < 900, qPrintable(refusal + QString::number(waited.elapsed())));
     }
 
     void touchIsReportedWithItsAge()

@@ -3,11 +3,8 @@
 #include <signal.h>
 #include <unistd.h>
 
-#include <QComboBox>
-#include <QElapsedTimer>
 #include <QFile>
 #include <QLabel>
-#include <QLineEdit>
 #include <QProcess>
 #include <QPushButton>
 #include <QSettings>
@@ -17,6 +14,7 @@
 #include "rendering/images/image_io.h"
 #include "study/app/state/screen_cover.h"
 #include "study/session/session_record.h"
+#include "tests/study/app/displayed_image.h"
 #include "tests/support/open_window.h"
 #include "tests/support/played_session.h"
 #include "tests/support/program.h"
@@ -27,19 +25,6 @@ using namespace study::session;
 using protocols::ParticipantId;
 using tests::support::OpenWindow;
 using tests::support::ShownWindow;
-
-namespace {
-
-/// Pixel value of the displayed image, which is uniform in these studies; -1 if it is not.
-int displayedIn(const QString& folder)
-{
-    const cv::Mat image = rendering::readPgm((folder + "/current.pgm").toStdString());
-    double low = 0, high = 0;
-    cv::minMaxLoc(image, &low, &high);
-    return low == high ? static_cast<int>(low) : -1;
-}
-
-}  // namespace
 
 class AppDisplayTest : public tests::support::WindowTest {
     Q_OBJECT
@@ -82,17 +67,10 @@ private Q_SLOTS:
     void delayedTouchReportIsDatedBack();
     void deadDriverPausesTheSessionAndLosesNothing();
     void messageForADeadDriverNamesTheNextStep();
-    void studyPageShowsWhyTheDriverCannotStart();
     void driverClearsTheDisplayAfterTheProgramIsKilled();
     void plainImagesMustBeAllowed();
     void aPersonNeedsADisplayOrARehearsal();
     void noneOnTheCommandLineIsARehearsal();
-    void aRememberedFolderIsNamedBeforeASession();
-    void displayPageConnectsAndRemembers();
-    void displayPageShowsFaultsInPlainWords_data();
-    void displayPageShowsFaultsInPlainWords();
-    void displayPageWaitsForASilentDriverNoLongerThanItSays();
-    void patternIsFeltOnlyWhileItsButtonIsDown();
     void patternOfTheChecklistEndsWithIt();
     void aScreenThatCannotBeHadIsOneError_data();
     void aScreenThatCannotBeHadIsOneError();
@@ -105,12 +83,12 @@ void AppDisplayTest::displayShowsImagesOnlyWhilePresenting()
     int presented = 0;
     while (!std::holds_alternative<Finished>(shown.gui.view().state.stage)) {
         const auto* presenting = std::get_if<Presenting>(&shown.gui.view().state.stage);
-        QCOMPARE(displayedIn(displayFolder()) > 0, presenting != nullptr);
+        QCOMPARE(tests::displayedIn(displayFolder()) > 0, presenting != nullptr);
         presented += presenting ? 1 : 0;
         step(shown);
     }
     QVERIFY(presented > 10);
-    QCOMPARE(displayedIn(displayFolder()), 0);
+    QCOMPARE(tests::displayedIn(displayFolder()), 0);
 }
 
 void AppDisplayTest::touchReportedByTheDriverIsStamped()
@@ -159,7 +137,7 @@ void AppDisplayTest::deadDriverPausesTheSessionAndLosesNothing()
     stepTo<Presenting>(shown);
     const int answers = shown.gui.view().state.answersStored;
     const auto trial = std::get<Presenting>(shown.gui.view().state.stage).index;
-    QVERIFY(answers > 0 && displayedIn(displayFolder()) > 0);
+    QVERIFY(answers > 0 && tests::displayedIn(displayFolder()) > 0);
 
     // Kill the driver. Its process is the one that has the display folder in its arguments.
     QProcess list;
@@ -174,11 +152,11 @@ void AppDisplayTest::deadDriverPausesTheSessionAndLosesNothing()
                  messageIn(shown).contains("press Enter"),
              qPrintable(messageIn(shown)));
     QCOMPARE(shown.window.study()->store().answers().size(), static_cast<std::size_t>(answers));
-    QCOMPARE(displayedIn(displayFolder()), 0);  // the driver was restarted and shows nothing
+    QCOMPARE(tests::displayedIn(displayFolder()), 0);  // the driver was restarted and shows nothing
     shown.gui.pressKey(Qt::Key_Return);
     stepTo<Presenting>(shown);
     QCOMPARE(std::get<Presenting>(shown.gui.view().state.stage).index, trial);
-    QVERIFY(displayedIn(displayFolder()) > 0);
+    QVERIFY(tests::displayedIn(displayFolder()) > 0);
     stepTo<Finished>(shown);
     QCOMPARE(static_cast<int>(shown.window.study()->store().answers().size()), 24);
     QVERIFY(shown.window.study()->store().faults().empty());
@@ -217,17 +195,7 @@ void AppDisplayTest::messageForADeadDriverNamesTheNextStep()
     shown.gui.pressKey(Qt::Key_Return);
     QVERIFY(!shown.gui.view().state.paused);
     stepTo<Presenting>(shown);
-    QVERIFY(displayedIn(displayFolder()) > 0);
-}
-
-void AppDisplayTest::studyPageShowsWhyTheDriverCannotStart()
-{
-    ShownWindow shown(with("exec:/nowhere/driver"));
-    shown.window.openStudy(newStudy().folder);
-    shown.gui.click("enrolButton");
-    const QString message = shown.window.currentPage()->findChild<QLabel*>("studyMessage")->text();
-    QVERIFY2(message.contains("exit code 127") && message.contains("not found"), qPrintable(message));
-    QVERIFY(!shown.window.session());
+    QVERIFY(tests::displayedIn(displayFolder()) > 0);
 }
 
 void AppDisplayTest::driverClearsTheDisplayAfterTheProgramIsKilled()
@@ -238,10 +206,10 @@ void AppDisplayTest::driverClearsTheDisplayAfterTheProgramIsKilled()
                 {"--show-and-wait", "exec:" VIS2HAP_REFERENCE_DISPLAY " '" + displayFolder() + "'"});
     QVERIFY(child.waitForReadyRead(10000));
     QCOMPARE(child.readLine(), QByteArray("shown\n"));
-    QVERIFY(displayedIn(displayFolder()) > 0);
+    QVERIFY(tests::displayedIn(displayFolder()) > 0);
     child.kill();
     QVERIFY(child.waitForFinished());
-    QTRY_COMPARE(displayedIn(displayFolder()), 0);
+    QTRY_COMPARE(tests::displayedIn(displayFolder()), 0);
 }
 
 void AppDisplayTest::aPersonNeedsADisplayOrARehearsal()
@@ -278,132 +246,6 @@ void AppDisplayTest::noneOnTheCommandLineIsARehearsal()
     QVERIFY(shown.window.session());
 }
 
-void AppDisplayTest::aRememberedFolderIsNamedBeforeASession()
-{
-    AppOptions options;
-    options.settings = std::make_shared<QSettings>(filePath("folder.ini"), QSettings::IniFormat);
-    study::app::rememberDisplay(options.settings.get(), "folder:/run/display");
-    const auto message = [](ShownWindow& shown) { return shown.widget<QLabel>("startMessage").text(); };
-    ShownWindow refused(options);
-    QVERIFY2(message(refused).contains("folder:/run/display") && message(refused).contains("--plain-images"),
-             qPrintable(message(refused)));
-    options.allowsPlainImages = true;
-    ShownWindow allowed(options);
-    QVERIFY2(message(allowed).isEmpty(), qPrintable(message(allowed)));
-}
-
-void AppDisplayTest::displayPageConnectsAndRemembers()
-{
-    AppOptions options;
-    options.settings = std::make_shared<QSettings>(filePath("display.ini"), QSettings::IniFormat);
-    options.clock = m_clock = std::make_shared<VirtualClock>();
-    {
-        ShownWindow shown(options);
-        shown.gui.click("displayButton");
-        auto& kinds = shown.widget<QComboBox>("displayKind");
-        QCOMPARE(kinds.findData(QStringLiteral("folder:")), -1);  // plain images were not allowed
-        kinds.setCurrentIndex(kinds.findData(QStringLiteral("exec:")));
-        shown.widget<QLineEdit>("displayArgumentField").setText(VIS2HAP_REFERENCE_DISPLAY " '" + displayFolder() + "'");
-        shown.gui.click("connectDisplayButton");
-        QVERIFY2(shown.widget<QLabel>("displayState").text().startsWith("Connected: "),
-                 qPrintable(shown.widget<QLabel>("displayMessage").text()));
-        QVERIFY2(shown.widget<QLabel>("displayAbout").text().contains(" px  ·  "),
-                 qPrintable(shown.widget<QLabel>("displayAbout").text()));
-        QVERIFY(!shown.window.currentPage()->findChild<QPushButton*>("pattern4Button")->isEnabled());  // no scale yet
-        QTest::keyClicks(&shown.widget<QLineEdit>("displayScaleField"), "0.17");
-        QVERIFY(shown.window.currentPage()->findChild<QPushButton*>("pattern4Button")->isEnabled());
-    }
-    ShownWindow next(options);
-    next.window.openStudy(newStudy(tests::support::wholeStudy()).folder);
-    next.gui.click("enrolButton");
-    QVERIFY(next.window.session());
-    QVERIFY(next.widget<QLabel>("displayFact").text().contains("exec:"));
-    stepTo<CheckingList>(next);
-    QVERIFY(next.window.currentPage()->findChild<QPushButton*>("pattern4Button")->isEnabled());
-}
-
-void AppDisplayTest::displayPageShowsFaultsInPlainWords_data()
-{
-    QTest::addColumn<QString>("kind");
-    QTest::addColumn<QString>("argument");
-    QTest::addColumn<QString>("words");
-    QTest::newRow("wrong command") << "exec:"
-                                   << "/nowhere/driver"
-                                   << "exit code 127";
-    QTest::newRow("no hello") << "exec:"
-                              << "exit 0"
-                              << "ended";
-    QTest::newRow("no connection") << "tcp:"
-                                   << "127.0.0.1:1"
-                                   << "refused";
-    QTest::newRow("no screen") << "cover:"
-                               << "9"
-                               << "no screen 9";
-}
-
-void AppDisplayTest::displayPageShowsFaultsInPlainWords()
-{
-    QFETCH(QString, kind);
-    QFETCH(QString, argument);
-    QFETCH(QString, words);
-    ShownWindow shown;
-    shown.gui.click("displayButton");
-    auto& kinds = shown.widget<QComboBox>("displayKind");
-    kinds.setCurrentIndex(kinds.findData(kind));
-    shown.widget<QLineEdit>("displayArgumentField").setText(argument);
-    shown.gui.click("connectDisplayButton");
-    const QString message = shown.widget<QLabel>("displayMessage").text();
-    QVERIFY2(message.contains(words), qPrintable(message));
-    QCOMPARE(shown.widget<QLabel>("displayState").text(), QStringLiteral("Not connected"));
-    QVERIFY(!shown.window.currentPage()->findChild<QPushButton*>("pattern1Button")->isEnabled());
-}
-
-void AppDisplayTest::displayPageWaitsForASilentDriverNoLongerThanItSays()
-{
-    AppOptions options;
-    QString saidMeanwhile;
-    ShownWindow* window = nullptr;
-    options.openDisplay = [&](const std::string& specification) {
-        if (window) saidMeanwhile = window->widget<QLabel>("displayState").text();
-        return study::app::openDisplay(specification);
-    };
-    ShownWindow shown(options);
-    window = &shown;
-    shown.gui.click("displayButton");
-    auto& kinds = shown.widget<QComboBox>("displayKind");
-    kinds.setCurrentIndex(kinds.findData(QStringLiteral("exec:")));
-    shown.widget<QLineEdit>("displayArgumentField").setText("exec sleep 60");
-    QElapsedTimer waited;
-    waited.start();
-    shown.gui.click("connectDisplayButton");
-    QVERIFY2(waited.elapsed() < 10000, qPrintable(QString::number(waited.elapsed())));
-    QVERIFY2(saidMeanwhile.contains("at most 10 seconds"), qPrintable(saidMeanwhile));
-    QCOMPARE(shown.widget<QLabel>("displayState").text(), QStringLiteral("Not connected"));
-    const QString message = shown.widget<QLabel>("displayMessage").text();
-    QVERIFY2(message.contains("does not answer"), qPrintable(message));
-}
-
-void AppDisplayTest::patternIsFeltOnlyWhileItsButtonIsDown()
-{
-    ShownWindow shown(withReference());
-    shown.gui.click("displayButton");
-    shown.gui.click("connectDisplayButton");
-    QCOMPARE(displayedIn(displayFolder()), 0);
-    shown.gui.click("pattern1Button");
-    QCOMPARE(displayedIn(displayFolder()), 255);
-    QCOMPARE(shown.widget<QLabel>("patternShown").text(), QStringLiteral("On: uniform"));
-    shown.gui.click("pattern2Button");
-    QCOMPARE(displayedIn(displayFolder()), -1);  // an edge is not uniform
-    QVERIFY(!shown.window.currentPage()->findChild<QPushButton*>("pattern1Button")->isChecked());
-    shown.gui.click("pattern2Button");
-    QCOMPARE(displayedIn(displayFolder()), 0);
-    shown.gui.click("pattern1Button");
-    QCOMPARE(displayedIn(displayFolder()), 255);
-    shown.gui.pressKey(Qt::Key_Escape);
-    QCOMPARE(displayedIn(displayFolder()), 0);
-    QCOMPARE(shown.window.currentPage()->objectName(), QStringLiteral("startPage"));
-}
-
 void AppDisplayTest::patternOfTheChecklistEndsWithIt()
 {
     ShownWindow shown(withReference());
@@ -411,17 +253,17 @@ void AppDisplayTest::patternOfTheChecklistEndsWithIt()
     shown.window.startSession(protocols::ParticipantId("P01"));
     stepTo<CheckingList>(shown);
     shown.gui.click("pattern1Button");
-    QCOMPARE(displayedIn(displayFolder()), 255);
+    QCOMPARE(tests::displayedIn(displayFolder()), 255);
     QVERIFY(shown.widget<QLabel>("displayFact").text().startsWith("Display on: uniform"));
     shown.gui.pressKey(Qt::Key_P);
-    QCOMPARE(displayedIn(displayFolder()), 0);
+    QCOMPARE(tests::displayedIn(displayFolder()), 0);
     QVERIFY2(shown.widget<QLabel>("displayFact").text().startsWith("Display off: "),
              qPrintable(shown.widget<QLabel>("displayFact").text()));
     shown.gui.pressKey(Qt::Key_Return);
     shown.gui.click("pattern1Button");
-    QCOMPARE(displayedIn(displayFolder()), 255);
+    QCOMPARE(tests::displayedIn(displayFolder()), 255);
     stepTo<PlacingTray>(shown);
-    QCOMPARE(displayedIn(displayFolder()), 0);
+    QCOMPARE(tests::displayedIn(displayFolder()), 0);
 }
 
 void AppDisplayTest::plainImagesMustBeAllowed()

@@ -63,11 +63,13 @@ DisplayPage::DisplayPage(const AppOptions& options, QWidget* parent)
     connect(m_kind, &QComboBox::currentIndexChanged, this, &DisplayPage::chooseKind);
     connect(m_kind, &QComboBox::currentIndexChanged, m_message, &MessageBar::clearMessage);
     connect(m_argument, &QLineEdit::textChanged, m_message, &MessageBar::clearMessage);
-    connect(m_connect, &QPushButton::clicked, this, &DisplayPage::connectDisplay);
+    connect(m_connect, &QPushButton::clicked, this, &DisplayPage::pressConnect);
     connect(m_rehearse, &QPushButton::clicked, this, &DisplayPage::rehearsalRequested);
     connect(m_back, &QPushButton::clicked, this, &DisplayPage::backRequested);
     connect(m_scale, &QLineEdit::textEdited, this, &DisplayPage::readScale);
     connect(m_patterns, &PatternButtons::patternRequested, this, &DisplayPage::showPattern);
+    connect(m_tried, &TriedDisplay::opened, this, &DisplayPage::useConnected);
+    connect(m_tried, &TriedDisplay::failed, this, &DisplayPage::showConnectFault);
     connect(m_tried, &TriedDisplay::lost, this, &DisplayPage::showFault);
     connect(m_tried, &TriedDisplay::touched, this, [this] {
         ++m_touches;
@@ -127,6 +129,7 @@ void DisplayPage::present(const std::string& specification, const QString& why)
     }
     chooseKind();
     m_message->clearMessage();
+    m_message->standBelow(*m_connect);
     if (!why.isEmpty()) m_message->showHint(why);
 }
 
@@ -171,31 +174,69 @@ void DisplayPage::connectDisplay()
 {
     m_message->clearMessage();
     m_touches = 0;
-    const std::string asked = specification();
-    // A driver may need some seconds to start, and the window waits for it. DriverPatience limits the wait.
-    m_state->setText(tr("Connecting… The window waits for the display, at most 10 seconds."));
-    m_state->repaint();
-    QApplication::setOverrideCursor(Qt::WaitCursor);
-    try {
-        m_tried->connectTo(asked);
-        m_connected = asked;
-        QApplication::restoreOverrideCursor();
-    } catch (const std::exception& fault) {
-        QApplication::restoreOverrideCursor();
-        return showFault(QString::fromUtf8(fault.what()));
+    m_connected = specification();
+    m_tried->connectTo(m_connected);
+    if (m_tried->isConnecting()) showConnecting(true);
+}
+
+void DisplayPage::pressConnect()
+{
+    if (m_tried->isConnecting())
+        stopConnecting();
+    else
+        connectDisplay();
+}
+
+void DisplayPage::stopConnecting()
+{
+    m_tried->close();
+    showState();
+    m_message->standBelow(*m_connect);
+    m_message->showHint(tr("Connecting was stopped. The display is not connected."));
+}
+
+/// While the display is being connected, nothing can be changed; the button stops it.
+void DisplayPage::showConnecting(bool isConnecting)
+{
+    if (isConnecting == !m_kind->isEnabled()) return;
+    if (isConnecting) m_focusBefore = focusWidget();
+    setButtonText(*m_connect, isConnecting ? tr("Stop (Esc)") : tr("Connect (Enter)"));
+    m_connect->setFocus();
+    for (QWidget* control : {static_cast<QWidget*>(m_kind), static_cast<QWidget*>(m_argument), static_cast<QWidget*>(m_rehearse),
+                             static_cast<QWidget*>(m_scale), static_cast<QWidget*>(m_back)})
+        control->setEnabled(!isConnecting);
+    if (isConnecting) {
+        m_state->setText(
+            tr("Connecting… The driver has up to 10 seconds to answer."));  // DriverPatience and the end of its program
+        showText(*m_about, {});
+        m_patterns->setUsable(false, {});
+    } else if (m_focusBefore && isVisible()) {
+        m_focusBefore->setFocus();
     }
-    rememberDisplay(m_settings.get(), asked);
-    const auto known = rememberedScale(m_settings.get(), asked);
+}
+
+void DisplayPage::showConnectFault(const QString& text)
+{
+    showState();
+    m_message->standBelow(m_argument->isVisibleTo(this) ? *m_argument : static_cast<QWidget&>(*m_kind));
+    m_message->showFault(text);
+}
+
+void DisplayPage::useConnected()
+{
+    rememberDisplay(m_settings.get(), m_connected);
+    const auto known = rememberedScale(m_settings.get(), m_connected);
     if (known)
         m_scale->setText(QString::number(*known));
     else if (const auto typed = scale())
-        rememberScale(m_settings.get(), asked, *typed);
+        rememberScale(m_settings.get(), m_connected, *typed);
     showState();
+    m_message->standBelow(*m_connect);
     if (m_tried->display()->isThere())
         m_message->showDone(tr("The display is connected. This window uses it from now on, and at the next start."));
     else
         m_message->showHint(tr("Nothing can be felt without a display. A session with a participant needs one."));
-    Q_EMIT chosen(QString::fromStdString(asked));
+    Q_EMIT chosen(QString::fromStdString(m_connected));
 }
 
 void DisplayPage::readScale()
@@ -223,11 +264,14 @@ void DisplayPage::showPattern(const std::optional<TestPattern>& pattern)
 void DisplayPage::showFault(const QString& text)
 {
     showState();
+    m_message->standBelow(*m_patterns);
     m_message->showFault(text);
 }
 
 void DisplayPage::showState()
 {
+    showConnecting(m_tried->isConnecting());
+    if (m_tried->isConnecting()) return;
     const rendering::HapticDisplay* display = m_tried->display();
     const bool isThere = display && display->isThere();
     m_state->setText(isThere ? tr("Connected: %1").arg(QString::fromStdString(display->name())) : tr("Not connected"));
@@ -252,8 +296,12 @@ void DisplayPage::hideEvent(QHideEvent* event)
 void DisplayPage::keyPressEvent(QKeyEvent* event)
 {
     auto* pressed = qobject_cast<QPushButton*>(focusWidget());
-    if (event->key() == Qt::Key_Escape)
+    if (event->key() == Qt::Key_Escape && m_tried->isConnecting())
+        stopConnecting();
+    else if (event->key() == Qt::Key_Escape)
         Q_EMIT backRequested();
+    else if (isEnter(event->key()) && m_tried->isConnecting())
+        event->accept();  // A key that bounces must not stop what it began.
     else if (isEnter(event->key()) && pressed)
         pressed->click();
     else if (isEnter(event->key()))

@@ -40,7 +40,12 @@ protected:
 private:
     void build();
     void chooseKind();
+    void pressConnect();
     void connectDisplay();
+    void stopConnecting();
+    void useConnected();
+    void showConnectFault(const QString& text);
+    void showConnecting(bool isConnecting);
     void showPattern(const std::optional<TestPattern>& pattern);
     void readScale();
     void showState();
@@ -50,7 +55,8 @@ private:
 
     std::shared_ptr<QSettings> m_settings;
     TriedDisplay* m_tried;
-    std::string m_connected;  ///< specification of the connected display
+    std::string m_connected;           ///< specification of the display that is connected, or being connected
+    QWidget* m_focusBefore = nullptr;  ///< where the operator was before the display was being connected
     int m_touches = 0;
     QComboBox* m_kind;
     QLabel* m_caption;

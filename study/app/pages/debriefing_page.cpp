@@ -21,15 +21,16 @@ DebriefingPage::DebriefingPage(QWidget* parent)
         tr("You may leave the field empty. The text is stored apart from the answers and can be erased later. "
            "Press Shift and Enter for a new line."));
     auto* action = mainButton("confirmButton", tr("Finish the session (Enter)"), this);
+    m_notes->setLines(2, 3, 8);
     auto* column = new QVBoxLayout(this);
     column->setSpacing(14);
     for (QWidget* part : {static_cast<QWidget*>(head), static_cast<QWidget*>(steps), static_cast<QWidget*>(m_notes),
                           static_cast<QWidget*>(rights)})
-        column->addWidget(part);
+        column->addWidget(part, part == m_notes ? 1 : 0);
     column->addLayout(m_messagePlace);
     column->addSpacing(6);
     column->addWidget(action, 0, Qt::AlignLeft);
-    column->addStretch(1);
+    column->addStretch(0);
     setTabOrder(m_notes, action);
     connect(action, &QPushButton::clicked, this, &DebriefingPage::confirm);
 }

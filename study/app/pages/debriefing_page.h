@@ -17,6 +17,7 @@ public:
     bool isForWriting() const override { return true; }
     bool pressKey(int key) override;
     QWidget& firstFocus() override;
+    int largestType() const override { return 200; }
 
 private:
     void confirm();

@@ -31,6 +31,7 @@ void FactsPage::begin(const SessionFacts& facts)
 {
     m_form->setCaptions(facts.facts);
     setTabOrderAfter(*m_form, {m_action});
+    Q_EMIT textChanged();
 }
 
 void FactsPage::confirm() { Q_EMIT eventRequested(session::FactsGiven{m_form->given()}); }

@@ -19,6 +19,7 @@ public:
     bool isForWriting() const override { return true; }
     bool pressKey(int key) override;
     QWidget& firstFocus() override;
+    int largestType() const override { return 190; }
     QWidget* pinned() override;
 
 private:

@@ -1,5 +1,6 @@
 #include "study/app/pages/familiarisation_page.h"
 
+#include <QHBoxLayout>
 #include <QVBoxLayout>
 
 #include "study/app/pieces/flow_layout.h"
@@ -18,17 +19,20 @@ FamiliarisationPage::FamiliarisationPage(QWidget* parent)
       m_action(mainButton("confirmButton", tr("The participant is ready (Enter)"), this))
 {
     auto* head = new PageHead(this);
-    head->setTexts(tr("Getting to know the display"), tr("Nothing is scored here. Give the participant as much time as needed."));
+    head->setTexts(tr("Getting to know the display"),
+                   tr("Nothing is scored here. Seat the participant so that one hand reaches both the display and the tray."));
     m_fabricsRow->setLayout(new FlowLayout(10, 8));
     auto* column = new QVBoxLayout(this);
     column->setSpacing(14);
     column->addWidget(head);
     column->addWidget(m_steps);
     column->addWidget(m_fabricsRow);
-    column->addWidget(m_shown);
     column->addLayout(m_messagePlace);
-    column->addSpacing(6);
-    column->addWidget(m_action, 0, Qt::AlignLeft);
+    auto* actions = new QHBoxLayout;
+    actions->setSpacing(20);
+    actions->addWidget(m_action);
+    actions->addWidget(m_shown, 1);
+    column->addLayout(actions);
     column->addStretch(1);
     connect(m_action, &QPushButton::clicked, this, [this] { Q_EMIT eventRequested(session::FamiliarisationDone{}); });
 }
@@ -41,18 +45,19 @@ void FamiliarisationPage::begin(const SessionFacts& facts)
 
 void FamiliarisationPage::showSteps()
 {
-    QStringList steps{tr("Seat the participant so that one hand can reach both the display and the tray.")};
+    QStringList steps;
     if (!m_strokeWords.isEmpty()) steps << tr("Say: “%1”").arg(m_strokeWords);
     if (m_fabrics.empty())
         steps << tr("Let the participant stroke some fabrics on the table, then the glass of the display.");
     else
         steps << tr(
-            "Put one of these fabrics on the table. Press its number to show its image on the display. Let the participant "
-            "stroke both, then take the next fabric.");
+            "Put one of these fabrics on the table and press its number: the display shows it. Let the participant stroke both as "
+            "long as they like. Then take the next fabric.");
     steps << tr(
-        "Say: “Soon you will compare what you feel on the glass with a piece of fabric on the tray. There are no right or "
-        "wrong answers. Take your time.”");
+        "Say: “Soon you will compare the glass with a piece of fabric on the tray. There are no right or wrong answers. Take "
+        "your time.”");
     m_steps->setSteps(steps);
+    Q_EMIT textChanged();
 }
 
 void FamiliarisationPage::setFabrics(const std::vector<std::string>& fabrics)
@@ -85,7 +90,7 @@ void FamiliarisationPage::present(const session::View& view)
         showText(*m_shown,
                  tr("The display now shows %1.").arg(QString::fromStdString(m_fabrics.at(static_cast<std::size_t>(*shown)))));
     else
-        showText(*m_shown, tr("The display shows nothing now. Press the number of a fabric to show its image."));
+        showText(*m_shown, tr("The display shows nothing now."));
 }
 
 bool FamiliarisationPage::pressKey(int key)

@@ -20,6 +20,7 @@ public:
     void present(const session::View& view) override;
     bool pressKey(int key) override;
     QWidget& firstFocus() override;
+    int largestType() const override { return 150; }
 
 private:
     void setFabrics(const std::vector<std::string>& fabrics);

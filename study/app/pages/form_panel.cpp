@@ -5,6 +5,7 @@
 
 #include "study/app/pieces/flow_layout.h"
 #include "study/app/pieces/pieces.h"
+#include "study/app/pieces/words_field.h"
 
 namespace study::app {
 
@@ -28,11 +29,11 @@ FormPanel::FormPanel(QWidget* parent)
       m_head(new PageHead(this)),
       m_form(new QGridLayout),
       m_caption(captionFor({}, this)),
-      m_reason(field("reasonField", tr("Reason"), this)),
+      m_reason(new WordsField("reasonField", tr("Reason"), this)),
       m_action(mainButton("panelConfirmButton", tr("Store (Enter)"), this)),
       m_back(button("panelBackButton", tr("Back (Esc)"), this))
 {
-    setType(*m_reason, Type::Lead);
+    m_reason->setLines(1, 2, 6);
     m_form->setHorizontalSpacing(18);
     m_form->setVerticalSpacing(14);
     m_form->setColumnStretch(1, 1);
@@ -42,11 +43,11 @@ FormPanel::FormPanel(QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setSpacing(18);
     column->addWidget(m_head);
-    column->addLayout(m_form);
+    column->addLayout(m_form, 1);
     column->addLayout(actionsRow({m_action, m_back}));
-    column->addStretch(1);
+    column->addStretch(0);
     connect(m_action, &QPushButton::clicked, this, &FormPanel::confirm);
-    connect(m_reason, &QLineEdit::textEdited, this, [this] {
+    connect(m_reason, &QPlainTextEdit::textChanged, this, [this] {
         m_isAskedAgain = false;  // its question is no longer visible
         Q_EMIT mended();
     });
@@ -73,6 +74,7 @@ void FormPanel::open(const Texts& texts)
     m_reason->clear();
     m_reason->setAccessibleName(texts.caption);
     setButtonText(*m_action, texts.action);
+    Q_EMIT textChanged();
 }
 
 void FormPanel::focusReason() { m_reason->setFocus(); }
@@ -80,11 +82,11 @@ void FormPanel::focusReason() { m_reason->setFocus(); }
 void FormPanel::confirm()
 {
     if (!isReady()) return;
-    const bool isEmpty = m_reason->text().trimmed().isEmpty();
+    const bool isEmpty = m_reason->words().isEmpty();
     const bool isAccepted = !isEmpty || m_texts.withoutReason == WithoutReason::Accept ||
                             (m_texts.withoutReason == WithoutReason::AskTwice && m_isAskedAgain);
     if (isAccepted) {
-        Q_EMIT eventRequested(eventFor(isEmpty ? std::string() : m_reason->text().toStdString()));
+        Q_EMIT eventRequested(eventFor(isEmpty ? std::string() : m_reason->words().toStdString()));
         return;
     }
     m_isAskedAgain = true;

@@ -1,22 +1,23 @@
-// A form that the operator opens in place of the stage page: title, explanation and one line for a reason. Enter stores,
-// Esc goes back. Each form defines what Enter does without a reason.
+// A form that the operator opens in place of the stage page: title, explanation and a field for a reason. Enter stores, Esc goes
+// back. Each form defines what Enter does without a reason.
 #pragma once
 
 #include "study/app/pages/stage_page.h"
 
 class QGridLayout;
 class QLabel;
-class QLineEdit;
 class QPushButton;
 
 namespace study::app {
 
 class PageHead;
+class WordsField;
 
 class FormPanel : public StagePage {
     Q_OBJECT
 public:
     void present(const session::View&) override {}
+    int largestType() const override { return 160; }
     bool pressKey(int key) override;
     QWidget& firstFocus() override;
 
@@ -53,7 +54,7 @@ private:
     PageHead* m_head;
     QGridLayout* m_form;
     QLabel* m_caption;
-    QLineEdit* m_reason;
+    WordsField* m_reason;
     QPushButton* m_action;
     QPushButton* m_back;
 };

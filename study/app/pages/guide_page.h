@@ -28,6 +28,7 @@ public:
     void present(const session::View& view) override;
     bool pressKey(int key) override;
     QWidget& firstFocus() override;
+    int largestType() const override { return 200; }
 
 Q_SIGNALS:
     void leaveRequested();

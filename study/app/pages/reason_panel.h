@@ -1,4 +1,4 @@
-// Form with one line of text: a note, a flag, the reason to void a presentation, or the reason for a withdrawal.
+// Form with a few lines of text: a note, a flag, the reason to void a presentation, or the reason for a withdrawal.
 #pragma once
 
 #include "study/app/pages/form_panel.h"

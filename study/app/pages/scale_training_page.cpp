@@ -116,6 +116,8 @@ void ScaleTrainingPage::present(const session::View& view)
 {
     const auto& training = std::get<session::ScaleTraining>(view.state.stage);
     if (training.placed != m_placed || view.placeToName != m_place) m_spoken->clear();
+    const bool isOtherText = training.isRefresher != m_isRefresher || view.placeToName.has_value() != m_place.has_value();
+    m_isRefresher = training.isRefresher;
     m_placed = training.placed;
     m_place = view.placeToName;
     showInstruction(training.isRefresher);
@@ -128,6 +130,7 @@ void ScaleTrainingPage::present(const session::View& view)
     showText(*m_deviation, training.last ? deviation(*training.last) : QString());
     setButtonText(*m_action, m_place ? tr("Store this number (Enter)") : tr("The participant knows the scale (Enter)"));
     m_done->setVisible(m_place.has_value());
+    if (isOtherText) Q_EMIT textChanged();  // not with each mark, so that the type stays
 }
 
 QString ScaleTrainingPage::deviation(const session::NamedPlace& placed) const

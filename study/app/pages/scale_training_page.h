@@ -24,6 +24,7 @@ public:
     void present(const session::View& view) override;
     bool pressKey(int key) override;
     QWidget& firstFocus() override;
+    int largestType() const override { return 170; }
 
 private:
     QLayout* anchors();
@@ -37,6 +38,7 @@ private:
     protocols::RatingScale m_scale;
     std::optional<protocols::Tenths> m_place;  ///< the mark shown now
     int m_placed = 0;                          ///< number of marks before it
+    bool m_isRefresher = false;
     PageHead* m_head;
     ScaleLine* m_line;
     QWidget* m_anchors;

@@ -38,6 +38,8 @@ public:
     virtual QWidget* lastOfAnswer() { return nullptr; }
     /// The control that stays in view below a page whose protocol may give it any number of lines; null on other pages.
     virtual QWidget* pinned() { return nullptr; }
+    /// The largest type that the page takes where the window has room for it, percent of the usual one.
+    virtual int largestType() const { return 100; }
 
 Q_SIGNALS:
     void eventRequested(const study::session::EventBody& event);

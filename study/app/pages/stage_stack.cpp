@@ -84,8 +84,6 @@ StageStack::StageStack(QWidget* parent)
       m_reason(add<ReasonPanel>("reasonArea"))
 {
     setObjectName("stages");
-    constexpr int largestGuide = 200;  // percent; a guide is all that the operator has to read
-    PageFit::of(areaAt(0))->setLargest(largestGuide);
     connect(m_correction, &FormPanel::closeRequested, this, &StageStack::panelCloseRequested);
     connect(m_reason, &FormPanel::closeRequested, this, &StageStack::panelCloseRequested);
 }
@@ -98,6 +96,7 @@ Page* StageStack::add(const char* areaName)
     QScrollArea* area = scrolling(areaName, page, this);
     m_areas.push_back(area);
     addWidget(page->pinned() ? above(*area, *page->pinned()) : area);
+    PageFit::of(*area)->setLargest(page->largestType());
     connect(page, &StagePage::textChanged, PageFit::of(*area), &PageFit::refit);
     connect(page, &StagePage::eventRequested, this, &StageStack::eventRequested);
     connect(page, &StagePage::answerMarked, this, &StageStack::answerMarked);

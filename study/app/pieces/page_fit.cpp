@@ -151,6 +151,8 @@ void PageFit::fit()
     const int first = isNew ? m_largest : m_percent;
     m_scrolls = !takeLargest(first, &PageFit::isInView);
     if (m_scrolls && !takeLargest(first, &PageFit::showsMainButtons)) zoom(std::min(m_largest, 100));
+    // A bar that was needed once takes width, so lines break earlier, and the area would keep the bar for their sake.
+    m_area.setVerticalScrollBarPolicy(m_scrolls ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
 }
 
 /// Takes the largest type that is enough; returns false if none is.
@@ -199,11 +201,13 @@ bool PageFit::showsMainButtons() const
 
 void PageFit::zoom(int percent)
 {
-    if (percent == m_percent) return;
+    const double points = QApplication::font().pointSizeF();
+    if (percent == m_percent && points == m_zoomedPoints) return;
     m_percent = percent;
+    m_zoomedPoints = points;
     m_isZooming = true;
     const double zoomed = percent / 100.0;
-    m_page.setStyleSheet(percent == 100 ? QString() : typeSheetOf(QApplication::font().pointSizeF() * zoomed));
+    m_page.setStyleSheet(percent == 100 ? QString() : typeSheetOf(points * zoomed));
     m_page.layout()->setProperty(zoomOfPage, std::min(1.0, zoomed));  // gaps leave their room to larger text
     scaleGaps(*m_page.layout(), scaleOf(m_area.window()->size()));
     // A part keeps the height that it had until it announces another one, which it does only while it is shown.

@@ -49,7 +49,8 @@ private:
     QWidget& m_page;
     int m_largest = 100;
     int m_percent = 100;
-    double m_points = 0;  ///< size of plain text for which the type was chosen, pt
+    double m_points = 0;        ///< size of plain text for which the type was chosen, pt
+    double m_zoomedPoints = 0;  ///< size of plain text when the type of the page was set, pt
     Search m_due = Search::None;
     bool m_scrolls = false;  ///< no type is small enough for the whole page
     bool m_isZooming = false;

@@ -21,16 +21,43 @@ QString WordsField::words() const
     return text.trimmed().isEmpty() ? QString() : text;
 }
 
+void WordsField::setLines(int fewest, int usual, int most)
+{
+    m_fewest = fewest;
+    m_usual = usual;
+    m_most = most;
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    limitHeight();
+    updateGeometry();
+}
+
+int WordsField::heightOf(int lines) const
+{
+    const int padding = fontMetrics().height();
+    return fontMetrics().lineSpacing() * lines + (m_most > 0 ? padding : 0);
+}
+
+void WordsField::limitHeight()
+{
+    if (m_most > 0) setMaximumHeight(heightOf(m_most));
+}
+
+void WordsField::changeEvent(QEvent* event)
+{
+    QPlainTextEdit::changeEvent(event);
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) limitHeight();
+}
+
 QSize WordsField::sizeHint() const
 {
     ensurePolished();
-    return {fontMetrics().height() * 20, fontMetrics().height() * 6};
+    return {fontMetrics().height() * 20, heightOf(m_usual)};
 }
 
 QSize WordsField::minimumSizeHint() const
 {
     ensurePolished();
-    return {fontMetrics().height() * 8, fontMetrics().height() * 3};
+    return {fontMetrics().height() * 8, heightOf(m_fewest)};
 }
 
 void WordsField::keyPressEvent(QKeyEvent* event)

@@ -80,7 +80,9 @@ study::app::AppOptions withFakes(study::app::AppOptions options, const std::shar
                                  const std::shared_ptr<VirtualClock>& clock)
 {
     if (!options.clock) options.clock = clock;
-    options.openDisplay = [display](const std::string&, const std::stop_token&) { return std::make_unique<RecordingDisplay>(display); };
+    options.openDisplay = [display](const std::string&, const std::stop_token&) {
+        return std::make_unique<RecordingDisplay>(display);
+    };
     return options;
 }
 

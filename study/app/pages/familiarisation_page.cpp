@@ -51,7 +51,8 @@ void FamiliarisationPage::showSteps()
         steps << tr("Let the participant stroke some fabrics on the table, then the glass of the display.");
     else
         steps << tr(
-            "Put one of these fabrics on the table and press its number: the display shows it. Let the participant stroke both as "
+            "Put one of these fabrics on the table and press its number: the display shows it. Let the participant stroke both "
+            "as "
             "long as they like. Then take the next fabric.");
     steps << tr(
         "Say: “Soon you will compare the glass with a piece of fabric on the tray. There are no right or wrong answers. Take "

@@ -54,6 +54,8 @@ std::vector<PassedOption> passedOptions()
         {"--validation-pairs", "number of pairs for validation (default 60)", ""},
         {"--from",
          "with DATASET: adapt this model to the data set, for 10 minutes unless told otherwise; with --drawn: start from it", ""},
+        {"--towards", "with --drawn and --from: no training; write weights on the way from that model to this one", ""},
+        {"--way", "with --towards: share of the way, 0 to 1 (default 0.5)", ""},
         {"--scans", "with --drawn or --from: a data set of `vis2hap import scans`", ""},
         {"--scan-share", "with --scans: share of scanned cloth beside drawn cloth (default 0.3)", ""}};
 }
@@ -91,7 +93,8 @@ bool adapts(const TrainCall& call) { return !call.drawn && !valueOf(call, "--fro
 void refuseOptionsOfNewNetworks(const TrainCall& call)
 {
     std::string given;
-    for (const char* name : {"--split", "--crop", "--channels", "--patience", "--validation-pairs", "--validate-every"})
+    for (const char* name :
+         {"--split", "--crop", "--channels", "--patience", "--validation-pairs", "--validate-every", "--towards", "--way"})
         if (given.empty() && !valueOf(call, name).empty()) given = name;
     for (const auto& [wanted, name] :
          {std::pair{call.reference, "--reference"}, {call.l1Only, "--l1-only"}, {!call.controlOf.empty(), "--control-of"}})

@@ -64,6 +64,7 @@ public:
 
     void run()
     {
+        if (!m_options.towards.empty()) return mix();
         torch::manual_seed(m_options.seed);
         ClothTraining training(m_architecture, m_scans, m_options);
         Checkpoint state;
@@ -82,7 +83,7 @@ public:
         TrainingLog log(logOf(m_options.out), m_options.resume ? std::optional(state.step) : std::nullopt);
         m_out << "training on drawn fabrics of family " << m_options.seed << " and " << m_scans.size() << " pictures of scans"
               << std::endl;
-        if (m_start && !m_options.resume) validate(training, state, log);
+        if (m_start && !m_options.resume) validate(training, state.step, log);
         const steady_clock::time_point started = steady_clock::now();
         const double before = state.elapsedS;
         while (fractionDone(state) < 1) {
@@ -92,7 +93,7 @@ public:
             state.elapsedS = before + std::chrono::duration<double>(steady_clock::now() - started).count();
             const bool last = fractionDone(state) >= 1;
             if (state.step % stepsPerLogRow == 0 || last) report(state, losses, log);
-            if (state.step % m_options.validateEvery == 0 && !last) validate(training, state, log);
+            if (state.step % m_options.validateEvery == 0 && !last) validate(training, state.step, log);
             if (last || state.step % m_options.checkpointEvery == 0) {
                 if (!training.finite()) stopAt(state.step);
                 writeCheckpoint(checkpoint, state, training.tensors());
@@ -103,6 +104,21 @@ public:
     }
 
 private:
+    /// Weights on the way to a model that was trained further. Its training is the one that the card tells.
+    void mix()
+    {
+        ModelCardFields card = cardOfSeeingModel(m_options.towards);
+        SeeingNetworks start = readSeeingModel(m_options.from, *m_start), end = readSeeingModel(m_options.towards, card);
+        if (parametersOf(start).size() != parametersOf(end).size() ||
+            card.architecture.baseChannels != m_architecture.baseChannels)
+            throw protocols::badInput({"the two models have networks of different sizes", m_options.towards.string(),
+                                       "a model that was trained from " + m_options.from.string(), "name such a model"});
+        moveTowards(start, end, m_options.way);
+        ClothTraining training(m_architecture, m_scans, m_options);
+        training.startFrom(start);
+        write(training, std::move(card), 0);
+    }
+
     [[noreturn]] void stopAt(int step) const
     {
         throw protocols::workFailed({"the loss is not finite at step " + std::to_string(step), m_options.out.string(),
@@ -129,41 +145,48 @@ private:
               << (m_terminal ? "   " : "\n") << std::flush;
     }
 
-    nlohmann::ordered_json validate(ClothTraining& training, const Checkpoint& state, TrainingLog& log) const
+    nlohmann::ordered_json validate(ClothTraining& training, int step, TrainingLog& log) const
     {
         const nlohmann::ordered_json figures =
             clothFigures(training.result(), m_architecture, m_options.validationPatches, m_options.seed);
         std::vector<NamedValue> values;
         for (const auto& [name, value] : figures.items()) values.push_back({name, value.get<double>()});
-        log.validation(state.step, values);
+        log.validation(step, values);
         m_out << (m_terminal ? "\n" : "") << "validation " << figures.dump() << std::endl;
         return figures;
     }
 
     void finish(ClothTraining& training, const Checkpoint& state)
     {
-        m_architecture.intervalFactor = frictionIntervalFactor(training.result(), m_architecture,
-                                                               patchesPerFactor * m_options.validationPatches, m_options.seed);
         ModelCardFields card;
-        card.summary.name = m_options.out.stem().string();
         card.summary.trainedOnProceduralSet = m_dataset == nullptr;
-        card.summary.trainingCommand = m_options.command;
-        card.architecture = m_architecture;
         card.seed = m_options.seed;
         card.steps = card.bestStep = state.step;
         card.trainingMinutes = std::round(state.elapsedS / 6) / 10;
         for (const protocols::FabricId& id : m_options.heldOut) card.heldOut.push_back(id.value);
         card.datasetName = m_dataset != nullptr ? m_dataset->name : "drawn fabrics";
         card.datasetHash = m_scansHash;
+        write(training, std::move(card), state.step);
+    }
+
+    /// Sets the interval of friction, validates, and writes weights and card.
+    void write(ClothTraining& training, ModelCardFields card, int step)
+    {
+        m_architecture.intervalFactor = frictionIntervalFactor(training.result(), m_architecture,
+                                                               patchesPerFactor * m_options.validationPatches, m_options.seed);
+        card.summary.name = m_options.out.stem().string();
+        card.summary.trainingCommand = m_options.command;
+        card.architecture = m_architecture;
         if (m_start) {
             card.fromName = m_start->summary.name;
             card.fromHash = m_start->summary.sha256;
         }
-        TrainingLog log(logOf(m_options.out), state.step);
-        card.validationJson = validate(training, state, log).dump();
+        TrainingLog log(logOf(m_options.out), step > 0 ? std::optional(step) : std::nullopt);
+        card.validationJson = validate(training, step, log).dump();
         writeSeeingModel(m_options.out, training.result(), card);
-        m_out << "wrote " << m_options.out.string() << " after " << state.step << " steps, " << card.trainingMinutes << " min"
-              << std::endl;
+        m_out << "wrote " << m_options.out.string();
+        if (step > 0) m_out << " after " << step << " steps, " << card.trainingMinutes << " min";
+        m_out << std::endl;
     }
 
     const fabrics::Dataset* m_dataset;
@@ -187,6 +210,9 @@ void requireUsable(const ClothTrainingOptions& options)
         refuse("both or neither of --steps and --minutes were given", "one of them");
     if (options.steps && *options.steps < 1) refuse("--steps is " + std::to_string(*options.steps), "at least 1");
     if (options.minutes && !(*options.minutes > 0)) refuse("--minutes is not positive", "minutes of wall time");
+    if (!options.towards.empty() && options.from.empty())
+        refuse("--towards was given without --from", "two models: --from MODEL --towards MODEL2");
+    if (!(options.way >= 0 && options.way <= 1)) refuse("--way is out of range", "a share of the way, 0 to 1");
     if (options.side < 48 || options.side > largestCrop || options.side % 16 != 0)
         refuse("--crop is " + std::to_string(options.side), "a multiple of 16 from 48 to " + std::to_string(largestCrop));
     if (options.baseChannels < 1 || options.baseChannels > mostChannels)

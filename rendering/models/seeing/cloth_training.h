@@ -17,6 +17,8 @@ namespace rendering::models {
 struct ClothTrainingOptions {
     std::filesystem::path out;                 ///< weights file; the model card is written beside it
     std::filesystem::path from;                ///< model of such a training to start from, with its sizes; empty: new weights
+    std::filesystem::path towards;             ///< without training: weights on the way from `from` to this model
+    double way = 0.5;                          ///< share of that way, 0 to 1
     std::optional<int> steps;                  ///< exactly one of steps and minutes is set
     std::optional<double> minutes;             ///< wall time of the optimisation
     std::uint64_t seed = 1;                    ///< of the first weights and of the drawn fabrics
@@ -35,10 +37,11 @@ struct ClothTrainingOptions {
     std::string command;  ///< as typed, for the model card
 };
 
-/// Trains and writes the moving average of the networks. `scans`: a data set of `vis2hap import scans`, or nullptr. Reports to
-/// `log`; a start from a model prints its figures before and after. Throws badInput (options, data set, model, a checkpoint of
-/// other settings), environmentFault where nothing can be written, workFailed where the loss stops being finite; the last good
-/// checkpoint stays.
+/// Trains and writes the moving average of the networks. With `towards` it trains nothing: a training on other cloth costs part
+/// of what the model knew, and weights between both keep most of the two (Wortsman et al., "Robust fine-tuning", 2022). `scans`:
+/// a data set of `vis2hap import scans`, or nullptr. Reports to `log`; a start from a model prints its figures before and after.
+/// Throws badInput (options, data set, model, a checkpoint of other settings), environmentFault where nothing can be written,
+/// workFailed where the loss stops being finite; the last good checkpoint stays.
 void trainOnCloth(const fabrics::Dataset* scans, const ClothTrainingOptions& options, std::ostream& log, bool terminal);
 
 /// Throws badInput for options that no training can follow.

@@ -122,6 +122,29 @@ private Q_SLOTS:
         QCOMPARE(bytesOf(at("broken.safetensors")), bytesOf(at("whole.safetensors")));
     }
 
+    void weightsBetweenTwoModelsAreBetweenTheirAnswers()
+    {
+        const Outcome further = run(smallRun("further.safetensors", 40, {"--from", at("model.safetensors")}));
+        QVERIFY2(further.exitCode == 0, qPrintable(further.errors));
+        const auto between = [&](const char* out, const char* way) {
+            const Outcome outcome = run({"train-cloth", "--out", at(out), "--from", at("model.safetensors"), "--towards",
+                                         at("further.safetensors"), "--way", way, "--validation-patches", "8"});
+            QVERIFY2(outcome.exitCode == 0, qPrintable(outcome.errors));
+        };
+        between("start.safetensors", "0");
+        between("end.safetensors", "1");
+        between("half.safetensors", "0.5");
+        QCOMPARE(bytesOf(at("start.safetensors")), bytesOf(at("model.safetensors")));
+        QCOMPARE(bytesOf(at("end.safetensors")), bytesOf(at("further.safetensors")));
+        QVERIFY(bytesOf(at("half.safetensors")) != bytesOf(at("model.safetensors")));
+        const models::ModelCardFields card = models::readModelCardFields(at("half.safetensors").toStdString());
+        QCOMPARE(card.steps, 40);
+        QCOMPARE(card.fromName, std::string("model"));
+        const Outcome alone = run({"train-cloth", "--out", at("alone.safetensors"), "--towards", at("further.safetensors")});
+        QCOMPARE(alone.exitCode, 2);
+        QVERIFY2(alone.errors.contains("--towards was given without --from"), qPrintable(alone.errors));
+    }
+
     void trainingStartsFromAModelAndPrintsItsFiguresFirst()
     {
         const Outcome outcome = run(smallRun("adapted.safetensors", 3, {"--from", at("model.safetensors")}));

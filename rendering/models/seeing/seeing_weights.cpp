@@ -35,6 +35,7 @@ void setTraining(SeeingNetworks& networks, bool on)
 
 void moveTowards(SeeingNetworks& to, SeeingNetworks& from, double share)
 {
+    if (share <= 0) return;
     const torch::NoGradGuard noGradient;
     std::vector<NamedTensor> targets = tensorsOf({}, to);
     const std::vector<NamedTensor> sources = tensorsOf({}, from);

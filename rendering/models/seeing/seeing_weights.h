@@ -23,7 +23,7 @@ std::vector<NamedTensor> tensorsOf(const std::string& prefix, SeeingNetworks& ne
 std::vector<torch::Tensor> parametersOf(SeeingNetworks& networks);
 void setTraining(SeeingNetworks& networks, bool on);
 
-/// Moves `to` towards `from` by `share` of the difference; 1 copies.
+/// Moves `to` towards `from` by `share` of the difference; 1 copies, 0 leaves all as it is.
 void moveTowards(SeeingNetworks& to, SeeingNetworks& from, double share);
 
 /// Rounds the parameters to half precision, writes them and the card, whole or not at all. Throws environmentFault.

@@ -70,9 +70,10 @@ std::vector<BenchCase> casesOf(const fabrics::Dataset& dataset)
     for (const fabrics::FabricInfo& fabric : dataset.fabrics) {
         const std::vector<int> indices = fabrics::sampleIndices(dataset, fabric.id, Modality::Visual);
         if (indices.empty()) continue;
-        cases.push_back({{fabrics::readPhotograph(dataset, fabric.id, indices.front()), dataset.cameraMmPerPixel},
-                         measuredMean(dataset, fabric.id),
-                         measuredSpread(dataset, fabric.id)});
+        cases.push_back(
+            {{fabrics::readPhotograph(dataset, fabric.id, indices.front()), dataset.cameraMmPerPixel.value_or(benchMmPerPixel)},
+             measuredMean(dataset, fabric.id),
+             measuredSpread(dataset, fabric.id)});
     }
     if (cases.empty())
         throw protocols::badInput(

@@ -19,7 +19,8 @@ namespace rendering::models {
 
 namespace {
 
-constexpr int tilePx = 512;  ///< px of the relief from one pass
+/// Side of the relief from one pass, px. Each pass judges light and cloth anew, so heights of neighbours may differ a little.
+constexpr int tilePx = 1024;
 /// Slow waves of the relief, which a photograph does not show, end here, in pixels.
 constexpr double longestWavePx = 128;
 constexpr int displacementStep = 16;  ///< no displacement of displacementsOf() is larger

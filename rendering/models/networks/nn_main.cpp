@@ -108,7 +108,7 @@ void offerClothTraining(CLI::App& app, const std::string& command)
     train->add_option("--out", options.out, "weights file; its model card is written to MODEL.json")->required();
     train->add_option("--from", options.from, "model of such a training to start from");
     train->add_option("--towards", options.towards, "no training: write weights on the way from the model of --from to this one");
-    train->add_option("--way", options.way, "with --towards: share of the way (default 0.5)");
+    train->add_option("--way", options.way, "with --towards: share of the way (default 0.5)")->needs("--towards");
     train->add_option("--lab", call->lab, "a lab's own data set, to which the model of --from is adapted");
     train->add_option("--split-seed", options.splitSeed, "with --lab: seed of the held-out places and fabrics (default 1)");
     train->add_option("--scans", call->scans, "data set of `vis2hap import scans`");

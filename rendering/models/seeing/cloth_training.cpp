@@ -108,11 +108,12 @@ private:
     void mix()
     {
         ModelCardFields card = cardOfSeeingModel(m_options.towards);
-        SeeingNetworks start = readSeeingModel(m_options.from, *m_start), end = readSeeingModel(m_options.towards, card);
-        if (parametersOf(start).size() != parametersOf(end).size() ||
-            card.architecture.baseChannels != m_architecture.baseChannels)
-            throw protocols::badInput({"the two models have networks of different sizes", m_options.towards.string(),
+        Architecture same = card.architecture;
+        same.intervalFactor = m_architecture.intervalFactor;
+        if (same != m_architecture)
+            throw protocols::badInput({"the two models have other networks, or one belongs to a lab", m_options.towards.string(),
                                        "a model that was trained from " + m_options.from.string(), "name such a model"});
+        SeeingNetworks start = readSeeingModel(m_options.from, *m_start), end = readSeeingModel(m_options.towards, card);
         moveTowards(start, end, m_options.way);
         ClothTraining training(m_architecture, m_scans, m_options);
         training.startFrom(start);

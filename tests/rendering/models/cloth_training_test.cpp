@@ -12,6 +12,7 @@
 
 #include "rendering/fabrics/drawn/drawn_patch.h"
 #include "rendering/models/generation.h"
+#include "rendering/models/model_card.h"
 #include "rendering/models/model_card_fields.h"
 #include "rendering/models/process/child_process.h"
 
@@ -143,6 +144,10 @@ private Q_SLOTS:
         const Outcome alone = run({"train-cloth", "--out", at("alone.safetensors"), "--towards", at("further.safetensors")});
         QCOMPARE(alone.exitCode, 2);
         QVERIFY2(alone.errors.contains("--towards was given without --from"), qPrintable(alone.errors));
+        const Outcome other = run({"train-cloth", "--out", at("other.safetensors"), "--from", at("model.safetensors"),
+                                   "--towards", QString::fromStdString(models::shippedModel().string())});
+        QCOMPARE(other.exitCode, 2);
+        QVERIFY2(other.errors.contains("the two models have other networks"), qPrintable(other.errors));
     }
 
     void trainingStartsFromAModelAndPrintsItsFiguresFirst()

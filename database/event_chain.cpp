@@ -18,7 +18,8 @@ constexpr const char* fixedRows[] = {
     "SELECT position, id, name FROM fabrics ORDER BY position",
     "SELECT file_code, sha256 FROM stimuli ORDER BY file_code",
     "SELECT number FROM slots ORDER BY number",
-    "SELECT slot, number, phase, presentation_code, alternatives, sealed_code FROM trials ORDER BY slot, number",
+    "SELECT slot, number, phase, presentation_code, alternatives, sealed_code, instruction, aim, deadline_ms FROM "
+    "trials ORDER BY slot, number",
     "SELECT slot, fabric, code FROM swatches ORDER BY slot, fabric",
     "SELECT position, name, sealed_code FROM familiarisation ORDER BY position",
 };

@@ -25,10 +25,12 @@ constexpr const char* tables[] = {
     "CREATE TABLE stimuli(file_code TEXT PRIMARY KEY, sha256 TEXT NOT NULL) STRICT",
     // A slot is one running order of the design. It becomes free when its participant withdraws.
     "CREATE TABLE slots(number INTEGER PRIMARY KEY CHECK (number >= 1)) STRICT",
-    // sealed_code holds the file code of the image, encrypted with the station key: no two rows have an equal one.
+    // sealed_code holds the file code of the image, encrypted with the station key: no two rows have an equal one. instruction is
+    // an id of the phase, or empty; aim is speed, accuracy or empty; deadline_ms is the time that is left for an answer.
     R"(CREATE TABLE trials(
         slot INTEGER NOT NULL REFERENCES slots(number), number INTEGER NOT NULL CHECK (number >= 1),
         phase INTEGER NOT NULL, presentation_code TEXT NOT NULL, alternatives TEXT NOT NULL, sealed_code TEXT NOT NULL UNIQUE,
+        instruction TEXT NOT NULL DEFAULT '', aim TEXT NOT NULL DEFAULT '', deadline_ms INTEGER,
         PRIMARY KEY (slot, number)) STRICT, WITHOUT ROWID)",
     R"(CREATE TABLE participants(
         id TEXT PRIMARY KEY, slot INTEGER NOT NULL REFERENCES slots(number),
@@ -110,11 +112,18 @@ constexpr const char* answersView =
         (first.answered_at - COALESCE(first.touched_at, first.ready_at)) / 1e9 AS seconds, %1,
         e.wall_time AS wall_time, %2, first.touch_ended_at AS touch_ended_at, first.answer_begun_at AS answer_begun_at,
         first.answer_begun_by AS answer_begun_by, first.entries AS entries,
-        CASE WHEN first.answer_begun_at >= CASE WHEN first.answer_begun_by = 'script'
-                THEN COALESCE(first.touched_at, first.ready_at) ELSE first.touched_at END
-            THEN (first.answer_begun_at - COALESCE(first.touched_at, first.ready_at)) / 1e9 END AS response_seconds
+        %4 / 1e9 AS response_seconds,
+        (SELECT NULLIF(t.instruction, '') FROM trials t WHERE t.slot = p.slot AND t.number = first.trial) AS instruction,
+        (SELECT t.deadline_ms / 1000.0 FROM trials t WHERE t.slot = p.slot AND t.number = first.trial) AS deadline_seconds,
+        %4 > (SELECT t.deadline_ms * 1000000 FROM trials t WHERE t.slot = p.slot AND t.number = first.trial) AS late
       FROM %3
       ORDER BY p.slot, first.trial, first.id)";
+
+// From the touch to the beginning of the answer, ns; null where a stamp is missing.
+constexpr const char* responseNs =
+    R"(CASE WHEN first.answer_begun_at >= CASE WHEN first.answer_begun_by = 'script'
+                THEN COALESCE(first.touched_at, first.ready_at) ELSE first.touched_at END
+            THEN (first.answer_begun_at - COALESCE(first.touched_at, first.ready_at)) END)";
 
 constexpr const char* countsOfAnswer =
     R"((SELECT COUNT(*) FROM responses r WHERE r.participant = first.participant AND r.trial = first.trial
@@ -166,7 +175,8 @@ void makeSchema(const SqliteConnection& connection)
 {
     for (const char* table : tables) connection.run(QString::fromLatin1(table).replace(QStringLiteral("%1"), definitions()));
     connection.run(QString::fromLatin1(answersView)
-                       .arg(QLatin1String(countsOfAnswer), QLatin1String(noteOfAnswer), QLatin1String(firstAndLatest)));
+                       .arg(QLatin1String(countsOfAnswer), QLatin1String(noteOfAnswer), QLatin1String(firstAndLatest),
+                            QLatin1String(responseNs)));
     for (const char* table : appendOnlyTables) guardAgainstChanges(connection, table);
     connection.run(QStringLiteral("PRAGMA application_id = %1").arg(applicationId));
     connection.run(QStringLiteral("PRAGMA user_version = %1").arg(schemaVersion));
@@ -222,8 +232,9 @@ int checkedVersion(const SqliteConnection& connection)
                                    "update this program"});
     const auto newest = QStringLiteral(
         "SELECT (SELECT COUNT(*) FROM pragma_table_info('responses') WHERE name = 'answer_begun_at') + "
+        "(SELECT COUNT(*) FROM pragma_table_info('trials') WHERE name = 'deadline_ms') + "
         "(SELECT COUNT(*) FROM sqlite_master WHERE type = 'table' AND name = 'finger_samples')");
-    if (version == schemaVersion && connection.value(newest).toInt() < 2)
+    if (version == schemaVersion && connection.value(newest).toInt() < 3)
         throw protocols::badInput({"a development version of this program made the study, and tables or columns are missing",
                                    connection.file().string(), "a study of 0.5.0 or of this version",
                                    "finish and export it with the program that made it"});

@@ -1,5 +1,6 @@
 #include "database/sqlite_connection.h"
 
+#include <QStringList>
 #include <QUrl>
 #include <atomic>
 #include <system_error>
@@ -61,6 +62,33 @@ protocols::Error faultOf(const QSqlError& error, const std::string& file)
         default:
             return protocols::workFailed({"the database refused a step: " + detail, file, "", "run vis2hap verify on the study"});
     }
+}
+
+/// ":v0", ":v1", ...
+const QString& placeholderName(qsizetype place)
+{
+    static const QStringList names = [] {
+        QStringList made;
+        for (int i = 0; i < 64; ++i) made << QStringLiteral(":v%1").arg(i);
+        return made;
+    }();
+    return names.at(place);
+}
+
+/// Each "?" outside quotes as a name. Qt binds values by name in half the time that it needs to bind them by place.
+QString withNames(const QString& sql)
+{
+    QString named;
+    qsizetype place = 0;
+    bool isQuoted = false;
+    for (const QChar c : sql) {
+        if (c == QLatin1Char('\'')) isQuoted = !isQuoted;
+        if (c == QLatin1Char('?') && !isQuoted)
+            named += placeholderName(place++);
+        else
+            named += c;
+    }
+    return named;
 }
 
 QString nextConnectionName()
@@ -150,13 +178,13 @@ QSqlQuery SqliteConnection::prepared(const QString& sql) const
 {
     QSqlQuery query(m_connection);
     query.setForwardOnly(true);
-    if (!query.prepare(sql)) fail(query.lastError());
+    if (!query.prepare(withNames(sql))) fail(query.lastError());
     return query;
 }
 
 void SqliteConnection::execute(QSqlQuery& query, const QVariantList& values) const
 {
-    for (const QVariant& bound : values) query.addBindValue(bound);
+    for (qsizetype place = 0; place < values.size(); ++place) query.bindValue(placeholderName(place), values[place]);
     if (!query.exec()) fail(query.lastError());
 }
 
@@ -201,13 +229,20 @@ QVariant SqliteConnection::keptValue(const QString& sql, const QVariantList& val
 
 void SqliteConnection::fail(const QSqlError& error) const { throw faultOf(error, m_file.string()); }
 
-Transaction::Transaction(const SqliteConnection& connection) : m_connection(connection)
+Transaction::Transaction(const SqliteConnection& connection) : m_connection(connection), m_whole(connection.m_transaction)
 {
+    if (m_whole) return;
     m_connection.runKept(QStringLiteral("BEGIN IMMEDIATE"));
+    m_connection.m_transaction = this;
 }
 
 Transaction::~Transaction()
 {
+    if (m_whole) {
+        m_whole->m_isSpoilt |= !m_committed;
+        return;
+    }
+    m_connection.m_transaction = nullptr;
     if (m_committed) return;
     try {
         m_connection.run(QStringLiteral("ROLLBACK"));
@@ -218,7 +253,10 @@ Transaction::~Transaction()
 
 void Transaction::commit()
 {
-    m_connection.runKept(QStringLiteral("COMMIT"));
+    if (m_isSpoilt)
+        throw protocols::workFailed(
+            {"a part of these steps failed, so none of them was stored", m_connection.file().string(), "", "do them again"});
+    if (!m_whole) m_connection.runKept(QStringLiteral("COMMIT"));
     m_committed = true;
 }
 

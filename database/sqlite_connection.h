@@ -31,6 +31,8 @@ private:
     QString m_sql;
 };
 
+class Transaction;
+
 class SqliteConnection {
 public:
     enum class Mode {
@@ -59,6 +61,7 @@ public:
     const std::filesystem::path& file() const { return m_file; }
 
 private:
+    friend class Transaction;
     void open(const QString& name, const QString& options);
     void openForReading();
     void applyPragmas(Mode mode);
@@ -69,10 +72,12 @@ private:
     std::filesystem::path m_file;
     QString m_name;
     QSqlDatabase m_connection;
-    mutable std::map<QString, QSqlQuery> m_kept;  ///< by their text; without those that are in use
+    mutable std::map<QString, QSqlQuery> m_kept;   ///< by their text; without those that are in use
+    mutable Transaction* m_transaction = nullptr;  ///< the open one
 };
 
-/// BEGIN IMMEDIATE; rolls back unless commit() was called.
+/// BEGIN IMMEDIATE; rolls back unless commit() was called. A transaction within another is a part of it: it is stored with the
+/// whole, and where it ends without commit() the whole cannot be committed.
 class Transaction {
 public:
     explicit Transaction(const SqliteConnection& connection);
@@ -85,7 +90,9 @@ public:
 
 private:
     const SqliteConnection& m_connection;
+    Transaction* m_whole;  ///< null for the outermost
     bool m_committed = false;
+    bool m_isSpoilt = false;  ///< a part of it failed
 };
 
 /// Lets several statements read one state of the database while a writer may change it.

@@ -45,18 +45,19 @@ void insertSwatches(const SqliteConnection& sqlite, const StudyFacts& facts)
 {
     for (std::size_t slot = 0; slot < facts.swatches.size(); ++slot)
         for (const auto& [fabric, code] : facts.swatches[slot])
-            sqlite.run(QStringLiteral("INSERT INTO swatches(slot, fabric, code) VALUES (?, ?, ?)"),
-                       {static_cast<int>(slot) + 1, toQt(fabric.value), toQt(code)});
+            sqlite.runKept(QStringLiteral("INSERT INTO swatches(slot, fabric, code) VALUES (?, ?, ?)"),
+                           {static_cast<int>(slot) + 1, toQt(fabric.value), toQt(code)});
 }
 
 void insertSlot(const SqliteConnection& sqlite, int slot, const std::vector<protocols::BlindedTrial>& trials)
 {
-    sqlite.run(QStringLiteral("INSERT INTO slots(number) VALUES (?)"), {slot});
+    sqlite.runKept(QStringLiteral("INSERT INTO slots(number) VALUES (?)"), {slot});
     for (const protocols::BlindedTrial& trial : trials)
-        sqlite.run(QStringLiteral("INSERT INTO trials(slot, number, phase, presentation_code, alternatives, sealed_code) "
-                                  "VALUES (?, ?, ?, ?, ?, ?)"),
-                   {slot, trial.number.value, trial.phase, toQt(trial.presentationCode.value), toQt(jsonOf(trial.alternatives)),
-                    toQt(trial.sealedCode.value)});
+        sqlite.runKept(QStringLiteral("INSERT INTO trials(slot, number, phase, presentation_code, alternatives, sealed_code, "
+                                      "instruction, aim, deadline_ms) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+                       {slot, trial.number.value, trial.phase, toQt(trial.presentationCode.value),
+                        toQt(jsonOf(trial.alternatives)), toQt(trial.sealedCode.value), toQt(trial.instruction.value),
+                        toQt(nameOf(trial.aim)), trial.deadlineMs ? QVariant(*trial.deadlineMs) : QVariant()});
 }
 
 void recordCreation(const SqliteConnection& sqlite, const StudyFacts& facts)
@@ -116,7 +117,7 @@ void insertFixedRows(const SqliteConnection& sqlite, const StudyFacts& facts,
 {
     insertFacts(sqlite, facts);
     for (const auto& [code, hash] : stimulusHashes)
-        sqlite.run(QStringLiteral("INSERT INTO stimuli(file_code, sha256) VALUES (?, ?)"), {toQt(code.value), toQt(hash)});
+        sqlite.runKept(QStringLiteral("INSERT INTO stimuli(file_code, sha256) VALUES (?, ?)"), {toQt(code.value), toQt(hash)});
     for (std::size_t slot = 0; slot < slots.size(); ++slot) insertSlot(sqlite, static_cast<int>(slot) + 1, slots[slot]);
     insertSwatches(sqlite, facts);
     insertFamiliarisation(sqlite, facts);

@@ -49,8 +49,8 @@ CurrentAnswer currentAnswerOf(const QSqlQuery& query, KnownTrays& trays)
     answer.record.note = fromQt(query.value(4));
     answer.sitting = query.value(5).toInt();
     answer.record.isCorrection = answer.corrections > 0;
-    answer.seconds = static_cast<double>(row.answeredAt - row.touchedAt.value_or(row.readyAt)) / 1e9;
-    answer.responseSeconds = responseSecondsOf(row);
+    answer.seconds = secondsOf(answer.record);
+    answer.responseSeconds = responseSecondsOf(answer.record);
     return answer;
 }
 
@@ -77,14 +77,21 @@ AnswerRecord answerRecordOf(const ResponseRow& row, std::vector<protocols::Fabri
     return record;
 }
 
-std::optional<double> responseSecondsOf(const ResponseRow& row)
+std::optional<double> responseSecondsOf(const ResponseRow& row) { return responseSecondsOf(answerRecordOf(row, {})); }
+
+std::optional<double> responseSecondsOf(const AnswerRecord& record)
 {
-    const bool isScripted = row.answerBegunBy == "script";
-    if (!row.answerBegunAt || (!row.touchedAt && !isScripted)) return std::nullopt;
-    const std::int64_t from = row.touchedAt.value_or(row.readyAt);
+    const bool isScripted = record.answerBegunBy == "script";
+    if (!record.answerBegunAtNs || (!record.touchedAtNs && !isScripted)) return std::nullopt;
+    const std::int64_t from = record.touchedAtNs.value_or(record.readyAtNs);
     // An operator who stamps the touch late, after the first key, has not measured this time.
-    if (*row.answerBegunAt < from) return std::nullopt;
-    return static_cast<double>(*row.answerBegunAt - from) / 1e9;
+    if (*record.answerBegunAtNs < from) return std::nullopt;
+    return static_cast<double>(*record.answerBegunAtNs - from) / 1e9;
+}
+
+double secondsOf(const AnswerRecord& record)
+{
+    return static_cast<double>(record.answeredAtNs - record.touchedAtNs.value_or(record.readyAtNs)) / 1e9;
 }
 
 StudyFacts factsIn(const SqliteConnection& sqlite)
@@ -156,13 +163,18 @@ std::vector<protocols::BlindedTrial> trialsIn(const SqliteConnection& sqlite, in
 {
     std::vector<protocols::BlindedTrial> trials;
     QSqlQuery row = sqlite.run(
-        QStringLiteral(
-            "SELECT number, phase, sealed_code, presentation_code, alternatives FROM trials WHERE slot = ? ORDER BY number"),
+        QStringLiteral("SELECT number, phase, sealed_code, presentation_code, alternatives, instruction, aim, deadline_ms "
+                       "FROM trials WHERE slot = ? ORDER BY number"),
         {slot});
-    while (row.next())
-        trials.push_back({protocols::TrialNumber{row.value(0).toInt()}, row.value(1).toInt(),
-                          protocols::SealedCode(fromQt(row.value(2))), protocols::PresentationCode(fromQt(row.value(3))),
-                          fabricsOf(fromQt(row.value(4)))});
+    while (row.next()) {
+        protocols::BlindedTrial trial{protocols::TrialNumber{row.value(0).toInt()}, row.value(1).toInt(),
+                                      protocols::SealedCode(fromQt(row.value(2))),
+                                      protocols::PresentationCode(fromQt(row.value(3))), fabricsOf(fromQt(row.value(4)))};
+        trial.instruction = protocols::InstructionId(fromQt(row.value(5)));
+        trial.aim = protocols::speedAimNamed(fromQt(row.value(6)));
+        if (!row.value(7).isNull()) trial.deadlineMs = row.value(7).toInt();
+        trials.push_back(std::move(trial));
+    }
     return trials;
 }
 
@@ -179,8 +191,9 @@ std::vector<Enrolment> enrolmentsIn(const SqliteConnection& sqlite)
 
 std::vector<ProtocolVersion> protocolVersionsIn(const SqliteConnection& sqlite)
 {
-    const StudyFacts known = factsIn(sqlite);
-    std::vector<ProtocolVersion> versions{{1, known.protocolJson, known.protocolSha256, {}, {}, {}}};
+    QSqlQuery known = sqlite.run(QStringLiteral("SELECT protocol_json, protocol_sha256 FROM study"));
+    if (!known.next()) (void)factsIn(sqlite);  // throws
+    std::vector<ProtocolVersion> versions{{1, fromQt(known.value(0)), fromQt(known.value(1)), {}, {}, {}}};
     QSqlQuery row =
         sqlite.run(QStringLiteral("SELECT version, json, sha256, who, why, wall_time FROM protocol_versions ORDER BY version"));
     while (row.next())
@@ -217,13 +230,11 @@ std::vector<EventRecord> eventsOfKindIn(const SqliteConnection& sqlite, const st
     return eventsWhere(sqlite, "kind", kind);
 }
 
-std::vector<CurrentAnswer> answersIn(const SqliteConnection& sqlite)
+void eachAnswerIn(const SqliteConnection& sqlite, const std::function<void(CurrentAnswer)>& take)
 {
-    std::vector<CurrentAnswer> answers;
     KnownTrays trays;
     QSqlQuery query = sqlite.run(currentAnswersQuery());
-    while (query.next()) answers.push_back(currentAnswerOf(query, trays));
-    return answers;
+    while (query.next()) take(currentAnswerOf(query, trays));
 }
 
 std::vector<StudyStore::Flag> flagsIn(const SqliteConnection& sqlite)

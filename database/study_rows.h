@@ -1,6 +1,7 @@
 // Reads what study.db holds, each kind of row as its value.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -20,7 +21,8 @@ std::vector<Enrolment> enrolmentsIn(const SqliteConnection& sqlite);  ///< by sl
 std::vector<ProtocolVersion> protocolVersionsIn(const SqliteConnection& sqlite);
 std::vector<EventRecord> eventsIn(const SqliteConnection& sqlite, const protocols::ParticipantId& participant);
 std::vector<EventRecord> eventsOfKindIn(const SqliteConnection& connection, const std::string& kind);
-std::vector<CurrentAnswer> answersIn(const SqliteConnection& sqlite);  ///< by slot, trial and question
+/// By slot, trial and question.
+void eachAnswerIn(const SqliteConnection& sqlite, const std::function<void(CurrentAnswer)>& take);
 std::vector<StudyStore::Flag> flagsIn(const SqliteConnection& sqlite);
 std::optional<UnblindingRecord> unblindingIn(const SqliteConnection& sqlite);
 /// The answer of a row; its note is empty. `alternatives`: those of the row, read.
@@ -28,6 +30,9 @@ AnswerRecord answerRecordOf(const ResponseRow& row, std::vector<protocols::Fabri
 /// From the touch to the beginning of the answer, s; none where a stamp is missing. A script states one time, so without a touch
 /// its time runs from the question.
 std::optional<double> responseSecondsOf(const ResponseRow& row);
+std::optional<double> responseSecondsOf(const AnswerRecord& record);
+/// From the touch to the entry of the answer, s; from the question where no touch was stamped.
+double secondsOf(const AnswerRecord& record);
 LogHead headIn(const SqliteConnection& sqlite);
 std::vector<Erasure> erasuresIn(const SqliteConnection& sqlite);
 std::map<protocols::ParticipantId, std::map<std::string, std::string>> personalFactsIn(const SqliteConnection& sqlite);

@@ -1,8 +1,8 @@
 #include "database/study_store.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <optional>
+#include <set>
 #include <system_error>
 #include <type_traits>
 
@@ -28,6 +28,16 @@ struct StudyStore::Connection {
     SqliteConnection sqlite;
     std::optional<OpenFiles> files = {};   ///< of a writer
     std::filesystem::path keptAside = {};  ///< the rescue file, once the open files are no longer in place
+    std::optional<StudyFacts> facts = {};  ///< once they were asked for
+    /// Participants that the open batch may store; none without a batch.
+    std::optional<std::set<protocols::ParticipantId>> batch = {};
+
+    void requireInBatch(bool belongs, const protocols::ParticipantId& participant) const
+    {
+        if (belongs) return;
+        throw protocols::workFailed({"only simulated participants are stored in batches", participant.value,
+                                     "each event of other participants in a transaction of its own", ""});
+    }
 
     /// Stops a writer whose files somebody deleted, replaced or moved. Everything stored so far is kept aside first.
     void requireFilesInPlace()
@@ -61,6 +71,7 @@ std::unique_ptr<protocols::TemporaryFolder> upgraded(const StudyFolder& folder, 
 template <class Connection, class Write>
 auto written(Connection& connection, const Write& write)
 {
+    if (connection.batch) return write();  // the batch looks at the files when it begins and when it is committed
     connection.requireFilesInPlace();
     if constexpr (std::is_void_v<decltype(write())>) {
         write();
@@ -137,7 +148,11 @@ const StudyFolder& StudyStore::folder() const { return m_connection->folder; }
 
 bool StudyStore::isUpgradedCopy() const { return m_connection->copy != nullptr; }
 
-StudyFacts StudyStore::facts() const { return factsIn(m_connection->sqlite); }
+const StudyFacts& StudyStore::facts() const
+{
+    if (!m_connection->facts) m_connection->facts = factsIn(m_connection->sqlite);
+    return *m_connection->facts;
+}
 
 std::map<protocols::FileCode, std::string> StudyStore::stimulusHashes() const { return stimulusHashesIn(m_connection->sqlite); }
 
@@ -163,19 +178,23 @@ void StudyStore::takeProtocol(const std::string& json, const std::string& who, c
 
 Slot StudyStore::enrol(const protocols::ParticipantId& participant, ParticipantKind kind)
 {
-    return written(*m_connection, [&] { return enrolIn(m_connection->sqlite, participant, kind); });
+    const auto& batch = m_connection->batch;
+    if (batch) m_connection->requireInBatch(kind == ParticipantKind::Simulated, participant);
+    Slot slot = written(*m_connection, [&] { return enrolIn(m_connection->sqlite, participant, kind); });
+    if (batch) m_connection->batch->insert(participant);
+    return slot;
 }
 
 protocols::ParticipantId StudyStore::nextParticipantId() const { return nextParticipantIds("P", 1).front(); }
 
 std::vector<protocols::ParticipantId> StudyStore::nextParticipantIds(const std::string& prefix, std::size_t count) const
 {
-    const std::vector<Enrolment> taken = enrolments();
+    std::set<protocols::ParticipantId> taken;
+    for (const Enrolment& known : enrolments()) taken.insert(known.participant);
     std::vector<protocols::ParticipantId> ids;
     for (int number = 1; ids.size() < count; ++number) {
         const protocols::ParticipantId id(prefix + (number < 10 ? "0" : "") + std::to_string(number));
-        if (std::none_of(taken.begin(), taken.end(), [&](const Enrolment& known) { return known.participant == id; }))
-            ids.push_back(id);
+        if (!taken.contains(id)) ids.push_back(id);
     }
     return ids;
 }
@@ -187,7 +206,39 @@ void StudyStore::setSlotState(const protocols::ParticipantId& participant, SlotS
 
 void StudyStore::append(const Append& entry)
 {
+    const auto& batch = m_connection->batch;
+    if (batch) m_connection->requireInBatch(batch->contains(entry.event.participant), entry.event.participant);
     written(*m_connection, [&] { appendTo(m_connection->sqlite, entry); });
+}
+
+struct StudyStore::Batch::Open {
+    Connection& connection;
+    Transaction transaction;
+
+    explicit Open(Connection& of) : connection(of), transaction(of.sqlite)
+    {
+        // The hashes of a batch fall all over their index: with the usual 2 MB its pages would be read again and again.
+        of.sqlite.run(QStringLiteral("PRAGMA cache_size = -65536"));
+        of.sqlite.value(QStringLiteral("PRAGMA wal_autocheckpoint = 10000"));  // pages; for the same reason
+        connection.batch.emplace();
+    }
+    ~Open() { connection.batch.reset(); }
+    Open(const Open&) = delete;
+    Open& operator=(const Open&) = delete;
+};
+
+StudyStore::Batch::Batch(StudyStore& store)
+{
+    store.m_connection->requireFilesInPlace();
+    m_open = std::make_unique<Open>(*store.m_connection);
+}
+
+StudyStore::Batch::~Batch() = default;
+
+void StudyStore::Batch::commit()
+{
+    m_open->transaction.commit();
+    m_open->connection.requireFilesInPlace();
 }
 
 std::vector<StudyStore::Flag> StudyStore::flags() const { return flagsIn(m_connection->sqlite); }
@@ -207,7 +258,14 @@ std::size_t StudyStore::answerCount() const
     return m_connection->sqlite.value(QStringLiteral("SELECT COUNT(*) FROM responses WHERE is_correction = 0")).toULongLong();
 }
 
-std::vector<CurrentAnswer> StudyStore::answers() const { return answersIn(m_connection->sqlite); }
+std::vector<CurrentAnswer> StudyStore::answers() const
+{
+    std::vector<CurrentAnswer> all;
+    eachAnswer([&](CurrentAnswer answer) { all.push_back(std::move(answer)); });
+    return all;
+}
+
+void StudyStore::eachAnswer(const std::function<void(CurrentAnswer)>& take) const { eachAnswerIn(m_connection->sqlite, take); }
 
 std::map<protocols::ParticipantId, int> StudyStore::voidedPresentations() const
 {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -192,7 +193,8 @@ public:
     const StudyFolder& folder() const;
     /// Whether the folder is an upgraded copy of a study of an earlier version, which vanishes with the store.
     bool isUpgradedCopy() const;
-    StudyFacts facts() const;
+    /// Read once; valid as long as the store.
+    const StudyFacts& facts() const;
     std::map<protocols::FileCode, std::string> stimulusHashes() const;
     std::vector<Slot> slots() const;
     std::vector<protocols::BlindedTrial> trials(int slot) const;
@@ -242,6 +244,22 @@ public:
     /// deleted, replaced or moved the open database; a rescue file then holds everything that was acknowledged.
     void append(const Append& entry);
 
+    /// Stores many events of simulated participants in one transaction, by the rules and with the rows of append(). They are in
+    /// the study after commit(), which returns after the sync; a batch that ends without it leaves nothing. While a batch is
+    /// open, enrol() and append() throw workFailed for any other participant: every answer of a person has its own transaction.
+    class Batch {
+    public:
+        explicit Batch(StudyStore& store);
+        ~Batch();
+        Batch(const Batch&) = delete;
+        Batch& operator=(const Batch&) = delete;
+        void commit();
+
+    private:
+        struct Open;
+        std::unique_ptr<Open> m_open;
+    };
+
     /// A presentation that the operator marked for a later check.
     struct Flag {
         protocols::ParticipantId participant;
@@ -256,6 +274,8 @@ public:
     /// Number of current answers, without reading them.
     std::size_t answerCount() const;
     std::vector<CurrentAnswer> answers() const;  ///< answers of all participants, by slot, trial and question
+    /// The same one by one, so that a large study need not be held as a whole.
+    void eachAnswer(const std::function<void(CurrentAnswer)>& take) const;
 
     /// Presentations that were voided, answered or not, by participant.
     std::map<protocols::ParticipantId, int> voidedPresentations() const;

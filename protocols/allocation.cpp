@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <numeric>
 #include <set>
 #include <string_view>
@@ -142,6 +143,15 @@ private:
     int m_length = presentationCodeLength;
 };
 
+void instruct(BlindedTrial& trial, const std::vector<Phase>& phases, int place)
+{
+    const BlockInstruction& instruction =
+        phases.at(static_cast<std::size_t>(trial.phase)).instructions.at(static_cast<std::size_t>(place));
+    trial.instruction = instruction.id;
+    trial.aim = instruction.aim;
+    if (instruction.deadlineSeconds) trial.deadlineMs = static_cast<int>(std::lround(*instruction.deadlineSeconds * 1000));
+}
+
 constexpr std::string_view boundToCodes = "vis2hap presentation";
 
 }  // namespace
@@ -198,6 +208,7 @@ Allocation allocate(const Protocol& protocol, const Design& design, const std::v
             blinded.presentationCode = presentationCodesOf.next();
             for (const int fabric : trial.alternatives)
                 blinded.alternatives.push_back(fabrics.at(static_cast<std::size_t>(fabric)));
+            if (trial.instruction) instruct(blinded, protocol.phases, *trial.instruction);
             list.push_back(std::move(blinded));
         }
     }

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ struct BlindedTrial {
     SealedCode sealedCode;  ///< of its image
     PresentationCode presentationCode;
     std::vector<FabricId> alternatives;  ///< on the tray, in slot order; one fabric in rating phases
+    InstructionId instruction = {};      ///< of the phase; empty where it gives none
+    SpeedAim aim = SpeedAim::None;       ///< of the instruction
+    std::optional<int> deadlineMs = {};  ///< of the instruction
     bool operator==(const BlindedTrial&) const = default;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "protocols/files/errors.h"
 
@@ -39,20 +40,97 @@ std::string withAmpersand(std::string_view id)
     return text;
 }
 
+const Condition* rowNamed(std::string_view id)
+{
+    const auto found = std::find_if(conditions.begin(), conditions.end(), [&](const Condition& c) { return c.id == id; });
+    return found == conditions.end() ? nullptr : &*found;
+}
+
+/// An id in its two parts: "h_g@fast" -> "h_g", "fast".
+struct IdParts {
+    std::string row;
+    std::optional<std::string> quality;
+};
+
+IdParts partsOf(std::string_view id)
+{
+    const std::size_t at = id.find('@');
+    if (at == std::string_view::npos) return {withAmpersand(id), std::nullopt};
+    return {withAmpersand(id.substr(0, at)), std::string(id.substr(at + 1))};
+}
+
+struct KnownCondition {
+    const Condition* row;
+    std::optional<Quality> quality;
+};
+
+KnownCondition known(std::string_view id)
+{
+    if (const auto fault = faultOf(id))
+        throw badInput({.what = fault->what, .where = "", .expected = fault->expected, .nextStep = ""});
+    const IdParts parts = partsOf(id);
+    return {rowNamed(parts.row), parts.quality ? qualityFrom(*parts.quality) : std::nullopt};
+}
+
 }  // namespace
+
+bool Condition::hasQuality() const
+{
+    switch (relief) {
+        case ReliefSource::ShapeFromShading:
+        case ReliefSource::GeneratedHeight:
+        case ReliefSource::PhotometricHeight:
+        case ReliefSource::HeightGradient:
+            return true;
+        case ReliefSource::None:
+        case ReliefSource::GreyPhotograph:
+        case ReliefSource::GreyTactile:
+            return friction == FrictionSource::GeneratedTrace;
+    }
+    return false;
+}
 
 ConditionId catchTrialId() { return ConditionId("catch"); }
 
 std::span<const Condition> allConditions() { return conditions; }
 
-const Condition& conditionNamed(std::string_view id)
+const Condition& conditionNamed(std::string_view id) { return *known(id).row; }
+
+std::optional<Quality> qualityOf(const ConditionId& id) { return known(id.value).quality; }
+
+ConditionId conditionIdFrom(std::string_view text)
 {
-    const std::string wanted = withAmpersand(id);
-    const auto found = std::find_if(conditions.begin(), conditions.end(), [&](const Condition& c) { return c.id == wanted; });
-    if (found == conditions.end())
-        throw badInput(
-            {.what = "unknown condition '" + std::string(id) + "'", .where = "", .expected = knownIds(), .nextStep = ""});
-    return *found;
+    const KnownCondition condition = known(text);
+    return condition.quality ? withQuality(*condition.row, *condition.quality) : condition.row->conditionId();
+}
+
+ConditionId withQuality(const Condition& row, Quality quality)
+{
+    return ConditionId(std::string(row.id) + "@" + nameOf(quality));
+}
+
+std::optional<ConditionFault> faultOf(std::string_view id)
+{
+    const IdParts parts = partsOf(id);
+    const Condition* row = rowNamed(parts.row);
+    if (row == nullptr) return ConditionFault{"unknown condition '" + std::string(id) + "'", knownIds()};
+    if (!parts.quality) return std::nullopt;
+    if (!qualityFrom(*parts.quality))
+        return ConditionFault{"unknown quality '" + *parts.quality + "' in '" + std::string(id) + "'",
+                              "fast, balanced or accurate after the @"};
+    if (!row->hasQuality())
+        return ConditionFault{"'" + std::string(id) + "' has a quality, which changes nothing of " + parts.row,
+                              "'" + parts.row + "'"};
+    return std::nullopt;
+}
+
+bool comesBefore(const ConditionId& a, const ConditionId& b)
+{
+    const auto place = [](const ConditionId& id) {
+        const KnownCondition condition = known(id.value);
+        return std::pair(condition.row - conditions.data(), condition.quality);  // no quality comes before every quality
+    };
+    return place(a) < place(b);
 }
 
 std::string fileNameOf(const ConditionId& id)
@@ -72,7 +150,7 @@ std::vector<ConditionId> conditionList(std::string_view text)
     }
     for (std::size_t begin = 0; begin <= text.size();) {
         const std::size_t end = std::min(text.find(',', begin), text.size());
-        const ConditionId id = conditionNamed(text.substr(begin, end - begin)).conditionId();
+        const ConditionId id = conditionIdFrom(text.substr(begin, end - begin));
         if (std::find(ids.begin(), ids.end(), id) != ids.end())
             throw badInput({.what = "condition '" + id.value + "' is named twice",
                             .where = std::string(text),

@@ -50,6 +50,50 @@ std::vector<std::vector<Tray>> traysFor(const Phase& phase, const std::vector<st
                       trayRuleOf(phase.task));
 }
 
+/// [participant][presentation] of one phase, under one instruction or none.
+using Lists = std::vector<std::vector<DesignTrial>>;
+
+Lists drawLists(const Phase& asked, int phase, const StudySize& size, std::uint64_t seed, const std::string& purpose)
+{
+    Random orderDraws = Random::stream(seed, purpose + "/orders");
+    Random trayDraws = Random::stream(seed, purpose + "/trays");
+    const auto orders = drawRunningOrders(size, orderDraws);
+    auto trays = traysFor(asked, orders, size, trayDraws);
+    Random catchDraws = Random::stream(seed, purpose + "/catch trials");
+    Lists lists;
+    for (std::size_t participant = 0; participant < orders.size(); ++participant) {
+        std::vector<DesignTrial> trials;
+        for (std::size_t at = 0; at < orders[participant].size(); ++at)
+            trials.push_back(
+                {phase, orders[participant][at].label, orders[participant][at].fabric, std::move(trays[participant][at])});
+        if (asked.catchTrials > 0) trials = withCatchTrials(trials, asked, size.fabrics, asked.catchTrials, catchDraws);
+        lists.push_back(std::move(trials));
+    }
+    return lists;
+}
+
+void append(std::vector<DesignTrial>& list, const std::vector<DesignTrial>& trials, std::optional<int> instruction)
+{
+    for (DesignTrial trial : trials) {
+        trial.instruction = instruction;
+        list.push_back(std::move(trial));
+    }
+}
+
+/// The whole list of the phase once under each instruction.
+void drawInstructed(Design& design, const Phase& asked, int phase, const StudySize& size, std::uint64_t seed,
+                    const std::string& purpose)
+{
+    std::vector<Lists> byInstruction;
+    for (int place = 0; place < asked.runs(); ++place)
+        byInstruction.push_back(drawLists(asked, phase, size, seed, purpose + "/instruction " + std::to_string(place)));
+    Random draws = Random::stream(seed, purpose + "/instructions");
+    const auto orders = drawInstructionOrders(size.participants, asked.runs(), draws);
+    for (std::size_t participant = 0; participant < orders.size(); ++participant)
+        for (const int place : orders[participant])
+            append(design.participants[participant], byInstruction[static_cast<std::size_t>(place)][participant], place);
+}
+
 }  // namespace
 
 Design drawDesign(const Protocol& protocol, std::uint64_t seed)
@@ -60,20 +104,11 @@ Design drawDesign(const Protocol& protocol, std::uint64_t seed)
     design.participants.resize(static_cast<std::size_t>(size.participants));
     for (std::size_t phase = 0; phase < protocol.phases.size(); ++phase) {
         const std::string purpose = "design/phase " + std::to_string(phase);
-        Random orderDraws = Random::stream(seed, purpose + "/orders");
-        Random trayDraws = Random::stream(seed, purpose + "/trays");
-        const auto orders = drawRunningOrders(size, orderDraws);
-        auto trays = traysFor(protocol.phases[phase], orders, size, trayDraws);
-        Random catchDraws = Random::stream(seed, purpose + "/catch trials");
-        for (std::size_t participant = 0; participant < orders.size(); ++participant) {
-            std::vector<DesignTrial> trials;
-            for (std::size_t at = 0; at < orders[participant].size(); ++at)
-                trials.push_back({static_cast<int>(phase), orders[participant][at].label, orders[participant][at].fabric,
-                                  std::move(trays[participant][at])});
-            const Phase& asked = protocol.phases[phase];
-            if (asked.catchTrials > 0) trials = withCatchTrials(trials, asked, size.fabrics, asked.catchTrials, catchDraws);
-            auto& list = design.participants[participant];
-            list.insert(list.end(), trials.begin(), trials.end());
+        if (protocol.phases[phase].instructions.empty()) {
+            const Lists lists = drawLists(protocol.phases[phase], static_cast<int>(phase), size, seed, purpose);
+            for (std::size_t k = 0; k < lists.size(); ++k) append(design.participants[k], lists[k], std::nullopt);
+        } else {
+            drawInstructed(design, protocol.phases[phase], static_cast<int>(phase), size, seed, purpose);
         }
     }
     return design;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "protocols/protocol.h"
@@ -17,9 +18,10 @@ constexpr int catchTrialLabel = -1;
 /// One presentation of the design. All numbers count from 0.
 struct DesignTrial {
     int phase = 0;
-    int label = 0;                  ///< label of a condition, or catchTrialLabel
-    int fabric = 0;                 ///< the true fabric
-    std::vector<int> alternatives;  ///< fabrics in tray-slot order A, B, C ...; one entry in rating phases
+    int label = 0;                        ///< label of a condition, or catchTrialLabel
+    int fabric = 0;                       ///< the true fabric
+    std::vector<int> alternatives;        ///< fabrics in tray-slot order A, B, C ...; one entry in rating phases
+    std::optional<int> instruction = {};  ///< place in Phase::instructions; none where the phase gives none
     bool operator==(const DesignTrial&) const = default;
 };
 
@@ -32,7 +34,9 @@ struct Design {
 /// A design that is balanced over the whole study, phase by phase. Ordered pairs of labels and of fabrics follow one another
 /// equally often (counts differ by at most one where possible). Nothing repeats immediately. Foil pairs are equally frequent
 /// per true fabric and do not repeat within participant x true fabric. True slots are balanced per participant x fabric and per
-/// label. Integer arithmetic only: the same seed gives the same design on every machine.
+/// label. A phase with instructions has one such list for each of them; its lists follow one another in an order that is
+/// balanced over the participants (running_orders.h). Integer arithmetic only: the same seed gives the same design on every
+/// machine.
 Design drawDesign(const Protocol& protocol, std::uint64_t seed);
 
 }  // namespace protocols

@@ -21,6 +21,7 @@ using ParticipantId = Id<struct ParticipantTag>;      ///< "P01"; scripted ones 
 using FabricId = Id<struct FabricTag>;                ///< "F01"
 using ConditionId = Id<struct ConditionTag>;          ///< "h_g&f_g"
 using QuestionId = Id<struct QuestionTag>;            ///< "Q1"
+using InstructionId = Id<struct InstructionTag>;      ///< "speed": what a block asks of the participant's speed
 using FileCode = Id<struct FileCodeTag>;              ///< opaque name of a stimulus file in the study folder
 using SealedCode = Id<struct SealedCodeTag>;          ///< the file code of one presentation, sealed with the station key
 using ConditionLabel = Id<struct ConditionLabelTag>;  ///< "K3": a condition's masked name

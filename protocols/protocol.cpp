@@ -1,6 +1,7 @@
 #include "protocols/protocol.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <set>
 
@@ -20,11 +21,6 @@ std::string knownConditions()
     std::string text;
     for (const Condition& condition : allConditions()) text += (text.empty() ? "" : ", ") + std::string(condition.id);
     return text;
-}
-
-bool isKnown(const ConditionId& id)
-{
-    return std::ranges::any_of(allConditions(), [&](const Condition& c) { return c.id == id.value; });
 }
 
 void checkCounts(const Protocol& p, Faults& faults)
@@ -49,9 +45,8 @@ void checkConditions(const Protocol& p, Faults& faults)
     std::set<ConditionId> seen;
     for (std::size_t i = 0; i < p.conditions.size(); ++i) {
         const ConditionId& id = p.conditions[i];
-        if (!isKnown(id))
-            faults.push_back(element("conditions", i) + ": unknown condition '" + id.value + "', expected one of " +
-                             knownConditions());
+        if (const auto fault = faultOf(id.value))
+            faults.push_back(element("conditions", i) + ": " + fault->what + ", expected " + fault->expected);
         if (!seen.insert(id).second)
             faults.push_back(element("conditions", i) + ": '" + id.value + "' is named twice, expected each condition once");
     }
@@ -81,6 +76,35 @@ void checkQuestions(const Phase& phase, const std::string& place, std::set<Quest
     }
 }
 
+constexpr int mostInstructions = 6;  // as the schema has it
+constexpr double shortestDeadlineSeconds = 0.1, longestDeadlineSeconds = 3600;
+
+std::string withoutCase(std::string text)
+{
+    std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+void checkInstructions(const std::vector<BlockInstruction>& instructions, const std::string& place, Faults& faults)
+{
+    std::set<std::string> seen;
+    if (static_cast<int>(instructions.size()) > mostInstructions)
+        faults.push_back(place + ": names " + std::to_string(instructions.size()) + ", expected at most " +
+                         std::to_string(mostInstructions));
+    for (std::size_t i = 0; i < instructions.size(); ++i) {
+        const BlockInstruction& one = instructions[i];
+        const std::string its = place + "[" + std::to_string(i) + "]";
+        if (one.id.empty()) faults.push_back(its + ".id: is empty, expected a name such as \"speed\"");
+        if (!seen.insert(withoutCase(one.id.value)).second)
+            faults.push_back(its + ".id: '" + one.id.value +
+                             "' is named twice, expected ids that differ also when their case is ignored");
+        if (one.deadlineSeconds &&
+            !(*one.deadlineSeconds >= shortestDeadlineSeconds && *one.deadlineSeconds <= longestDeadlineSeconds))
+            faults.push_back(its + ".deadline_seconds: expected 0.1 to 3600 seconds");
+        if (one.text.empty()) faults.push_back(its + ".text: is empty, expected the sentence that the operator says");
+    }
+}
+
 void checkPhases(const Protocol& p, Faults& faults)
 {
     if (p.phases.empty()) faults.push_back("phases: is empty, expected at least one phase");
@@ -89,6 +113,7 @@ void checkPhases(const Protocol& p, Faults& faults)
         const std::string place = element("phases", i);
         checkQuestions(p.phases[i], place, seen, faults);
         checkTask(p, p.phases[i], place, faults);
+        checkInstructions(p.phases[i].instructions, place + ".instructions", faults);
     }
 }
 
@@ -132,12 +157,14 @@ void checkNumbers(const Protocol& p, Faults& faults)
     if (p.familiarisationFabrics < 0) faults.push_back("familiarisation_fabrics: expected 0 or more");
 }
 
-/// The phases without the sentences of their questions: what running orders and stored answers depend on.
+/// The phases without the sentences of their questions and instructions: what running orders and stored answers depend on.
 std::vector<Phase> fixedPhasesOf(const Protocol& p)
 {
     std::vector<Phase> fixed = p.phases;
-    for (Phase& phase : fixed)
+    for (Phase& phase : fixed) {
         for (Question& question : phase.questions) question.text.clear();
+        for (BlockInstruction& instruction : phase.instructions) instruction.text.clear();
+    }
     return fixed;
 }
 
@@ -166,7 +193,7 @@ void checkParticipantTexts(const Protocol& p, Faults& faults)
 int Protocol::presentations() const
 {
     int count = 0;
-    for (const Phase& phase : phases) count += presentationsPerPhase() + phase.catchTrials;
+    for (const Phase& phase : phases) count += (presentationsPerPhase() + phase.catchTrials) * phase.runs();
     return count;
 }
 
@@ -174,7 +201,7 @@ int Protocol::answersPerParticipant() const
 {
     int count = 0;
     for (const Phase& phase : phases)
-        count += (presentationsPerPhase() + phase.catchTrials) * static_cast<int>(phase.questions.size());
+        count += (presentationsPerPhase() + phase.catchTrials) * phase.runs() * static_cast<int>(phase.questions.size());
     return count;
 }
 
@@ -198,6 +225,36 @@ const Question* questionWith(const Protocol& protocol, const QuestionId& id)
         for (const Question& question : phase.questions)
             if (question.id == id) return &question;
     return nullptr;
+}
+
+const BlockInstruction* instructionWith(const std::vector<BlockInstruction>& instructions, const InstructionId& id)
+{
+    const auto found = std::ranges::find(instructions, id, &BlockInstruction::id);
+    return found == instructions.end() ? nullptr : &*found;
+}
+
+std::string nameOf(SpeedAim aim)
+{
+    switch (aim) {
+        case SpeedAim::Speed:
+            return "speed";
+        case SpeedAim::Accuracy:
+            return "accuracy";
+        case SpeedAim::None:
+            break;
+    }
+    return "";
+}
+
+SpeedAim speedAimNamed(std::string_view name)
+{
+    if (name == "speed") return SpeedAim::Speed;
+    return name == "accuracy" ? SpeedAim::Accuracy : SpeedAim::None;
+}
+
+bool hasInstructions(const Protocol& protocol)
+{
+    return std::ranges::any_of(protocol.phases, [](const Phase& phase) { return !phase.instructions.empty(); });
 }
 
 const RatingScale* memorisedScaleOf(const Protocol& protocol)

@@ -22,13 +22,30 @@ struct Question {
     bool operator==(const Question&) const = default;
 };
 
+/// What a block of presentations asks of the participant's speed.
+enum class SpeedAim { None, Speed, Accuracy };
+
+/// One level of the factor "instruction" of a phase: to be fast, to be accurate, or to answer before a deadline.
+struct BlockInstruction {
+    InstructionId id;
+    SpeedAim aim = SpeedAim::None;
+    std::optional<double> deadlineSeconds;  ///< for each answer, from the first touch to the beginning of the answer
+    std::string text;                       ///< the operator says it at the beginning of a block
+    bool operator==(const BlockInstruction&) const = default;
+};
+
 /// A run of presentations, each condition x fabric once. Its questions are asked one after another in every presentation.
-/// `catchTrials` more presentations leave the glass blank.
+/// `catchTrials` more presentations leave the glass blank. With instructions the whole run is repeated under each of them, so
+/// that every condition x fabric is answered under every instruction; the participants' orders of the instructions differ.
 struct Phase {
     std::vector<Question> questions;
     AnswerKind task;  ///< what a question asks for unless it is answered in free text; decides what lies on the tray
     int catchTrials = 0;
     TrayAim trayAim = TrayAim::EvenSlots;  ///< of a choice phase
+    std::vector<BlockInstruction> instructions = {};
+
+    /// How often the run is repeated: the number of instructions, or once.
+    int runs() const { return instructions.empty() ? 1 : static_cast<int>(instructions.size()); }
     bool operator==(const Phase&) const = default;
 };
 
@@ -74,7 +91,7 @@ struct Protocol {
     /// Recordings for the headphones by key (isPromptKey()): names of WAV files beside the protocol.
     std::map<std::string, std::string> prompts;
 
-    /// Conditions x fabrics, without catch trials.
+    /// Conditions x fabrics, without catch trials, under one instruction.
     int presentationsPerPhase() const { return fabricCount * static_cast<int>(conditions.size()); }
     /// Presentations for one participant, with catch trials.
     int presentations() const;
@@ -91,6 +108,17 @@ std::vector<PlannedContrast> contrastsInOrder(const Protocol& protocol);
 
 /// The question with this id; null where the protocol asks no such question.
 const Question* questionWith(const Protocol& protocol, const QuestionId& id);
+
+/// The instruction with this id; null where there is none.
+const BlockInstruction* instructionWith(const std::vector<BlockInstruction>& instructions, const InstructionId& id);
+
+/// "speed", "accuracy"; empty for none.
+std::string nameOf(SpeedAim aim);
+/// None for any other name.
+SpeedAim speedAimNamed(std::string_view name);
+
+/// Whether any phase instructs the participant.
+bool hasInstructions(const Protocol& protocol);
 
 /// The scale that the participants memorise: that of the first phase with ratings; null where nothing is rated.
 const RatingScale* memorisedScaleOf(const Protocol& protocol);

@@ -11,7 +11,7 @@
 #include "protocols/protocol_part.h"
 #include "protocols/protocol_schema.h"
 #include "protocols/question_ids.h"
-#include "protocols/shipped_texts.h"
+#include "protocols/texts/shipped_texts.h"
 #include "protocols/usual_texts.h"
 
 namespace protocols {
@@ -36,13 +36,7 @@ constexpr int mostFabrics = 100;  // as the schema has it
 }
 
 /// The known id for either spelling; an unknown one stays as it is for faultsOf to name.
-ConditionId conditionFrom(const std::string& text)
-{
-    ConditionId id(text);
-    std::ranges::replace(id.value, '+', '&');
-    const bool known = std::ranges::any_of(allConditions(), [&](const Condition& c) { return c.id == id.value; });
-    return known ? id : ConditionId(text);
-}
+ConditionId conditionFrom(const std::string& text) { return faultOf(text) ? ConditionId(text) : conditionIdFrom(text); }
 
 AnswerKind taskOf(const ProtocolPart& phase, const std::string& place)
 {
@@ -53,6 +47,14 @@ AnswerKind taskOf(const ProtocolPart& phase, const std::string& place)
     return declared.empty() ? AnswerKind() : declared.front();
 }
 
+BlockInstruction instructionFrom(const ProtocolPart& part)
+{
+    BlockInstruction instruction{InstructionId(part.text("id", "")), speedAimNamed(part.text("aim", "")), {}, {}};
+    if (part.has("deadline_seconds")) instruction.deadlineSeconds = part.number("deadline_seconds", 1);
+    instruction.text = part.text("text", usualInstructionText(instruction));
+    return instruction;
+}
+
 Phase phaseFrom(const ProtocolPart& part, const ProtocolPart& texts, const std::string& place, ProtocolEdition edition)
 {
     Phase phase;
@@ -61,6 +63,7 @@ Phase phaseFrom(const ProtocolPart& part, const ProtocolPart& texts, const std::
     if (part.yesOrNo("few_swaps", false)) phase.trayAim = TrayAim::FewSwaps;
     if (part.has("few_swaps") && !std::holds_alternative<ForcedChoice>(phase.task))
         part.faults().add(place + ".few_swaps: the tray has one piece, expected a phase with alternatives");
+    for (const ProtocolPart& instruction : part.parts("instructions")) phase.instructions.push_back(instructionFrom(instruction));
     for (const std::string& id : part.texts("questions")) {
         const std::string text = texts.text(id, usualTextOf(QuestionId(id), phase.task, edition));
         // A text that the schema refuses is no missing text.
@@ -109,7 +112,11 @@ void readConditions(const ProtocolPart& document, Protocol& protocol)
     for (const std::string& id : document.texts("conditions")) protocol.conditions.push_back(conditionFrom(id));
     if (document.raw("conditions").is_array()) return;
     // An unreadable list must not make the planned contrasts wrong; the schema has named it.
-    for (const Condition& condition : allConditions()) protocol.conditions.push_back(condition.conditionId());
+    for (const Condition& condition : allConditions()) {
+        protocol.conditions.push_back(condition.conditionId());
+        if (condition.hasQuality())
+            for (const Quality quality : allQualities) protocol.conditions.push_back(withQuality(condition, quality));
+    }
 }
 
 PlannedContrast contrastFrom(const json& pair)

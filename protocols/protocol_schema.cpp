@@ -8,7 +8,7 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
-#include "protocols/shipped_texts.h"
+#include "protocols/texts/shipped_texts.h"
 
 namespace protocols {
 

@@ -154,6 +154,34 @@ private:
     std::size_t m_second = 0;
 };
 
+/// 0, 1, n - 1, 2, n - 2, ...: the differences of neighbours are all different where n is even.
+std::vector<int> zigzag(int n)
+{
+    std::vector<int> order{0};
+    for (int low = 1, high = n - 1; low <= high; ++low, --high) {
+        order.push_back(low);
+        if (low != high) order.push_back(high);
+    }
+    return order;
+}
+
+std::vector<std::vector<int>> williamsDesign(int n)
+{
+    const std::vector<int> first = zigzag(n);
+    std::vector<std::vector<int>> design;
+    for (int shift = 0; shift < n; ++shift) {
+        auto& row = design.emplace_back();
+        for (const int number : first) row.push_back((number + shift) % n);
+    }
+    // With an odd number only the rows and their mirror images together are balanced.
+    if (n % 2 == 1 && n > 1)
+        for (int row = 0; row < n; ++row) {
+            design.push_back(design[static_cast<std::size_t>(row)]);
+            std::ranges::reverse(design.back());
+        }
+    return design;
+}
+
 }  // namespace
 
 Orders drawRunningOrders(const StudySize& size, Random& random)
@@ -174,6 +202,20 @@ Orders drawRunningOrders(const StudySize& size, Random& random)
         if (search.pairsAreEven()) return search.orders();
     }
     return best;
+}
+
+std::vector<std::vector<int>> drawInstructionOrders(int participants, int instructions, Random& random)
+{
+    std::vector<std::vector<int>> orders, cycle;
+    while (static_cast<int>(orders.size()) < participants) {
+        if (cycle.empty()) {
+            cycle = williamsDesign(instructions);
+            random.shuffle(cycle);
+        }
+        orders.push_back(cycle.back());
+        cycle.pop_back();
+    }
+    return orders;
 }
 
 }  // namespace protocols

@@ -1,4 +1,4 @@
-// Draws the order in which each participant gets the renderings of one phase.
+// Draws the order in which each participant gets the renderings of one phase, and the instructions of its blocks.
 #pragma once
 
 #include <vector>
@@ -25,5 +25,10 @@ struct StudySize {
 /// stretch of `labels` positions, each fabric in each stretch of `fabrics` positions, against practice and fatigue. Where this
 /// is impossible, a bounded search comes as close as it can.
 std::vector<std::vector<Rendering>> drawRunningOrders(const StudySize& size, Random& random);
+
+/// [participant][place]: the number of the instruction, from 0. Each instruction stands equally often at each place and follows
+/// each other one equally often, as far as the number of participants allows (Williams 1949, Aust J Chem 2, 149): a cycle has
+/// `instructions` orders, or twice as many where that number is odd. The orders of a cycle are shuffled among participants.
+std::vector<std::vector<int>> drawInstructionOrders(int participants, int instructions, Random& random);
 
 }  // namespace protocols

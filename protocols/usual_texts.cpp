@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "protocols/files/number_text.h"
+
 namespace protocols {
 
 namespace {
@@ -73,6 +75,26 @@ std::string usualTextOf(const QuestionId& question, const AnswerKind& task, Prot
 std::string usualConsent(ProtocolEdition edition) { return consent.of(edition); }
 
 std::string usualStrokeWords(ProtocolEdition edition) { return strokeWords.of(edition); }
+
+std::string usualInstructionText(const BlockInstruction& instruction)
+{
+    std::string text;
+    switch (instruction.aim) {
+        case SpeedAim::Speed:
+            text = "Answer as fast as you can. Mistakes are all right now.";
+            break;
+        case SpeedAim::Accuracy:
+            text = "Answer as accurately as you can. Take all the time that you need.";
+            break;
+        case SpeedAim::None:
+            if (!instruction.deadlineSeconds) text = "Answer as accurately and as fast as you can.";
+            break;
+    }
+    if (!instruction.deadlineSeconds) return text;
+    const std::string limit = shortest(*instruction.deadlineSeconds);
+    return text + (text.empty() ? "" : " ") + "Answer within " + limit + (limit == "1" ? " second" : " seconds") +
+           " after your finger touches the screen.";
+}
 
 const std::map<std::string, std::string, std::less<>>& usualParticipantTexts()
 {

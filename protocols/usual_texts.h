@@ -9,6 +9,7 @@
 
 #include "protocols/answer_kind.h"
 #include "protocols/ids.h"
+#include "protocols/protocol.h"
 #include "protocols/protocol_edition.h"
 
 namespace protocols {
@@ -21,6 +22,9 @@ std::string usualConsent(ProtocolEdition edition);
 
 /// How the participant strokes glass and cloth.
 std::string usualStrokeWords(ProtocolEdition edition);
+
+/// "Answer as fast as you can. ...": what the operator says at the beginning of a block with this instruction.
+std::string usualInstructionText(const BlockInstruction& instruction);
 
 /// What the participant reads on their own screen, by key, in English: {name} stands for a value. A protocol may replace each
 /// by "participant_texts".

@@ -5,7 +5,6 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/number_text.h"
-#include "protocols/files/whole_file.h"
 
 namespace protocols {
 
@@ -155,11 +154,6 @@ CsvTable csvTableFrom(std::string_view text, const std::string& where, char sepa
         table.lines.push_back(reader.line());
     }
     return table;
-}
-
-CsvTable readCsvTable(const std::filesystem::path& file, char separator)
-{
-    return csvTableFrom(readWholeFile(file), file.string(), separator);
 }
 
 std::string rowName(const CsvTable& table, std::size_t row) { return rowText(table.where, row + 1, table.lines[row]); }

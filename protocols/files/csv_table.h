@@ -2,7 +2,6 @@
 // Every fault names file and row. Numbers do not depend on the locale.
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -61,8 +60,7 @@ struct CsvTable {
     std::optional<std::size_t> column(std::string_view name) const;
 };
 
-/// Throws badInput as CsvReader does, and where the file cannot be read.
-CsvTable readCsvTable(const std::filesystem::path& file, char separator = ',');
+/// Throws badInput as CsvReader does. foreign_table.h reads files, whose separator is not known.
 CsvTable csvTableFrom(std::string_view text, const std::string& where, char separator = ',');
 
 /// "FILE, row 2 (line 3)": rows count from 1 after the header, lines from 1 with it.

@@ -21,16 +21,38 @@ using Key = std::vector<int>;
 using Counts = std::map<Key, int>;
 using Range = BalanceCertificate::Range;
 
-/// The trials of one phase, by participant.
+/// The trials of one phase, under one of its instructions, by participant.
 using PhaseTrials = std::vector<std::vector<DesignTrial>>;
 
-PhaseTrials trialsOf(const Design& design, int phase)
+/// Lists that are drawn and balanced on their own: the phases, each once for each of its instructions.
+struct ListOfPhase {
+    int phase = 0;
+    std::optional<int> instruction;
+};
+
+std::vector<ListOfPhase> listsOf(const Protocol& protocol)
+{
+    std::vector<ListOfPhase> lists;
+    for (std::size_t i = 0; i < protocol.phases.size(); ++i) {
+        const Phase& phase = protocol.phases[i];
+        if (phase.instructions.empty()) lists.push_back({static_cast<int>(i), std::nullopt});
+        for (std::size_t k = 0; k < phase.instructions.size(); ++k) lists.push_back({static_cast<int>(i), static_cast<int>(k)});
+    }
+    return lists;
+}
+
+bool isIn(const ListOfPhase& list, const DesignTrial& trial)
+{
+    return trial.phase == list.phase && trial.instruction == list.instruction;
+}
+
+PhaseTrials trialsOf(const Design& design, const ListOfPhase& list)
 {
     PhaseTrials trials;
     for (const auto& participant : design.participants) {
         auto& own = trials.emplace_back();
         std::ranges::copy_if(participant, std::back_inserter(own),
-                             [&](const DesignTrial& t) { return t.phase == phase && t.label != catchTrialLabel; });
+                             [&](const DesignTrial& t) { return isIn(list, t) && t.label != catchTrialLabel; });
     }
     return trials;
 }
@@ -163,22 +185,24 @@ void addChoiceRanges(const PhaseTrials& trials, const Protocol& protocol, int al
     ranges.push_back(rangeOf("slots of a foil per participant" + phase, foilSlots));
 }
 
-/// "Q1" or "Q2-Q4"
-std::string nameOf(const Phase& phase)
+/// "Q1", "Q2-Q4" or "Q1 (speed)"
+std::string nameOf(const Phase& phase, std::optional<int> instruction)
 {
     if (phase.questions.empty()) return "";
     const std::string first = phase.questions.front().id.value;
-    return phase.questions.size() == 1 ? first : first + "-" + phase.questions.back().id.value;
+    const std::string name = phase.questions.size() == 1 ? first : first + "-" + phase.questions.back().id.value;
+    if (!instruction) return name;
+    return name + " (" + phase.instructions.at(static_cast<std::size_t>(*instruction)).id.value + ")";
 }
 
 /// With the pieces of catch trials, which the operator lays, too.
-std::optional<BalanceCertificate::Handling> handlingOf(const Design& design, int phase, const std::string& name)
+std::optional<BalanceCertificate::Handling> handlingOf(const Design& design, const ListOfPhase& list, const std::string& name)
 {
     BalanceCertificate::Handling handling{name, 0, 0};
     int changes = 0;
     for (const auto& trials : design.participants)
         for (std::size_t at = 1; at < trials.size(); ++at) {
-            if (trials[at].phase != phase || trials[at - 1].phase != phase) continue;
+            if (!isIn(list, trials[at]) || !isIn(list, trials[at - 1])) continue;
             const auto& before = trials[at - 1].alternatives;
             const auto& after = trials[at].alternatives;
             ++changes;
@@ -226,11 +250,12 @@ BalanceCertificate balanceOf(const Design& design, const Protocol& protocol)
     const int fabrics = protocol.fabricCount;
     BalanceCertificate certificate;
     auto& ranges = certificate.ranges;
-    for (std::size_t i = 0; i < protocol.phases.size(); ++i) {
-        const PhaseTrials trials = trialsOf(design, static_cast<int>(i));
-        const std::string name = nameOf(protocol.phases[i]);
+    for (const ListOfPhase& list : listsOf(protocol)) {
+        const Phase& asked = protocol.phases[static_cast<std::size_t>(list.phase)];
+        const PhaseTrials trials = trialsOf(design, list);
+        const std::string name = nameOf(asked, list.instruction);
         const std::string phase = name.empty() ? "" : ", " + name;
-        if (auto handling = handlingOf(design, static_cast<int>(i), name)) certificate.handling.push_back(std::move(*handling));
+        if (auto handling = handlingOf(design, list, name)) certificate.handling.push_back(std::move(*handling));
         Counts renderings = emptyTable({static_cast<int>(design.participants.size()), labels, fabrics});
         forEach(trials, [&](int participant, const DesignTrial& t) { ++renderings[{participant, t.label, t.fabric}]; });
         ranges.push_back(rangeOf("presentations of a rendering per participant" + phase, renderings));
@@ -241,7 +266,7 @@ BalanceCertificate balanceOf(const Design& design, const Protocol& protocol)
         ranges.push_back(
             rangeOf("a fabric per stretch of the order" + phase, perStretch(trials, fabrics, labels, &DesignTrial::fabric)));
         certificate.immediateRepeats += repeatsIn(trials);
-        const TrayRule rule = trayRuleOf(protocol.phases[i].task);
+        const TrayRule rule = trayRuleOf(asked.task);
         const auto* foils = std::get_if<TrueAmongFoils>(&rule);
         if (!foils) continue;
         addChoiceRanges(trials, protocol, foils->pieces, phase, ranges);

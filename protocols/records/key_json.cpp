@@ -45,8 +45,7 @@ ConditionId conditionIn(const json& entry, const std::string& where)
 {
     const std::string id = textIn(entry, "condition", where);
     if (id == catchTrialId().value) return catchTrialId();
-    for (const Condition& known : allConditions())
-        if (known.id == id) return known.conditionId();
+    if (!faultOf(id) && conditionIdFrom(id).value == id) return ConditionId(id);
     throw malformed("unknown condition '" + id + "'", where, "the id of a condition");
 }
 

@@ -45,7 +45,7 @@ std::string bytesOfHex(std::string_view hex, std::size_t bytes)
     }
 }
 
-std::string withoutBlanks(std::string_view text)
+std::string keyWithoutBlanks(std::string_view text)
 {
     std::string rest;
     for (const char c : text)
@@ -90,7 +90,7 @@ std::string publicKeyOfPem(std::string_view pem, const std::string& where)
     const auto begin = pem.find(pemBegin), end = pem.find(pemEnd);
     std::string body;
     if (begin != std::string_view::npos && end != std::string_view::npos && begin < end)
-        body = withoutBlanks(pem.substr(begin + pemBegin.size(), end - begin - pemBegin.size()));
+        body = keyWithoutBlanks(pem.substr(begin + pemBegin.size(), end - begin - pemBegin.size()));
     std::array<unsigned char, publicBytes> key{};
     std::size_t length = 0;
     const bool isKey = body.starts_with(pemPrefix) &&

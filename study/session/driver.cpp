@@ -1,22 +1,17 @@
 #include "study/session/driver.h"
 
-#include <algorithm>
-
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
-#include "study/session/session_moves.h"
+#include "study/session/session_entry.h"
 #include "study/session/session_record.h"
 
 namespace study::session {
 
 namespace {
 
-using database::AnswerRecord;
 using database::StudyStore;
-
-const protocols::BlindedTrial& trialOf(const Plan& plan, int index) { return plan.trials[static_cast<std::size_t>(index)]; }
 
 std::string protocolTextFor(const StudyStore& store, const database::Enrolment& enrolment)
 {
@@ -28,7 +23,7 @@ std::string protocolTextFor(const StudyStore& store, const database::Enrolment& 
 
 Plan planOf(const StudyStore& store, const database::Enrolment& enrolment)
 {
-    const database::StudyFacts facts = store.facts();
+    const database::StudyFacts& facts = store.facts();
     Plan plan{protocols::keptProtocolFromJson(protocolTextFor(store, enrolment), store.folder().protocol().string(),
                                               facts.programVersion),
               store.trials(enrolment.slot),
@@ -39,89 +34,6 @@ Plan planOf(const StudyStore& store, const database::Enrolment& enrolment)
     for (const database::FamiliarisationItem& item : facts.familiarisation)
         plan.familiarisation.push_back({item.name, item.sealedCode});
     return plan;
-}
-
-AnswerRecord recordOf(const Plan& plan, const State& state, const StoredAnswer& answer)
-{
-    const protocols::BlindedTrial& trial = trialOf(plan, answer.index);
-    AnswerRecord record;
-    record.trial = trial.number;
-    record.question = questionOf(plan, answer.index, answer.question).id;
-    record.presentationCode =
-        codeOfAttempt(plan.trials, static_cast<std::size_t>(answer.index), attemptSoFar(state, answer.index));
-    record.alternatives = trial.alternatives;
-    putInto(record, answer.response);
-    return record;
-}
-
-/// Ages come from outside. No answer begins before its question, and no touch ends before it began.
-void addStamps(AnswerRecord& record, const Presenting& asked, const AnswerStamps& stamps)
-{
-    const std::int64_t atNs = record.answeredAtNs;
-    if (stamps.begunAgoNs) {
-        record.answerBegunAtNs = std::clamp(atNs - *stamps.begunAgoNs, asked.readyAtNs, atNs);
-        record.answerBegunBy = nameOf(stamps.begunBy);
-    }
-    if (stamps.touchEndedAgoNs && asked.touchedAtNs)
-        record.touchEndedAtNs = std::clamp(atNs - *stamps.touchEndedAgoNs, *asked.touchedAtNs, atNs);
-    record.entries = stamps.entries;
-}
-
-AnswerRecord firstAnswer(const Plan& plan, const State& state, const Presenting& asked, const StoredAnswer& answer,
-                         const AnswerStamps& stamps, std::int64_t atNs)
-{
-    AnswerRecord record = recordOf(plan, state, answer);
-    record.readyAtNs = asked.readyAtNs;
-    record.touchedAtNs = asked.touchedAtNs;
-    if (asked.touchedAtNs) record.touchedBy = asked.touchedBy == TouchSource::Display ? "display" : "operator";
-    record.answeredAtNs = atNs;
-    addStamps(record, asked, stamps);
-    return record;
-}
-
-AnswerRecord correction(const Plan& plan, const State& next, const Corrected& event)
-{
-    AnswerRecord record = recordOf(plan, next, next.answers[*latestAnswerTo(plan, next, event.question)]);
-    record.isCorrection = true;
-    record.note = event.why;
-    return record;
-}
-
-/// The trial that was voided: the one that was added to `order`.
-int voidedTrial(const State& before, const State& next)
-{
-    std::size_t place = 0;
-    while (place < before.order.size() && before.order[place] == next.order[place]) ++place;
-    return next.order[place].index;
-}
-
-/// The trial that a remark concerns now: the one being presented, or the one answered last.
-std::optional<int> trialNotedOn(const State& state)
-{
-    if (const auto* presenting = std::get_if<Presenting>(&state.stage)) return presenting->index;
-    if (state.answers.empty()) return std::nullopt;
-    return state.answers.back().index;
-}
-
-void addWhatItStores(StudyStore::Append& entry, const Plan& plan, const State& before, const State& next, const EventBody& body)
-{
-    if (const auto* answered = std::get_if<Answered>(&body))
-        entry.answers.push_back(firstAnswer(plan, before, std::get<Presenting>(before.stage), next.answers.back(),
-                                            answered->stamps, entry.event.atNs));
-    if (const auto* corrected = std::get_if<Corrected>(&body)) entry.answers.push_back(correction(plan, next, *corrected));
-    if (const auto* voided = std::get_if<Voided>(&body)) {
-        entry.voids = trialOf(plan, voidedTrial(before, next)).number;
-        if (!voided->why.empty()) entry.note = {*entry.voids, voided->why, false};
-    }
-    if (const auto* noted = std::get_if<Noted>(&body))
-        if (const auto trial = trialNotedOn(before)) entry.note = {trialOf(plan, *trial).number, noted->text, noted->isFlag};
-    if (const auto* given = std::get_if<FactsGiven>(&body)) entry.facts.assign(given->facts.begin(), given->facts.end());
-    if (const auto* debriefed = std::get_if<Debriefed>(&body))
-        if (!debriefed->text.empty()) entry.facts.emplace_back(debriefingFact, debriefed->text);
-    if (std::holds_alternative<Finished>(next.stage) && !std::holds_alternative<Finished>(before.stage))
-        entry.slotState = database::SlotState::Finished;
-    if (std::holds_alternative<Withdrawn>(next.stage) && !std::holds_alternative<Withdrawn>(before.stage))
-        entry.slotState = database::SlotState::Withdrawn;
 }
 
 }  // namespace
@@ -137,8 +49,10 @@ Driver::Driver(StudyStore& store, const protocols::ParticipantId& participant, d
 {
     m_operatedBy.display = display.isThere() ? display.name() : "none";
     requireKeptProtocol(store);
-    store.enrol(participant, kind);
-    m_plan = readPlan(store, participant);
+    const database::Slot slot = store.enrol(participant, kind);
+    // Where the protocol never changed, the list of all participants need not be read for its version.
+    m_plan = store.protocolVersions().size() == 1 ? planOf(store, {participant, slot.number, kind, slot.state, 1})
+                                                  : readPlan(store, participant);
     replayLog();
     const auto deadTimeNs = static_cast<std::int64_t>(m_plan.protocol.deadTimeSeconds * 1e9);
     if (const auto refusal = send(SittingStarted{deadTimeNs}))
@@ -201,9 +115,8 @@ std::optional<Refusal> Driver::send(const EventBody& body)
 
 void Driver::commit(const EventBody& body, std::int64_t atNs, SessionStep step)
 {
-    StudyStore::Append entry;
+    StudyStore::Append entry = entryOf(m_plan, m_state, step.next, body, atNs);
     entry.event = {0, m_participant, step.next.sitting, kindOf(body), payloadJson(body, m_operatedBy), atNs, m_clock.wallTime()};
-    addWhatItStores(entry, m_plan, m_state, step.next, body);
     if (std::holds_alternative<Answered>(body)) entry.finger = m_finger.unstored(entry.answers.front().trial);
     if (entry.voids) entry.finger = m_finger.unstored(*entry.voids);
     entry.storedAtNs = m_clock.monotonicNs();
@@ -233,12 +146,17 @@ void Driver::letOut(const std::vector<Effect>& effects)
 
 void Driver::perform(const Effect& effect)
 {
-    if (const auto* show = std::get_if<ShowStimulus>(&effect))
-        m_display.show(m_bank.image(show->code));
-    else if (const auto* prefetch = std::get_if<Prefetch>(&effect))
-        prefetchIfPossible(prefetch->code);
-    else
+    const bool isFelt = m_display.isThere();  // without a display no image is decrypted
+    if (const auto* show = std::get_if<ShowStimulus>(&effect)) {
+        if (isFelt)
+            m_display.show(m_bank.image(show->code));
+        else
+            m_bank.requireImage(show->code);
+    } else if (const auto* prefetch = std::get_if<Prefetch>(&effect)) {
+        if (isFelt) prefetchIfPossible(prefetch->code);
+    } else {
         m_display.clear();
+    }
 }
 
 void Driver::prefetchIfPossible(const protocols::SealedCode& code)

@@ -14,12 +14,10 @@
 #include "study/session/finger_recording.h"
 #include "study/session/operated_by.h"
 #include "study/session/session.h"
+#include "study/session/session_entry.h"
 #include "study/session/view.h"
 
 namespace study::session {
-
-/// The fact that holds the debriefing.
-inline constexpr const char* debriefingFact = "debriefing";
 
 /// The plan of an enrolled participant's session. Throws badInput for an unknown participant.
 Plan readPlan(const database::StudyStore& store, const protocols::ParticipantId& participant);

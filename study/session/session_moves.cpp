@@ -44,13 +44,20 @@ const protocols::Question& questionOf(const Plan& plan, int index, int question)
     return phaseOf(plan, index).questions.at(static_cast<std::size_t>(question));
 }
 
+const protocols::BlockInstruction* instructionOf(const Plan& plan, int index)
+{
+    return instructionWith(phaseOf(plan, index).instructions, plan.trials.at(static_cast<std::size_t>(index)).instruction);
+}
+
 std::vector<PlaceInOrder> orderOf(const Plan& plan)
 {
     std::vector<PlaceInOrder> order;
     int block = 0, inBlock = 0;
     for (std::size_t i = 0; i < plan.trials.size(); ++i) {
-        const bool isNewPhase = i > 0 && plan.trials[i].phase != plan.trials[i - 1].phase;
-        if (isNewPhase || inBlock == plan.protocol.breakAfterPresentations) {
+        // A change of the instruction is a break, so that the operator can say the new one.
+        const bool isNewList = i > 0 && (plan.trials[i].phase != plan.trials[i - 1].phase ||
+                                         plan.trials[i].instruction != plan.trials[i - 1].instruction);
+        if (isNewList || inBlock == plan.protocol.breakAfterPresentations) {
             ++block;
             inBlock = 0;
         }
@@ -229,9 +236,11 @@ void presentAgain(const Plan& plan, State& state, int index, int fromPosition)
     std::erase_if(state.answers, [&](const StoredAnswer& answer) { return answer.index == index; });
     const int size = static_cast<int>(state.order.size()), phase = phaseIndexAt(plan, state, fromPosition);
     const int next = fromPosition + 1;
-    // If its block has ended, the next block takes the trial, provided that it belongs to the same phase.
-    const bool blockIsOver =
-        fromPosition < state.position && blockEndsBefore(state, next) && phaseIndexAt(plan, state, next) == phase;
+    // If its block has ended, the next block takes the trial, provided that it has the same phase and instruction.
+    const bool blockIsOver = fromPosition < state.position && blockEndsBefore(state, next) &&
+                             phaseIndexAt(plan, state, next) == phase &&
+                             plan.trials[static_cast<std::size_t>(placeAt(state, next).index)].instruction ==
+                                 plan.trials[static_cast<std::size_t>(index)].instruction;
     const int block = placeAt(state, blockIsOver ? next : fromPosition).block;
     int end = next;
     while (end < size && placeAt(state, end).block == block && phaseIndexAt(plan, state, end) == phase) ++end;

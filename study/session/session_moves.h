@@ -13,6 +13,9 @@ const protocols::Phase& phaseOf(const Plan& plan, int index);
 int questionsOf(const Plan& plan, int index);
 const protocols::Question& questionOf(const Plan& plan, int index, int question);
 
+/// The instruction of a trial's block; null where its phase gives none.
+const protocols::BlockInstruction* instructionOf(const Plan& plan, int index);
+
 /// The order of the participant's list with its blocks, before any void.
 std::vector<PlaceInOrder> orderOf(const Plan& plan);
 

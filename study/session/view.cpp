@@ -31,6 +31,17 @@ void addTrial(View& view, const Plan& plan, const State& state, int index, int q
     view.question = questionOf(plan, index, question);
 }
 
+/// Instruction of the presentation at hand or next.
+void addInstruction(View& view, const Plan& plan, const State& state)
+{
+    if (state.position >= static_cast<int>(state.order.size())) return;
+    const auto* instruction = instructionOf(plan, state.order[static_cast<std::size_t>(state.position)].index);
+    if (!instruction) return;
+    view.instruction = *instruction;
+    const bool isAfterRest = state.trayAskedAtNs == state.restedAtNs;
+    view.instructionBegins = state.position == 0 || blockEndsBefore(state, state.position) || isAfterRest;
+}
+
 void addLastAnswer(View& view, const Plan& plan, const State& state)
 {
     if (state.answers.empty()) return;
@@ -135,6 +146,7 @@ View viewOf(const Plan& plan, const State& state, const protocols::ParticipantId
     for (const FamiliarisationImage& item : plan.familiarisation) view.familiarisation.push_back(item.name);
     view.placeToName = placeToName(plan, state);
     if (std::holds_alternative<OnBreak>(state.stage)) view.breakSeconds = static_cast<double>(nowNs - state.breakBeganAtNs) / 1e9;
+    addInstruction(view, plan, state);
     addLastAnswer(view, plan, state);
     return view;
 }

@@ -19,7 +19,9 @@ struct View {
     std::vector<protocols::FabricId> trayIds;
     std::vector<std::string> nextTray;            ///< while a presentation runs: the pieces of the next one; empty at the end
     std::optional<protocols::Question> question;  ///< the one now asked, or asked next in PlacingTray
-    int presentation = 0, presentations = 0;      ///< progress, from 1; a voided presentation adds to the total
+    std::optional<protocols::BlockInstruction> instruction;  ///< of the present presentation; in a break, of the next
+    bool instructionBegins = false;           ///< the operator says it now: a block or a stretch after a break begins
+    int presentation = 0, presentations = 0;  ///< progress, from 1; a voided presentation adds to the total
     int answersStored = 0, answersInAll = 0;
     double minutesLeft = 0;     ///< by the protocol's seconds; after five presentations of a phase by medians of this session
                                 ///< and by the pieces that the trays still need

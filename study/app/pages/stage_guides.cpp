@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 #include <cmath>
 
+#include "study/app/pieces/question_head.h"
+
 namespace study::app {
 
 using namespace session;
@@ -86,6 +88,7 @@ Guide breakGuide(const OnBreak& onBreak, const View& view)
                 .steps = breakSteps(),
                 .action = tr("Continue (Enter)"),
                 .event = BreakEnded{}};
+    if (view.instruction) guide.steps << instructionAfterBreak(view);
     if (onBreak.reason == BreakReason::SittingOver) {
         guide.steps << headToNote(view);
         guide.action = tr("Continue anyway (Enter)");

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "study/app/pieces/pieces.h"
+#include "study/app/pieces/question_head.h"
 #include "study/app/pieces/slot_card.h"
 #include "study/app/state/answer_form.h"
 #include "study/app/state/tray_steps.h"
@@ -21,6 +22,7 @@ constexpr int cardsInARow = 3;
 TrayPage::TrayPage(QWidget* parent)
     : StagePage(parent),
       m_code(quietLabel("presentationCode", this)),
+      m_instruction(label("blockInstruction", Type::Lead, this, Weight::Bold)),
       m_task(label("trayTask", Type::Title, this, Weight::Bold)),
       m_grid(new QGridLayout),
       m_piece(field("pieceField", tr("Code of the next piece"), this)),
@@ -30,6 +32,7 @@ TrayPage::TrayPage(QWidget* parent)
     m_grid->setSpacing(18);
     auto* column = new QVBoxLayout(this);
     column->setSpacing(6);
+    column->addWidget(m_instruction);
     column->addWidget(m_task);
     column->addSpacing(10);
     column->addLayout(m_grid, 1);
@@ -68,6 +71,7 @@ QString TrayPage::actOf(const session::View& view, std::size_t place) const
 void TrayPage::present(const session::View& view)
 {
     m_code->setText(tr("Presentation %1").arg(QString::fromStdString(view.code.value)));
+    showText(*m_instruction, instructionToSay(view));
     showCards(view);
     m_task->setText(trayStepsText(trayStepsTo(view.tray, m_placed), view.tray.size()));
     const bool isSameTray = m_shownFor == view.state.trayAskedAtNs && m_wanted == view.tray;

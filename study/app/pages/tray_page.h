@@ -43,6 +43,7 @@ private:
     bool m_confirmsPieces = false;
     bool m_isTypedAhead = false;  ///< a key of an answer came before its question
     QLabel* m_code;
+    QLabel* m_instruction;  ///< of the block; hidden where the protocol gives none
     QLabel* m_task;
     QGridLayout* m_grid;
     std::vector<SlotCard*> m_cards;  ///< at least one for each slot; unused cards are hidden

@@ -8,16 +8,40 @@
 
 namespace study::app {
 
+namespace {
+
+QString instructionReminder(const session::View& view)
+{
+    if (!view.instruction) return {};
+    return QuestionHead::tr("Instruction of this block: “%1”").arg(QString::fromStdString(view.instruction->text));
+}
+
+}  // namespace
+
+QString instructionToSay(const session::View& view)
+{
+    if (!view.instruction || !view.instructionBegins) return instructionReminder(view);
+    return QuestionHead::tr("Read this aloud now: “%1”").arg(QString::fromStdString(view.instruction->text));
+}
+
+QString instructionAfterBreak(const session::View& view)
+{
+    return QuestionHead::tr("Before you continue, say what the next block asks for: “%1”")
+        .arg(QString::fromStdString(view.instruction->text));
+}
+
 QuestionHead::QuestionHead(QWidget* parent)
     : QWidget(parent),
       m_caption(quietLabel("questionCaption", this)),
-      m_words(label("questionWords", Type::Words, this, Weight::Bold))
+      m_words(label("questionWords", Type::Words, this, Weight::Bold)),
+      m_instruction(label("blockInstruction", Type::Body, this))
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(8);
     column->addWidget(m_caption);
     column->addWidget(m_words);
+    column->addWidget(m_instruction);
 }
 
 void QuestionHead::present(const session::View& view)
@@ -26,6 +50,7 @@ void QuestionHead::present(const session::View& view)
     const QString question = view.question ? QString::fromStdString(view.question->id.value) : QString();
     m_caption->setText(tr("Presentation %1    ·    %2    ·    say:").arg(code, question));
     m_words->setText(view.question ? tr("“%1”").arg(QString::fromStdString(view.question->text)) : QString());
+    showText(*m_instruction, instructionReminder(view));
 }
 
 TouchButton::TouchButton(QWidget* parent)

@@ -11,6 +11,12 @@ class QPushButton;
 
 namespace study::app {
 
+/// The instruction of the block: to read aloud where a block begins, else a reminder. Empty where the protocol gives none.
+QString instructionToSay(const session::View& view);
+
+/// A step of a break: the instruction to say before it ends.
+QString instructionAfterBreak(const session::View& view);
+
 class QuestionHead : public QWidget {
     Q_OBJECT
 public:
@@ -21,6 +27,7 @@ public:
 private:
     QLabel* m_caption;
     QLabel* m_words;
+    QLabel* m_instruction;  ///< of the block; hidden where the protocol gives none
 };
 
 /// Button that stamps the first touch and then shows who stamped it.

@@ -77,8 +77,13 @@ struct InstructionOfStage {
         return instruction;
     }
     Instruction operator()(const CheckingList&) const { return page("mask_title", {text("mask_text")}); }
-    Instruction operator()(const PlacingTray&) const { return waiting(protocol); }
-    Instruction operator()(const Presenting&) const { return page("feel_title", {}); }
+    Instruction operator()(const PlacingTray&) const
+    {
+        Instruction instruction = waiting(protocol);
+        instruction.lines = instructionLines();
+        return instruction;
+    }
+    Instruction operator()(const Presenting&) const { return page("feel_title", instructionLines()); }
     Instruction operator()(const OnBreak&) const
     {
         Instruction instruction = page("break_title", {text("break_text")});
@@ -94,6 +99,12 @@ struct InstructionOfStage {
 
 private:
     std::string text(std::string_view key) const { return participantText(protocol, key); }
+
+    /// The sentence of the block, where the protocol instructs speed or accuracy.
+    std::vector<std::string> instructionLines() const
+    {
+        return view.instruction ? std::vector<std::string>{view.instruction->text} : std::vector<std::string>{};
+    }
 
     Instruction page(std::string_view titleKey, std::vector<std::string> lines) const
     {

@@ -4,6 +4,7 @@
 #include "protocols/files/folder_draft.h"
 #include "reports/figures/report_figures.h"
 #include "reports/formats/table_formats.h"
+#include "reports/formats/tex_table.h"
 #include "reports/json/results_json.h"
 #include "reports/json/statistics_json.h"
 #include "reports/page/page.h"
@@ -15,11 +16,13 @@ namespace {
 namespace fs = std::filesystem;
 
 // What a report consists of; nothing else in the folder is touched.
-const std::vector<std::string> entries{"index.html", "results.json", "statistics.json", "tables", "figures"};
+const std::vector<std::string> entries{"index.html", "results.json", "statistics.json", "tables",
+                                       "figures",    "report.pdf",   "report.docx",     "report.tex"};
 
 void write(const fs::path& file, const std::string& text) { protocols::writeWholeFile(file, text, protocols::Sync::Later); }
 
-void writeAll(const StudyAnalysis& analysis, const ReportOrigin& origin, const protocols::FolderDraft& draft)
+void writeAll(const StudyAnalysis& analysis, const ReportOrigin& origin, const WriteDocuments& documents,
+              const protocols::FolderDraft& draft)
 {
     // A study may have no figure. The folder is then empty, and replaces that of an earlier report.
     for (const char* folder : {"tables", "figures"}) protocols::makeFolders(draft.path() / folder, protocols::Sync::Later);
@@ -37,7 +40,9 @@ void writeAll(const StudyAnalysis& analysis, const ReportOrigin& origin, const p
     });
     const std::vector<Figure> figures = reportFigures(analysis);
     for (const Figure& figure : figures) write(draft.file("figures/" + figure.name + ".svg"), figure.svg);
-    write(draft.file("index.html"), reportPage(analysis, tables, figures, origin.logHead));
+    const ReportDocument document = reportDocument(analysis, tables, figures, origin.logHead);
+    write(draft.file("index.html"), reportPage(document));
+    if (documents) documents(document, draft.path());
 }
 
 }  // namespace
@@ -52,11 +57,12 @@ void requireReplaceableReport(const fs::path& folder)
                                        "an empty folder, a new name, or an earlier report", "choose another folder with --out"});
 }
 
-void writeReport(const StudyAnalysis& analysis, const std::filesystem::path& folder, const ReportOrigin& origin)
+void writeReport(const StudyAnalysis& analysis, const std::filesystem::path& folder, const ReportOrigin& origin,
+                 const WriteDocuments& documents)
 {
     requireReplaceableReport(folder);
     protocols::FolderDraft draft(folder, protocols::Earlier::EntriesReplaced);
-    writeAll(analysis, origin, draft);
+    writeAll(analysis, origin, documents, draft);
     draft.putInPlace();
 }
 

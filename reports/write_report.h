@@ -2,16 +2,23 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 
 #include "reports/analysis/study_analysis.h"
 #include "reports/json/report_origin.h"
+#include "reports/page/report_document.h"
 
 namespace reports {
 
-/// Writes index.html (self-contained), results.json, statistics.json, tables/*.csv and *.tex, figures/*.svg into `folder`. The
-/// folder is made if it is missing, and the files of an earlier report are replaced as a whole. Throws environmentFault where it
-/// cannot write, badInput where the folder holds somebody's files of these names; no half-written report is left.
-void writeReport(const StudyAnalysis& analysis, const std::filesystem::path& folder, const ReportOrigin& origin = {});
+/// Writes further forms of the report (reports/documents) into the folder of a draft.
+using WriteDocuments = std::function<void(const ReportDocument& document, const std::filesystem::path& folder)>;
+
+/// Writes index.html (self-contained), results.json, statistics.json, tables/*.csv and *.tex, figures/*.svg into `folder`, and
+/// what `documents` writes. The folder is made if it is missing, and the files of an earlier report are replaced as a whole.
+/// Throws environmentFault where it cannot write, badInput where the folder holds somebody's files of these names; no
+/// half-written report is left.
+void writeReport(const StudyAnalysis& analysis, const std::filesystem::path& folder, const ReportOrigin& origin = {},
+                 const WriteDocuments& documents = {});
 
 /// Throws badInput where the place is a file, or a folder with files of a report's names that no report wrote.
 void requireReplaceableReport(const std::filesystem::path& folder);

@@ -110,6 +110,7 @@ ChoiceAnalysis analyseChoices(const StudyData& data, const AnswerCells& cells, c
     analysis.sensitivities = clusteredSensitivities(analysis.claims, alternatives);
     analysis.speed = analyseSpeed(data, cells, question, alternatives, analysis.claims);
     analysis.accuracyBySpeed = accuracyBySpeed(data, cells, question);
+    analysis.instructions = analyseInstructions(data, question, alternatives);
     return analysis;
 }
 

@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "reports/analysis/accuracy_by_speed.h"
-#include "reports/analysis/analysis_options.h"
+#include "reports/analysis/instruction_analysis.h"
 #include "reports/analysis/pair_comparisons.h"
 #include "reports/analysis/question_claims.h"
 #include "reports/analysis/question_effects.h"
 #include "reports/analysis/speed_analysis.h"
 #include "reports/cells/answer_cells.h"
+#include "reports/data/analysis_options.h"
 #include "stats/models/crossed_study.h"
 #include "stats/tests/binomial.h"
 #include "stats/tests/rank_tests.h"
@@ -66,6 +67,7 @@ struct ChoiceAnalysis {
     std::vector<ClusteredSensitivity> sensitivities;  ///< in the order of claims.aboveChance
     SpeedAnalysis speed;
     AccuracyBySpeed accuracyBySpeed;
+    InstructionAnalysis instructions;  ///< empty where no block instructs the participant
 };
 
 ChoiceAnalysis analyseChoices(const StudyData& data, const AnswerCells& cells, const std::string& question, int alternatives,

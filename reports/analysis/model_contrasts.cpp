@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "reports/analysis/design_limits.h"
+#include "reports/data/design_limits.h"
 
 namespace reports {
 namespace {

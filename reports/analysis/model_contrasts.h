@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "reports/analysis/analysis_options.h"
 #include "reports/cells/answer_cells.h"
+#include "reports/data/analysis_options.h"
 #include "stats/claims/crossed_mean.h"
 #include "stats/models/crossed_study.h"
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "reports/analysis/analysis_options.h"
+#include "reports/data/analysis_options.h"
 #include "reports/data/study_data.h"
 #include "stats/models/crossed_study.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "reports/analysis/design_limits.h"
+#include "reports/data/design_limits.h"
 #include "stats/tests/multiplicity.h"
 
 namespace reports {
@@ -24,9 +24,25 @@ std::string verdictOf(stats::EquivalenceTest test, const stats::Value& pHolm)
     return test.verdict();
 }
 
+PairedMeansOf meansIn(const AnswerCells& cells, const std::string& question)
+{
+    return [&](const std::string& a, const std::string& b) { return cells.pairedMeans(question, a, b); };
+}
+
 }  // namespace
 
 std::vector<PairComparison> comparePairs(const StudyData& data, const AnswerCells& cells, const std::string& question)
+{
+    return comparePairs(data, meansIn(cells, question));
+}
+
+std::vector<PairEquivalence> testEquivalence(const StudyData& data, const AnswerCells& cells, const std::string& question,
+                                             const std::vector<PairComparison>& comparisons)
+{
+    return testEquivalence(data, meansIn(cells, question), comparisons);
+}
+
+std::vector<PairComparison> comparePairs(const StudyData& data, const PairedMeansOf& meansOf)
 {
     std::vector<PairComparison> comparisons;
     std::vector<stats::Value> p;
@@ -35,7 +51,7 @@ std::vector<PairComparison> comparePairs(const StudyData& data, const AnswerCell
         for (std::size_t k = i + 1; k < data.conditions.size(); ++k) {
             const std::string& a = data.conditions[i];
             const std::string& b = data.conditions[k];
-            const AnswerCells::PairedMeans means = cells.pairedMeans(question, a, b);
+            const AnswerCells::PairedMeans means = meansOf(a, b);
             comparisons.push_back({{a, b, isPlanned(data, a, b)}, stats::pairedTTest(means.a, means.b), {}});
             p.push_back(comparisons.back().test.p);
         }
@@ -44,14 +60,14 @@ std::vector<PairComparison> comparePairs(const StudyData& data, const AnswerCell
     return comparisons;
 }
 
-std::vector<PairEquivalence> testEquivalence(const StudyData& data, const AnswerCells& cells, const std::string& question,
+std::vector<PairEquivalence> testEquivalence(const StudyData& data, const PairedMeansOf& meansOf,
                                              const std::vector<PairComparison>& comparisons)
 {
     std::vector<PairEquivalence> equivalences;
     const auto [low, high] = data.equivalenceBounds;
     for (const PairComparison& comparison : comparisons) {
         const ConditionPair& pair = comparison.pair;
-        const AnswerCells::PairedMeans means = cells.pairedMeans(question, pair.a, pair.b);
+        const AnswerCells::PairedMeans means = meansOf(pair.a, pair.b);
         const auto test = stats::equivalenceTest(stats::TKind::Paired, means.a, means.b,
                                                  {.low = low, .high = high, .alpha = significanceLevel});
         equivalences.push_back({pair, low, high, test, verdictOf(test, comparison.pHolm)});

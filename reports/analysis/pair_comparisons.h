@@ -1,6 +1,7 @@
 // Pairs of conditions within one question: is there a difference, and is it small enough to be equivalent?
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,14 @@ std::vector<PairComparison> comparePairs(const StudyData& data, const AnswerCell
 
 /// The same pairs in the same order; `comparisons` are those of the question.
 std::vector<PairEquivalence> testEquivalence(const StudyData& data, const AnswerCells& cells, const std::string& question,
+                                             const std::vector<PairComparison>& comparisons);
+
+/// The means of the participants who have one under both conditions.
+using PairedMeansOf = std::function<AnswerCells::PairedMeans(const std::string& a, const std::string& b)>;
+
+/// The same from means that come from elsewhere, such as the numbers of a simulation.
+std::vector<PairComparison> comparePairs(const StudyData& data, const PairedMeansOf& meansOf);
+std::vector<PairEquivalence> testEquivalence(const StudyData& data, const PairedMeansOf& meansOf,
                                              const std::vector<PairComparison>& comparisons);
 
 }  // namespace reports

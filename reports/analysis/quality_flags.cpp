@@ -45,8 +45,8 @@ std::pair<Key, std::size_t> favouriteOf(const std::map<Key, std::size_t>& counts
 void flagMissing(const Examination& one)
 {
     std::string parts;
-    const std::size_t whole = one.data.answersPerCell * one.data.conditions.size() * one.data.fabrics.size();
     for (const QuestionInfo& question : one.data.questions) {
+        const std::size_t whole = answersPerCellOf(one.data, question) * one.data.conditions.size() * one.data.fabrics.size();
         const std::size_t present = one.answers(question).size();
         if (present < whole)
             parts += (parts.empty() ? "" : ", ") + question.id + ": " + std::to_string(whole - present) + " of " +

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "reports/analysis/design_limits.h"
+#include "reports/data/design_limits.h"
 #include "stats/kernels/decimal_grid.h"
 
 namespace reports {

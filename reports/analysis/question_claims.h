@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "reports/analysis/analysis_options.h"
 #include "reports/cells/answer_cells.h"
+#include "reports/data/analysis_options.h"
 #include "stats/claims/claims.h"
 #include "stats/models/crossed_study.h"
 #include "stats/tests/repeated_measures.h"

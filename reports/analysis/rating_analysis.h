@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "reports/analysis/analysis_options.h"
 #include "reports/analysis/model_contrasts.h"
 #include "reports/analysis/ordinal_ratings.h"
 #include "reports/analysis/pair_comparisons.h"
 #include "reports/analysis/question_claims.h"
 #include "reports/analysis/question_effects.h"
 #include "reports/cells/answer_cells.h"
+#include "reports/data/analysis_options.h"
 #include "stats/models/crossed_study.h"
 #include "stats/tests/rank_tests.h"
 #include "stats/tests/repeated_measures.h"

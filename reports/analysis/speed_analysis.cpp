@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "reports/cells/response_time.h"
+#include "stats/claims/median_time.h"
 #include "stats/kernels/decimal_grid.h"
 #include "stats/tests/speed_accuracy.h"
 
@@ -11,16 +12,6 @@ namespace reports {
 namespace {
 
 using ValuesByParticipant = std::vector<stats::Value>;  // in the order of AnswerCells::participants()
-
-stats::ConditionSpeedCells cellsUnder(const AnswerCells& cells, const std::string& question, const std::string& condition)
-{
-    stats::ConditionSpeedCells under;
-    for (const std::string& participant : cells.participants()) {
-        const auto responses = cells.of(question, condition, participant);
-        under.push_back(stats::speedCell(valuesOf(responses), responseTimesOf(responses)));
-    }
-    return under;
-}
 
 /// The values that exist.
 std::vector<double> numbersAmong(const ValuesByParticipant& values)
@@ -37,6 +28,12 @@ stats::Interval intervalOf(const stats::TTest& test)
     return {stats::Value::undefined(test.why), stats::Value::undefined(test.why)};
 }
 
+void addParticipant(ParticipantsSpeed& speed, const std::vector<const StudyResponse*>& responses)
+{
+    speed.times.push_back(responseTimesOf(responses));
+    speed.cells.push_back(stats::speedCell(valuesOf(responses), speed.times.back()));
+}
+
 /// The mean of the scores, or why there is none.
 stats::Value meanScore(const stats::ConditionSpeedCells& under, const ValuesByParticipant& scores, const stats::Value& meanTime)
 {
@@ -45,22 +42,6 @@ stats::Value meanScore(const stats::ConditionSpeedCells& under, const ValuesByPa
     for (std::size_t k = 0; k < scores.size(); ++k)
         if (under[k].share.exists() && under[k].meanSeconds.exists()) return scores[k];
     return meanTime.exists() ? stats::Value::undefined("needs at least 2 cells") : meanTime;
-}
-
-ConditionSpeed speedOf(const std::vector<const StudyResponse*>& responses, const stats::ConditionSpeedCells& under,
-                       const ValuesByParticipant& scores, int alternatives)
-{
-    const stats::ResponseTimes times = stats::responseTimes(responseTimesOf(responses));
-    const stats::Value correct = stats::meanOf(valuesOf(responses));
-    ConditionSpeed speed{times.median, times.mean, meanScore(under, scores, times.mean), {}, {}};
-    if (correct.exists() && times.mean.exists()) speed.bitsPerSecond = stats::bitsPerSecond(*correct, alternatives, *times.mean);
-    std::vector<stats::ParticipantChoices> choices;
-    for (const stats::SpeedCell& cell : under) choices.push_back(cell.choices);
-    speed.bitsPerSecondCi95 = stats::informationRate(choices, alternatives).ci95;
-    const std::vector<double> numbers = numbersAmong(scores);
-    speed.scoreCi95 = numbers.empty() ? stats::Interval{speed.balancedIntegrationScore, speed.balancedIntegrationScore}
-                                      : intervalOf(stats::oneSampleTTest(numbers));
-    return speed;
 }
 
 std::size_t placeIn(const std::vector<std::string>& names, const std::string& name)
@@ -98,15 +79,67 @@ bool anyTimes(const std::vector<stats::ConditionSpeedCells>& conditions)
 
 }  // namespace
 
+stats::Interval shareIntervalOf(const stats::ConditionSpeedCells& under)
+{
+    std::vector<double> shares;
+    for (const stats::SpeedCell& cell : under)
+        if (cell.share.exists()) shares.push_back(*cell.share);
+    stats::Interval interval = intervalOf(stats::oneSampleTTest(shares));
+    if (interval.low.exists()) interval = {std::max(0.0, *interval.low), std::min(1.0, *interval.high)};
+    return interval;
+}
+
+ParticipantsSpeed speedUnder(const AnswerCells& cells, const std::string& question, const std::string& condition)
+{
+    ParticipantsSpeed speed;
+    for (const std::string& participant : cells.participants()) addParticipant(speed, cells.of(question, condition, participant));
+    return speed;
+}
+
+ParticipantsSpeed speedOverConditions(const AnswerCells& cells, const std::string& question)
+{
+    ParticipantsSpeed speed;
+    for (const std::string& participant : cells.participants()) addParticipant(speed, cells.ofParticipant(question, participant));
+    return speed;
+}
+
+ConditionSpeed conditionSpeedOf(const std::vector<const StudyResponse*>& responses, const ParticipantsSpeed& under,
+                                const ValuesByParticipant& scores, int alternatives)
+{
+    const stats::ResponseTimes times = stats::responseTimes(responseTimesOf(responses));
+    ConditionSpeed speed;
+    speed.medianSeconds = times.median;
+    speed.medianSecondsCi95 =
+        times.median.exists() ? stats::medianTimeCi95(under.times) : stats::Interval{times.median, times.median};
+    speed.share = stats::meanOf(valuesOf(responses));
+    speed.shareCi95 = shareIntervalOf(under.cells);
+    speed.bitsPerSecond = speed.share.exists() ? times.mean : speed.share;
+    if (speed.share.exists() && times.mean.exists())
+        speed.bitsPerSecond = stats::bitsPerSecond(*speed.share, alternatives, *times.mean);
+    std::vector<stats::ParticipantChoices> choices;
+    for (const stats::SpeedCell& cell : under.cells) choices.push_back(cell.choices);
+    speed.bitsPerSecondCi95 = stats::informationRate(choices, alternatives).ci95;
+    speed.balancedIntegrationScore = meanScore(under.cells, scores, times.mean);
+    const std::vector<double> numbers = numbersAmong(scores);
+    speed.scoreCi95 = numbers.empty() ? stats::Interval{speed.balancedIntegrationScore, speed.balancedIntegrationScore}
+                                      : intervalOf(stats::oneSampleTTest(numbers));
+    return speed;
+}
+
 SpeedAnalysis analyseSpeed(const StudyData& data, const AnswerCells& cells, const std::string& question, int alternatives,
                            const QuestionClaims& claims)
 {
+    std::vector<ParticipantsSpeed> speeds;
     std::vector<stats::ConditionSpeedCells> conditions;
-    for (const std::string& condition : data.conditions) conditions.push_back(cellsUnder(cells, question, condition));
+    for (const std::string& condition : data.conditions) {
+        speeds.push_back(speedUnder(cells, question, condition));
+        conditions.push_back(speeds.back().cells);
+    }
     const auto scores = stats::scoresOf(conditions);
     SpeedAnalysis analysis;
     for (std::size_t c = 0; c < conditions.size(); ++c)
-        analysis.conditions.push_back(speedOf(cells.of(question, data.conditions[c]), conditions[c], scores[c], alternatives));
+        analysis.conditions.push_back(
+            conditionSpeedOf(cells.of(question, data.conditions[c]), speeds[c], scores[c], alternatives));
     const std::size_t count = claims.contrasts.size() / 2;
     if (!anyTimes(conditions))
         analysis.contrastsWhy = "there are no response times";
@@ -126,7 +159,8 @@ std::vector<ConditionSpeed> speedWithoutChoices(const StudyData& data)
 {
     const stats::ResponseTimes none = stats::responseTimes({});
     const stats::Interval noInterval{none.mean, none.mean};
-    return std::vector<ConditionSpeed>(data.conditions.size(), {none.median, none.mean, none.mean, noInterval, noInterval});
+    return std::vector<ConditionSpeed>(
+        data.conditions.size(), {none.median, none.mean, none.mean, noInterval, noInterval, noInterval, none.mean, noInterval});
 }
 
 std::vector<StampCounts> stampCountsOf(const StudyData& data)

@@ -18,7 +18,26 @@ struct ConditionSpeed {
     stats::Value balancedIntegrationScore;  ///< mean over the participants' cells
     stats::Interval bitsPerSecondCi95;      ///< participants as a sample; see stats::informationRate
     stats::Interval scoreCi95;              ///< Student's t over the participants' scores
+    stats::Interval medianSecondsCi95;      ///< over participants; see stats::medianTimeCi95
+    stats::Value share;                     ///< correct choices / choices
+    stats::Interval shareCi95;              ///< Student's t over the participants' shares, within 0 and 1
 };
+
+/// Student's t over the participants' shares correct, within 0 and 1.
+stats::Interval shareIntervalOf(const stats::ConditionSpeedCells& under);
+
+/// The choices and times of each participant under a condition, in the order of AnswerCells::participants().
+struct ParticipantsSpeed {
+    stats::ConditionSpeedCells cells;
+    std::vector<std::vector<double>> times;  ///< s
+};
+ParticipantsSpeed speedUnder(const AnswerCells& cells, const std::string& question, const std::string& condition);
+/// The same over all conditions.
+ParticipantsSpeed speedOverConditions(const AnswerCells& cells, const std::string& question);
+
+/// `scores`: the balanced integration score of each participant, standardised together with those of other conditions.
+ConditionSpeed conditionSpeedOf(const std::vector<const StudyResponse*>& responses, const ParticipantsSpeed& under,
+                                const std::vector<stats::Value>& scores, int alternatives);
 
 struct SpeedContrast {
     std::string a;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "reports/analysis/design_limits.h"
 #include "reports/cells/response_time.h"
+#include "reports/data/design_limits.h"
 
 namespace reports {
 namespace {
@@ -38,7 +38,7 @@ QuestionFindings findingsOf(const StudyData& data, const AnswerCells& cells, con
 QuestionAnalysis analyseQuestion(const StudyData& data, const AnswerCells& cells, const QuestionInfo& question, Depth depth)
 {
     QuestionAnalysis analysis{question, findingsOf(data, cells, question, depth), {}, {}};
-    const std::size_t whole = data.answersPerCell * data.participants.size() * data.fabrics.size();
+    const std::size_t whole = answersPerCellOf(data, question) * data.participants.size() * data.fabrics.size();
     for (const std::string& condition : data.conditions) {
         const auto responses = cells.of(question.id, condition);
         analysis.missing.push_back(whole > responses.size() ? whole - responses.size() : 0);

@@ -5,7 +5,6 @@
 #include <variant>
 #include <vector>
 
-#include "reports/analysis/analysis_options.h"
 #include "reports/analysis/choice_analysis.h"
 #include "reports/analysis/false_claims.h"
 #include "reports/analysis/group_analysis.h"
@@ -17,6 +16,7 @@
 #include "reports/analysis/speed_analysis.h"
 #include "reports/analysis/worded_analysis.h"
 #include "reports/cells/touch_by_condition.h"
+#include "reports/data/analysis_options.h"
 #include "reports/data/study_data.h"
 #include "stats/tests/speed_accuracy.h"
 

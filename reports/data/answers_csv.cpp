@@ -10,6 +10,7 @@
 #include "protocols/condition.h"
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
 #include "protocols/question_ids.h"
 #include "reports/text/plain_words.h"
 
@@ -49,7 +50,7 @@ constexpr const char* reservedName = "why";
 class AnswersReader {
 public:
     AnswersReader(const std::filesystem::path& file, const AnswersCsvOptions& options)
-        : m_where(file.string()), m_options(options), m_table(protocols::readCsvTable(file))
+        : m_where(file.string()), m_options(options), m_rows(readAnswerRows(file, options.rows, options.alternatives))
     {
         m_data.name = file.stem().string();
         m_data.blinded = false;
@@ -59,12 +60,21 @@ public:
     StudyData read()
     {
         readProtocol();
+        readStatedOptions();
         readHeader();
         for (std::size_t row = 0; row < m_table.rows.size(); ++row) readRow(row);
+        for (QuestionColumns& known : m_questions) {
+            if (!m_instruction) known.info.instructions.clear();
+            m_data.questions.push_back(known.info);
+        }
         if (m_data.responses.empty()) fail("there are no answers", m_where, "at least one row with an answer");
         for (const auto& [cell, rows] : m_rowsOfCell) m_data.answersPerCell = std::max(m_data.answersPerCell, rows);
         m_data.expectedResponses = m_data.answersPerCell * m_data.participants.size() * m_data.fabrics.size() *
                                    m_data.conditions.size() * m_data.questions.size();
+        m_data.voided = m_rows.voided;
+        putInOrder();
+        requireKnownContrasts();
+        writeNotes();
         return std::move(m_data);
     }
 
@@ -89,6 +99,50 @@ private:
         readDesign(*m_options.protocol);
     }
 
+    /// What the caller states wins over the protocol.
+    void readStatedOptions()
+    {
+        if (m_options.equivalenceBounds) {
+            m_data.equivalenceBounds = *m_options.equivalenceBounds;
+            m_data.boundsStated = true;
+        }
+        if (!m_options.planned.empty()) m_data.planned = m_options.planned;
+    }
+
+    /// The rows of an export stand in the order of time, which differs from study to study. So the conditions of the protocol, or
+    /// of the paper, get their own order.
+    void putInOrder()
+    {
+        if (!m_rows.isOwnExport) return;
+        std::vector<std::string> order;
+        if (m_options.protocol)
+            for (const auto& condition : m_options.protocol->conditions) order.push_back(condition.value);
+        else
+            for (const auto& condition : protocols::allConditions()) order.emplace_back(condition.id);
+        const auto placeIn = [&](const std::string& name) { return std::ranges::find(order, name) - order.begin(); };
+        std::ranges::stable_sort(m_data.conditions, {}, placeIn);
+        std::ranges::sort(m_data.fabrics);
+    }
+
+    void requireKnownContrasts() const
+    {
+        for (const auto& [a, b] : m_options.planned)
+            for (const std::string& name : {a, b})
+                if (std::ranges::find(m_data.conditions, name) == m_data.conditions.end())
+                    fail("the planned contrast names \"" + name + "\", which is no condition of the answers", m_where,
+                         listed(m_data.conditions));
+    }
+
+    void writeNotes() const
+    {
+        if (!m_options.note) return;
+        if (!m_rows.taken.empty()) m_options.note(m_where + ": read with " + m_rows.taken);
+        std::vector<std::string> unused = m_unused;
+        unused.insert(unused.end(), m_rows.unused.begin(), m_rows.unused.end());
+        if (!unused.empty()) m_options.note(m_where + ": not analysed: " + listed(unused));
+        if (m_rows.voided > 0) m_options.note(m_where + ": " + counted(m_rows.voided, "voided answer") + " left out");
+    }
+
     void readDesign(const protocols::Protocol& protocol)
     {
         PlannedDesign& design = m_data.plannedDesign.emplace();
@@ -110,6 +164,20 @@ private:
         return m_options.protocol ? protocols::questionWith(*m_options.protocol, protocols::QuestionId(id)) : nullptr;
     }
 
+    /// Those of the question's phase; none where no protocol is given.
+    std::vector<InstructionInfo> instructionsInProtocol(const std::string& id) const
+    {
+        std::vector<InstructionInfo> instructions;
+        if (!m_options.protocol) return instructions;
+        for (const protocols::Phase& phase : m_options.protocol->phases) {
+            if (std::ranges::find(phase.questions, protocols::QuestionId(id), &protocols::Question::id) == phase.questions.end())
+                continue;
+            for (const protocols::BlockInstruction& one : phase.instructions)
+                instructions.push_back({one.id.value, one.text, one.deadlineSeconds});
+        }
+        return instructions;
+    }
+
     /// The question of a column; its kind is settled by its first column with answers.
     QuestionColumns& question(const std::string& id)
     {
@@ -118,6 +186,7 @@ private:
         requireGoodId(id);
         const protocols::Question* asked = inProtocol(id);
         m_questions.push_back({{id, asked != nullptr ? asked->text : std::string(), {}}, {}, {}, {}, {}, {}});
+        m_questions.back().info.instructions = instructionsInProtocol(id);
         return m_questions.back();
     }
 
@@ -144,13 +213,16 @@ private:
                      "a column " + known.info.id + "_correct or " + known.info.id);
         if (m_questions.empty()) fail("there is no question", headerRow(), "columns such as Q1_correct,Q2,Q3,Q4");
         std::stable_sort(m_questions.begin(), m_questions.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
-        for (const QuestionColumns& known : m_questions) m_data.questions.push_back(known.info);
     }
 
     void readColumn(const std::string& name, std::size_t index)
     {
         if (std::ranges::find(designColumns, name) != std::end(designColumns)) return;
         if (inProtocol(name) == nullptr && isPlaceColumn(name, index)) return;
+        if (m_rows.kinds.contains(name) && inProtocol(name) == nullptr) {
+            setValueColumn(name, index, openKind(name));
+            return;
+        }
         if (const auto id = stem(name, "_correct"))
             setValueColumn(*id, index, choiceKind(*id));
         else if (const auto timed = stem(name, "_seconds"))
@@ -159,19 +231,22 @@ private:
             question(*answered).answer = index;
         else if (isUsualName(name) || inProtocol(name) != nullptr)
             setValueColumn(name, index, openKind(name));
-        else
+        else if (const std::size_t end = name.find('_'); end != std::string::npos && isUsualName(name.substr(0, end)))
             fail("the column \"" + name + "\" is unknown", headerRow(),
-                 "participant, fabric, condition, group, session, repetition, trial, sitting, Qn, or Qn with _correct, _seconds, "
-                 "_answer, _trial or _sitting");
+                 "a question such as " + name.substr(0, end) + ", alone or with _correct, _seconds, _answer, _trial or _sitting");
+        else
+            m_unused.push_back(name.empty() ? "a column without a name" : name);
     }
 
-    /// "trial" and "sitting" hold for every question of the row, "Q1_trial" and "Q1_sitting" for one.
+    /// "trial", "sitting" and "instruction" hold for every question of the row, "Q1_trial" and "Q1_sitting" for one.
     bool isPlaceColumn(const std::string& name, std::size_t index)
     {
         if (name == "trial")
             m_trial = index;
         else if (name == "sitting")
             m_sitting = index;
+        else if (name == "instruction")
+            m_instruction = index;
         else if (const auto shown = stem(name, "_trial"))
             question(*shown).trial = index;
         else if (const auto sat = stem(name, "_sitting"))
@@ -202,8 +277,11 @@ private:
     protocols::AnswerKind openKind(const std::string& id) const
     {
         const protocols::Question* asked = inProtocol(id);
-        const bool isOpen = asked != nullptr && !std::holds_alternative<RightOrWrong>(scoringOf(asked->kind));
-        return isOpen ? asked->kind : protocols::AnswerKind(protocols::Rating{});
+        if (asked != nullptr && !std::holds_alternative<RightOrWrong>(scoringOf(asked->kind))) return asked->kind;
+        if (const auto found = m_rows.kinds.find(id);
+            found != m_rows.kinds.end() && !std::holds_alternative<protocols::Rating>(found->second))
+            return found->second;
+        return m_options.scale ? protocols::Rating{*m_options.scale} : protocols::Rating{};
     }
 
     static void remember(std::vector<std::string>& names, const std::string& name)
@@ -223,11 +301,7 @@ private:
 
     static std::string conditionOf(const std::string& name)
     {
-        std::string spelled = name;
-        std::replace(spelled.begin(), spelled.end(), '+', '&');
-        const auto all = protocols::allConditions();
-        const bool known = std::any_of(all.begin(), all.end(), [&](const auto& condition) { return condition.id == spelled; });
-        return known ? spelled : name;
+        return protocols::faultOf(name) ? name : protocols::conditionIdFrom(name).value;
     }
 
     /// The text of an optional column; empty where it is missing.
@@ -244,7 +318,31 @@ private:
         for (const char* column : {"session", "repetition"})
             if (const std::string value = optional(row, column); !value.empty())
                 name += (name.empty() ? "" : ", ") + (column + (" " + value));
+        if (const std::string given = instructionOf(row); !given.empty())
+            name += (name.empty() ? "" : ", ") + ("instruction " + given);
         return name;
+    }
+
+    /// Empty where the row or the file names none.
+    std::string instructionOf(std::size_t row) const
+    {
+        return !m_instruction || protocols::isMissing(cell(row, *m_instruction)) ? std::string() : cell(row, *m_instruction);
+    }
+
+    /// The question knows the instruction of its answer: the protocol's, or one that the file names first here.
+    void learnInstruction(QuestionColumns& columns, const std::string& given)
+    {
+        if (given.empty()) return;
+        auto& known = columns.info.instructions;
+        if (std::ranges::find(known, given, &InstructionInfo::id) == known.end()) known.push_back({given});
+    }
+
+    /// Whether the answer came after the deadline of its instruction, where both times are known.
+    static std::optional<bool> isLate(const QuestionInfo& question, const std::string& instruction, std::optional<double> taken)
+    {
+        const auto given = std::ranges::find(question.instructions, instruction, &InstructionInfo::id);
+        if (given == question.instructions.end() || !given->deadlineSeconds || !taken) return std::nullopt;
+        return *taken > *given->deadlineSeconds;
     }
 
     void readGroup(std::size_t row, const std::string& participant)
@@ -267,22 +365,32 @@ private:
         if (!m_seen.insert({participant, fabric, condition, repetition}).second)
             fail("the answers of " + participant + " to " + fabric + " under " + condition +
                      (repetition.empty() ? "" : " in " + repetition) + " occur twice",
-                 nameOf(row), "one row a participant, fabric and condition, or a column `repetition` or `session`");
+                 nameOf(row),
+                 "one row a participant, fabric and condition, or a column `repetition`, `session` or `instruction`");
         ++m_rowsOfCell[{participant, fabric, condition}];
         readGroup(row, participant);
         remember(m_data.participants, participant);
-        remember(m_data.fabrics, fabric);
-        remember(m_data.conditions, condition);
+        const bool isCatch = m_rows.isOwnExport && condition == protocols::catchTrialId().value;
+        if (!isCatch) {
+            remember(m_data.fabrics, fabric);
+            remember(m_data.conditions, condition);
+        }
         const std::optional<int> session = sessionIn(row, participant);
-        for (const QuestionColumns& columns : m_questions)
+        const std::string instruction = instructionOf(row);
+        for (QuestionColumns& columns : m_questions)
             if (const auto content = contentIn(row, columns)) {
                 StudyResponse response{participant, fabric, condition, columns.info.id, *content};
                 response.repetition = repetition;
-                if (columns.time) response.seconds = protocols::numberOrMissing(m_table, row, *columns.time);
+                std::optional<double> taken;
+                if (columns.time) taken = protocols::numberOrMissing(m_table, row, *columns.time);
+                response.seconds = taken;
                 response.trial = countIn(row, columns.trial ? columns.trial : m_trial);
                 const auto sitting = columns.sitting ? columns.sitting : m_sitting;
                 response.sitting = sitting ? countIn(row, sitting) : session;
-                m_data.responses.push_back(response);
+                response.instruction = instruction;
+                learnInstruction(columns, instruction);
+                response.late = isLate(columns.info, instruction, taken);
+                (isCatch ? m_data.catchResponses : m_data.responses).push_back(std::move(response));
             }
     }
 
@@ -334,17 +442,20 @@ private:
                          const std::string& place) const
     {
         const double number = protocols::numberAt(m_table, row, *columns.value);
-        if (m_options.protocol && (number < scale.min || number > scale.max))
-            fail("the rating " + cell(row, *columns.value) + " is outside the scale", place, "a number of the protocol's scale");
+        if ((m_options.protocol || m_options.scale) && (number < scale.min || number > scale.max))
+            fail("the rating " + cell(row, *columns.value) + " is outside the scale", place,
+                 protocols::shortest(scale.min) + " to " + protocols::shortest(scale.max));
         return {number};
     }
 
     std::string m_where;
     const AnswersCsvOptions& m_options;
-    protocols::CsvTable m_table;
+    AnswerRows m_rows;
+    const protocols::CsvTable& m_table = m_rows.table;
     StudyData m_data;
+    std::vector<std::string> m_unused;  ///< columns that are not analysed
     std::vector<QuestionColumns> m_questions;
-    std::optional<std::size_t> m_trial, m_sitting;
+    std::optional<std::size_t> m_trial, m_sitting, m_instruction;
     std::map<std::string, std::vector<std::string>> m_sessions;  ///< of each participant, in the order of the rows
     std::set<std::tuple<std::string, std::string, std::string, std::string>> m_seen;  ///< cells with their repetitions
     std::map<std::tuple<std::string, std::string, std::string>, std::size_t> m_rowsOfCell;

@@ -1,13 +1,19 @@
 // Answers of an experiment that was not run with this program. One row a participant x fabric x condition:
 // `participant,fabric,condition,Q1_correct,Q2,Q3,Q4`, and optionally `Q1_seconds`, `Q1_answer`, `group` (of the participant),
-// `session` and `repetition` (which allow several rows of one cell), `trial` and `sitting` (the order in time).
+// `session`, `repetition` and `instruction` (which allow several rows of one cell), `trial` and `sitting` (the order in time).
+// `instruction` is what the participant was asked for, such as speed or accuracy: a factor of the report.
+// A table with one row an answer is read, too (answer_rows.h).
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "protocols/protocol.h"
+#include "reports/data/answer_rows.h"
 #include "reports/data/study_data.h"
 
 namespace reports {
@@ -16,6 +22,11 @@ struct AnswersCsvOptions {
     std::optional<protocols::Protocol> protocol;  ///< bounds, planned contrasts, kinds and sentences of the questions
     std::string protocolSha256;                   ///< hash of the protocol's file
     int alternatives = 3;                         ///< m of choices that the protocol does not describe
+    AnswerRowsOptions rows = {};                  ///< encoding, and names of columns
+    std::optional<std::pair<double, double>> equivalenceBounds = {};  ///< instead of the protocol's
+    std::vector<std::pair<std::string, std::string>> planned = {};    ///< contrasts instead of the protocol's
+    std::optional<protocols::RatingScale> scale = {};                 ///< of ratings that the protocol does not describe
+    std::function<void(const std::string& sentence)> note = {};  ///< gets what was found in the file and what is not analysed
 };
 
 /// Column ID_correct (0 or 1) makes ID a choice question. A column named Q and digits, or like a question of the protocol, holds
@@ -23,8 +34,9 @@ struct AnswersCsvOptions {
 /// the row in the participant's running order, `sitting` its sitting, both from 1; ID_trial and ID_sitting hold for one question
 /// only. Without `sitting`, the sessions of a participant count as sittings in the order of their rows. Participants, fabrics and
 /// conditions keep the order of their first appearance; "h_g+f_g" reads as "h_g&f_g". Empty, NA and NaN cells are missing.
-/// Throws badInput naming row and column: a missing, unknown or malformed column, a doubled row, a value that is no number or
-/// lies outside the protocol's scale, a participant in two groups.
+/// Columns with other names are not analysed; options.note names them.
+/// Throws badInput naming row and column: a missing or malformed column, a column Q1_x with an unknown x, a doubled row, a value
+/// that is no number or lies outside the protocol's scale, a participant in two groups.
 StudyData readAnswersCsv(const std::filesystem::path& file, const AnswersCsvOptions& options = {});
 
 }  // namespace reports

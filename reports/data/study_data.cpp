@@ -17,6 +17,11 @@ Scoring scoringOf(const protocols::AnswerKind& kind)
 
 bool hasNumbers(const QuestionInfo& question) { return !std::holds_alternative<OpenWords>(scoringOf(question.kind)); }
 
+std::size_t answersPerCellOf(const StudyData& data, const QuestionInfo& question)
+{
+    return question.answersPerCell != 0 ? question.answersPerCell : data.answersPerCell;
+}
+
 int firstAlternatives(const StudyData& data)
 {
     for (const QuestionInfo& question : data.questions)

@@ -12,6 +12,7 @@
 
 #include "protocols/answer_kind.h"
 #include "reports/data/registration.h"
+#include "reports/data/rendering_price.h"
 #include "reports/data/signal_comparison.h"
 
 namespace reports {
@@ -46,6 +47,8 @@ struct StudyResponse {
     std::string repetition = {};         ///< name of the repetition and session; empty where a cell is asked once
     std::optional<int> trial = {};       ///< place in the participant's running order, from 1
     std::optional<int> sitting = {};     ///< number of times that the session was opened, from 1
+    std::string instruction = {};        ///< of the block, "speed"; empty where none was given
+    std::optional<bool> late = {};       ///< given after the deadline of the block; none without a deadline or a time
 };
 
 /// What the times of a study are.
@@ -73,10 +76,19 @@ using Scoring = std::variant<RightOrWrong, NumberOnScale, OpenWords>;
 /// The only place of the report that knows the kinds of answer one by one.
 Scoring scoringOf(const protocols::AnswerKind& kind);
 
+/// What a block asked of the participant's speed: one level of the factor "instruction".
+struct InstructionInfo {
+    std::string id;
+    std::string text = {};  ///< the sentence that was said; empty: unknown
+    std::optional<double> deadlineSeconds = {};
+};
+
 struct QuestionInfo {
     std::string id;
     std::string text;
     protocols::AnswerKind kind;
+    std::vector<InstructionInfo> instructions = {};  ///< in the order of every table; empty: none were given
+    std::size_t answersPerCell = 0;                  ///< most answers by one participant x fabric x condition; 0: as in the study
 };
 
 /// What a display measured of the finger in one presentation. A value is missing where it has no sensor, or saw too little.
@@ -129,10 +141,14 @@ struct StudyData {
     std::size_t voided = 0;                     ///< presentations that are kept but not analysed
     std::size_t expectedResponses = 0;          ///< number in a complete study; 0: unknown
     std::optional<SignalComparison> signals;    ///< none while blinded
+    std::vector<RenderingPrice> prices;         ///< empty while blinded, and where no condition carries a quality
 };
 
 /// Whether the answers are numbers, or right and wrong; words are neither.
 bool hasNumbers(const QuestionInfo& question);
+
+/// Most answers to this question by one participant x fabric x condition.
+std::size_t answersPerCellOf(const StudyData& data, const QuestionInfo& question);
 
 /// Number of alternatives of the first question with right and wrong answers; the paper's 3 without such a question.
 int firstAlternatives(const StudyData& data);

@@ -50,7 +50,8 @@ double reachOf(const QuestionClaims& claims)
 /// "a - b"; the sign and b return to the line that a subscript of a has left.
 std::string contrastLabel(const ContrastFinding& finding)
 {
-    const bool endsLow = !labelParts(finding.a).back().subscript.empty();
+    const LabelPart last = labelParts(finding.a).back();
+    const bool endsLow = !last.subscript.empty() && last.after.empty();
     return svgLabel(finding.a) + "<tspan" + (endsLow ? " dy=\"-4\"" : "") + "> \u2212 </tspan>" + svgLabel(finding.b);
 }
 

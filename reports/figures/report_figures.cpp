@@ -3,10 +3,12 @@
 #include <iterator>
 
 #include "reports/figures/accuracy_figures.h"
+#include "reports/figures/chain_figures.h"
 #include "reports/figures/contrasts_figures.h"
 #include "reports/figures/matches_figures.h"
 #include "reports/figures/participants_figures.h"
 #include "reports/figures/ratings_figures.h"
+#include "reports/figures/speed_figures.h"
 #include "reports/text/file_names.h"
 
 namespace reports {
@@ -14,7 +16,8 @@ namespace {
 
 using FigureFamily = std::vector<Figure> (*)(const StudyAnalysis&);
 
-constexpr FigureFamily families[] = {matchesFigures, ratingsFigures, participantsFigures, contrastsFigures, accuracyFigures};
+constexpr FigureFamily families[] = {matchesFigures, ratingsFigures,  participantsFigures, contrastsFigures,
+                                     speedFigures,   accuracyFigures, chainFigures};
 
 }  // namespace
 

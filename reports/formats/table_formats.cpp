@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "protocols/files/csv_table.h"
+#include "protocols/files/foreign/foreign_table.h"
 #include "protocols/files/markup_text.h"
-#include "reports/text/tex_text.h"
 
 namespace reports {
 namespace {
@@ -47,31 +47,9 @@ std::string toCsv(const Table& table)
         return result + "\r\n";
     };
     std::string csv = line([&](std::size_t i) { return table.columns[i].name; });
-    for (const auto& row : table.rows) csv += line([&](std::size_t i) { return row[i].csv; });
+    for (const auto& row : table.rows)
+        csv += line([&](std::size_t i) { return row[i].isNumber ? row[i].csv : protocols::safeCell(row[i].csv); });
     return csv;
-}
-
-std::string toTex(const Table& table)
-{
-    const std::vector<bool> numeric = numericColumns(table);
-    std::string format;
-    for (std::size_t i = 0; i < table.columns.size(); ++i)
-        if (table.isInDocuments(i)) format += numeric[i] ? 'r' : 'l';
-    const auto line = [&](const auto& textOf) {
-        std::string result;
-        bool isFirst = true;
-        for (std::size_t i = 0; i < table.columns.size(); ++i) {
-            if (!table.isInDocuments(i)) continue;
-            result += (isFirst ? "" : " & ") + textOf(i);
-            isFirst = false;
-        }
-        return result + " \\\\\n";
-    };
-    std::string tex = "% needs \\usepackage{booktabs}\n\\begin{table}\n\\centering\n\\caption{" + escapedTex(table.caption) +
-                      "}\n\\begin{tabular}{" + format + "}\n\\toprule\n" +
-                      line([&](std::size_t i) { return escapedTex(table.columns[i].name); }) + "\\midrule\n";
-    for (const auto& row : table.rows) tex += line([&](std::size_t i) { return row[i].tex; });
-    return tex + "\\bottomrule\n\\end{tabular}\n\\end{table}\n";
 }
 
 std::string toHtml(const Table& table)

@@ -1,4 +1,4 @@
-// A table written in four ways: CSV with full digits, LaTeX (booktabs) and HTML with rounded ones, text for a terminal.
+// A table written in three ways: CSV with full digits, HTML with rounded ones, text for a terminal. tex_table.h writes LaTeX.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace reports {
 
+/// Text that a spreadsheet would take for a formula has an apostrophe in front (foreign_table.h).
 std::string toCsv(const Table& table);
-std::string toTex(const Table& table);
 std::string toHtml(const Table& table);
 std::string toText(const Table& table);
 

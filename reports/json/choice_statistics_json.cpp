@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/json/effects_json.h"
+#include "reports/json/instructions_json.h"
 #include "reports/json/model_json.h"
 #include "reports/json/speed_json.h"
 #include "reports/text/plain_words.h"
@@ -165,12 +166,15 @@ std::vector<std::string> choiceStatisticsKeys(const std::string& question)
 {
     std::vector<std::string> keys;
     for (const ChoiceKey& key : choiceKeys()) keys.push_back(lowerCase(question) + key.suffix);
+    keys.push_back(lowerCase(question) + "_instructions");
     return keys;
 }
 
 void putChoiceStatistics(Json& statistics, const StudyData& data, const std::string& question, const ChoiceAnalysis& choices)
 {
     for (const ChoiceKey& key : choiceKeys()) statistics[lowerCase(question) + key.suffix] = key.part(data, choices);
+    if (!choices.instructions.instructions.empty())
+        statistics[lowerCase(question) + "_instructions"] = instructionsJson(data.conditions, choices.instructions);
 }
 
 }  // namespace reports

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/whole_file.h"
+#include "reports/json/chain_json.h"
 #include "reports/json/claims_json.h"
 #include "reports/json/json_fields.h"
 #include "reports/json/plan_comparison_json.h"
@@ -161,6 +162,7 @@ Json speedPart(const StudyAnalysis& analysis)
         put(row, "bis", analysis.speed[i].balancedIntegrationScore);
         put(row, "bits_per_second_ci95", analysis.speed[i].bitsPerSecondCi95);
         put(row, "bis_ci95", analysis.speed[i].scoreCi95);
+        put(row, "median_seconds_ci95", analysis.speed[i].medianSecondsCi95);
         putReasonsLast(row);
         part[analysis.data.conditions[i]] = std::move(row);
     }
@@ -233,6 +235,7 @@ JsonParts resultsParts(const StudyAnalysis& analysis, const ReportOrigin& origin
                     JsonMember{"equivalence", [of](const TakeRow& take) { addEquivalences(take, *of); }}};
     for (auto& member : claimMembers(analysis)) parts.push_back(std::move(member));
     parts.push_back(JsonMember{"speed_accuracy", [of] { return speedPart(*of); }});
+    parts.push_back(JsonMembers{[of] { return chainMember(*of); }});
     parts.push_back(JsonMembers{[of] { return signalsMember(of->data); }});
     parts.push_back(JsonMember{"quality", [of] { return qualityPart(of->flags); }});
     parts.push_back(JsonMember{"preregistration", [of] { return preregistrationJson(*of); }});

@@ -182,12 +182,32 @@ std::string speedParagraph(const ChoiceQuestions& questions, TimesTaken times)
            "log<sub>2</sub>((1 &minus; p)/(m &minus; 1)) for a share correct p, and 0 at or below chance. The balanced "
            "integration score is the z score of the share correct minus the z score of the mean time. Both are taken over all "
            "participant &times; condition cells (population SD) and averaged by condition. Higher is better, and 0 is the "
-           "average. The interval of bits per second is that of a ratio (MOVER): the limits of the share correct and of the mean "
+           "average. The interval of the median time is Student's t over the participants' log medians. The interval of bits per "
+           "second is that of a ratio (MOVER): the limits of the share correct and of the mean "
            "time are Student's t over participants. The interval of the score is Student's t over the participants' scores. "
            "Conditions are compared by paired t tests over participants: of jackknife pseudo-values of bits per second, of the "
            "scores, and of the mean logarithms of the time. Holm's correction covers the contrasts of a measure. These results "
            "hold for new participants and these fabrics. The share correct by response time uses quarters of each participant's "
            "own times. Slow conditions may also be hard ones, so its trend is that at equal condition and fabric.";
+}
+
+bool isInstructed(const ChoiceQuestions& questions)
+{
+    return std::ranges::any_of(questions,
+                               [](const auto& question) { return !question.findings.instructions.instructions.empty(); });
+}
+
+std::string instructionParagraph()
+{
+    return "<b>Instructions.</b> Blocks asked the participants to be fast or accurate, or to answer before a deadline. The "
+           "instruction is a factor within participants: everybody answered every condition and fabric under each of them. "
+           "Tests between conditions take the mean over the instructions. Measures by instruction take all conditions together. "
+           "Their balanced integration scores are standardised over all participant &times; instruction cells; those by "
+           "condition over all participant &times; condition &times; instruction cells. Instructions are compared by paired t "
+           "tests over participants, with Holm's correction over the contrasts of a measure. Condition, instruction and their "
+           "interaction are tested by an analysis of variance of the participants' means, with the Greenhouse&ndash;Geisser "
+           "correction. An answer is late when its response time exceeds the deadline. Late answers are analysed like all "
+           "others. These results hold for new participants and these fabrics.";
 }
 
 std::string touchParagraph()
@@ -261,6 +281,7 @@ std::vector<std::string> methodParagraphs(const StudyAnalysis& analysis)
     if (hasChoices || hasRatings) paragraphs.push_back(omnibusParagraph(hasChoices, hasRatings));
     if (hasChoices || hasRatings) paragraphs.push_back(measuredSizesParagraph());
     if (hasChoices) paragraphs.push_back(speedParagraph(choices, analysis.data.times));
+    if (isInstructed(choices)) paragraphs.push_back(instructionParagraph());
     if (!analysis.touch.empty()) paragraphs.push_back(touchParagraph());
     if (!analysis.data.operatorTaps.empty()) paragraphs.push_back(latencyParagraph());
     if (!analysis.order.questions.empty()) paragraphs.push_back(orderParagraph());

@@ -101,6 +101,49 @@ std::string speedLead(const StudyAnalysis& analysis)
     return text;
 }
 
+std::string chainLead()
+{
+    return paragraph(
+               "One row is one rendering: a condition at one quality. Read from left to right: the time that its signals take, "
+               "what this speed gives up, what a finger gets, and what participants answered.") +
+           folded("What the columns are",
+                  bulletList(
+                      {"<b>Time</b>: median over the fabrics of the time in which the signals of one image are computed. Reading "
+                       "recordings, loading the networks and drawing the image cost the same at every quality and are left out. "
+                       "The interval is that of order statistics; it needs at least 6 fabrics. The program that made the study "
+                       "measured it once, on one machine.",
+                       "<b>Error of the signal</b>: difference from the accurate rendering. Relief: root mean square, in percent "
+                       "of that relief&rsquo;s own. Friction: mean absolute difference in percent of the mean.",
+                       "<b>Difference under the finger</b>: between this friction image and the accurate one, each stroked by a "
+                       "simulated finger. Slipperiness and texture, in just-noticeable differences (JND), added as squares. A "
+                       "model computes it; no person was asked.",
+                       "<b>From measured</b>: the same against the measured signal of the fabric, where the study shows it. "
+                       "Photograph and press may come from different places, so heights are compared by their spectra.",
+                       "The section on generated signals describes the usual quality. Where nothing was rendered at it, it "
+                       "describes the accurate one."}));
+}
+
+/// Median time and share correct under each instruction, and how many answers were late.
+std::string instructionLead(const StudyAnalysis& analysis)
+{
+    std::string text;
+    for (const auto& question : questionsWith<ChoiceAnalysis>(analysis)) {
+        std::vector<std::string> parts;
+        for (const InstructedSpeed& under : question.findings.instructions.instructions) {
+            if (!under.speed.share.exists() || !under.speed.medianSeconds.exists()) continue;
+            std::string part = protocols::escapedMarkup(under.instruction.id) + ": " + fixed(*under.speed.medianSeconds, 1) +
+                               " s, share correct " + fixed(*under.speed.share, 2);
+            if (under.instruction.deadlineSeconds)
+                part += ", " + std::to_string(under.late) + " of " + counted(under.timed, "answer") + " late";
+            parts.push_back(part);
+        }
+        if (!parts.empty())
+            text += paragraph(protocols::escapedMarkup(question.id()) + " by instruction (median response time):") +
+                    bulletList(parts);
+    }
+    return text;
+}
+
 std::string flagRules()
 {
     std::vector<std::string> rules;
@@ -140,7 +183,9 @@ std::string sectionLead(PageSection section, const StudyAnalysis& analysis)
                 "difference "
                 "need not come from what the groups are named after.");
         case PageSection::Speed:
-            return speedLead(analysis);
+            return instructionLead(analysis) + speedLead(analysis);
+        case PageSection::Chain:
+            return chainLead();
         case PageSection::Signals:
             return signalsLead(analysis.data);
         case PageSection::Plan:

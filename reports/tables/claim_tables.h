@@ -2,7 +2,7 @@
 #pragma once
 
 #include "reports/analysis/study_analysis.h"
-#include "reports/tables/report_table.h"
+#include "reports/formats/report_table.h"
 
 namespace reports {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "reports/analysis/study_analysis.h"
-#include "reports/tables/report_table.h"
+#include "reports/formats/report_table.h"
 
 namespace reports {
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "reports/tables/chain_tables.h"
 #include "reports/tables/choice_tables.h"
 #include "reports/tables/claim_tables.h"
 #include "reports/tables/effect_tables.h"
@@ -45,6 +46,7 @@ constexpr TableFamily families[] = {together<overviewTables>,
                                     together<effectTables>,
                                     together<groupTables>,
                                     together<speedTables>,
+                                    together<chainTables>,
                                     together<touchTables>,
                                     together<signalTables>,
                                     together<planTables>,

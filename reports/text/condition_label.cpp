@@ -10,9 +10,8 @@ namespace {
 
 const protocols::Condition* known(const std::string& condition)
 {
-    for (const protocols::Condition& one : protocols::allConditions())
-        if (one.id == condition) return &one;
-    return nullptr;
+    const bool isUsual = !protocols::faultOf(condition) && protocols::conditionIdFrom(condition).value == condition;
+    return isUsual ? &protocols::conditionNamed(condition) : nullptr;
 }
 
 LabelPart partOf(const std::string& text, const std::string& after)
@@ -46,9 +45,11 @@ std::string shortened(const std::string& text, std::size_t most)
 std::vector<LabelPart> labelParts(const std::string& condition)
 {
     if (known(condition) == nullptr) return {{condition, "", ""}};
-    const std::size_t ampersand = condition.find('&');
-    if (ampersand == std::string::npos) return {partOf(condition, "")};
-    return {partOf(condition.substr(0, ampersand), "&"), partOf(condition.substr(ampersand + 1), "")};
+    const std::size_t at = condition.find('@');
+    const std::string row = condition.substr(0, at), quality = at == std::string::npos ? "" : condition.substr(at);
+    const std::size_t ampersand = row.find('&');
+    if (ampersand == std::string::npos) return {partOf(row, quality)};
+    return {partOf(row.substr(0, ampersand), "&"), partOf(row.substr(ampersand + 1), quality)};
 }
 
 std::string htmlLabel(const std::string& condition)
@@ -58,7 +59,7 @@ std::string htmlLabel(const std::string& condition)
     for (const LabelPart& part : labelParts(condition)) {
         html += "<i>" + part.letter + "</i>";
         if (!part.subscript.empty()) html += "<sub>" + part.subscript + "</sub>";
-        html += part.after.empty() ? "" : "&amp;";
+        html += protocols::escapedMarkup(part.after);
     }
     return html + "</span>";
 }
@@ -69,7 +70,7 @@ std::string texLabel(const std::string& condition)
     std::string tex;
     for (const LabelPart& part : labelParts(condition)) {
         tex += "$" + part.letter + (part.subscript.empty() ? "" : "_{\\mathrm{" + part.subscript + "}}") + "$";
-        tex += part.after.empty() ? "" : "\\,\\&\\,";
+        tex += part.after == "&" ? "\\,\\&\\," : part.after;
     }
     return tex;
 }
@@ -83,7 +84,8 @@ std::string svgLabel(const std::string& condition)
         svg += std::string("<tspan font-style=\"italic\"") + (svg.empty() ? "" : " dx=\"2\"") + ">" + part.letter + "</tspan>";
         if (!part.subscript.empty()) svg += "<tspan dy=\"4\" font-size=\"75%\">" + part.subscript + "</tspan>";
         if (!part.after.empty())
-            svg += std::string("<tspan dx=\"2\"") + (part.subscript.empty() ? "" : " dy=\"-4\"") + ">&amp;</tspan>";
+            svg += std::string("<tspan dx=\"2\"") + (part.subscript.empty() ? "" : " dy=\"-4\"") + ">" +
+                   protocols::escapedMarkup(part.after) + "</tspan>";
     }
     return svg;
 }
@@ -94,7 +96,7 @@ double labelLength(const std::string& condition)
     double length = 0;
     for (const LabelPart& part : labelParts(condition))
         length += static_cast<double>(part.letter.size()) + 0.75 * static_cast<double>(part.subscript.size()) +
-                  1.8 * static_cast<double>(part.after.size());
+                  (part.after == "&" ? 1.8 : static_cast<double>(part.after.size()));
     return length;
 }
 

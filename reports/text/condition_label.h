@@ -10,7 +10,7 @@
 
 namespace reports {
 
-/// A letter with its subscript; `after` joins it with the next part ("&" or nothing).
+/// A letter with its subscript; `after` follows it: "&" before the next part, "@fast" at the end, or nothing.
 struct LabelPart {
     std::string letter;
     std::string subscript;

@@ -17,6 +17,7 @@ std::span<const SectionHeading> sectionHeadings()
         SectionHeading{PageSection::Effects, "effects", "Effect sizes, agreement, variances"},
         SectionHeading{PageSection::Groups, "groups", "Groups of participants"},
         SectionHeading{PageSection::Speed, "speed", "Speed and accuracy"},
+        SectionHeading{PageSection::Chain, "chain", "Speed against accuracy, from milliseconds to people"},
         SectionHeading{PageSection::Signals, "signals", "Generated against measured signals"},
         SectionHeading{PageSection::Plan, "plan", "Planned and done"},
         SectionHeading{PageSection::Quality, "quality", "Data quality"},

@@ -17,6 +17,7 @@ enum class PageSection {
     Effects,
     Groups,
     Speed,
+    Chain,
     Signals,
     Plan,
     Quality,

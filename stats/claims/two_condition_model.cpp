@@ -34,7 +34,7 @@ SquaresOfTable squaresOfTable(const CrossedTable& table)
 }
 
 /// Sums of squares with one expected mean square. `weight`: its part in the variance of the difference.
-struct Stratum {
+struct PairStratum {
     double squares, degrees, weight;
     int above;  ///< the stratum whose expected mean square cannot be larger; -1: none
 
@@ -45,7 +45,7 @@ enum StratumPlace : int { Residual, ParticipantDifference, FabricDifference, Par
 
 /// Pools the smallest mean square with the one above it until none is below.
 template <std::size_t Count>
-void poolNegativeVariances(std::array<Stratum, Count>& strata)
+void poolNegativeVariances(std::array<PairStratum, Count>& strata)
 {
     std::array<bool, Count> isPooled{};
     while (true) {
@@ -57,14 +57,14 @@ void poolNegativeVariances(std::array<Stratum, Count>& strata)
             if (least < 0 || strata[at].meanSquare() < strata[static_cast<std::size_t>(least)].meanSquare()) least = k;
         }
         if (least < 0) return;
-        Stratum& pooled = strata[static_cast<std::size_t>(least)];
-        Stratum& into = strata[static_cast<std::size_t>(pooled.above)];
+        PairStratum& pooled = strata[static_cast<std::size_t>(least)];
+        PairStratum& into = strata[static_cast<std::size_t>(pooled.above)];
         into.squares += pooled.squares;
         into.degrees += pooled.degrees;
         into.weight += pooled.weight;
         pooled.weight = 0;
         isPooled[static_cast<std::size_t>(least)] = true;
-        for (Stratum& stratum : strata)
+        for (PairStratum& stratum : strata)
             if (stratum.above == least) stratum.above = pooled.above;
     }
 }
@@ -144,13 +144,13 @@ TwoConditionFit fitOf(const CrossedTable& a, const CrossedTable& b)
     const SquaresOfTable ofDifference = squaresOfTable(pair.difference), ofSum = squaresOfTable(pair.sum);
     const auto p = static_cast<double>(a.participants), f = static_cast<double>(a.fabrics);
     const double crossed = (p - 1) * (f - 1);
-    std::array<Stratum, 5> strata{
-        Stratum{ofDifference.residual + ofSum.residual, 2 * crossed, -1, -1},
-        Stratum{ofDifference.participant, p - 1, 1, Residual}, Stratum{ofDifference.fabric, f - 1, 1, Residual},
-        Stratum{ofSum.participant, p - 1, 0, ParticipantDifference}, Stratum{ofSum.fabric, f - 1, 0, FabricDifference}};
+    std::array<PairStratum, 5> strata{
+        PairStratum{ofDifference.residual + ofSum.residual, 2 * crossed, -1, -1},
+        PairStratum{ofDifference.participant, p - 1, 1, Residual}, PairStratum{ofDifference.fabric, f - 1, 1, Residual},
+        PairStratum{ofSum.participant, p - 1, 0, ParticipantDifference}, PairStratum{ofSum.fabric, f - 1, 0, FabricDifference}};
     poolNegativeVariances(strata);
     double variance = 0, uncertainty = 0;
-    for (const Stratum& stratum : strata) {
+    for (const PairStratum& stratum : strata) {
         const double part = stratum.weight * stratum.meanSquare();
         variance += part;
         uncertainty += part * part / stratum.degrees;

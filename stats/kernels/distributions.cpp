@@ -75,6 +75,7 @@ TailProbability complementOf(const TailProbability& tail) { return {1 - tail.p, 
 TailProbability studentUpper(double t, double df)
 {
     if (t < 0) return complementOf(studentUpper(-t, df));
+    if (t == 0) return {0.5, -std::numbers::ln2};  // the ratio below would be infinite, and for -0 negative
     // df / (df + t^2) without a square that can overflow.
     const double ratio = std::sqrt(df) / t;
     if (ratio < 1e-5 || t > 1e100) {

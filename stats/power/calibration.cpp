@@ -14,7 +14,7 @@ std::vector<Rejections> countsOf(const CalibrationFamily& family, const Simulati
 {
     if (options.counted)
         if (std::vector<Rejections> counts = options.counted(family.truth); counts.size() == family.tests.size()) {
-            if (simulation.done) simulation.done(simulation.studies);
+            if (simulation.done) simulation.done(simulation.ownStudies());
             return counts;
         }
     std::vector<Rejections> counts = simulateTests(family.tests.size(), family.analysis, simulation);
@@ -84,8 +84,9 @@ std::vector<CalibrationRow> claimCalibration(const CalibrationOptions& options)
 std::size_t calibrationStudies(const CalibrationOptions& options)
 {
     std::size_t studies = 0;
-    for (const CalibrationFamily& family : calibrationFamilies(options)) studies += family.studies;
-    for (const CalibrationFamily& family : claimFamiliesOf(options)) studies += family.studies;
+    for (const CalibrationFamily& family : calibrationFamilies(options))
+        studies += options.simulation.share.sizeOf(family.studies);
+    for (const CalibrationFamily& family : claimFamiliesOf(options)) studies += options.simulation.share.sizeOf(family.studies);
     return studies;
 }
 

@@ -154,21 +154,20 @@ std::vector<double> decidedByReference(const AnswerCube& answers, std::span<cons
     return right;
 }
 
-/// Share of the 95 % intervals of all pairs that hold the true difference. `meanOf(a, b)` gives the interval.
+/// Number of the 95 % intervals of all pairs that hold the true difference. `meanOf(a, b)` gives the interval.
 template <class MeanOf>
-double coverageOf(const std::vector<double>& means, const MeanOf& meanOfPair)
+double heldBy(const std::vector<double>& means, const MeanOf& meanOfPair)
 {
-    const std::vector<ContrastPair> pairs = allPairs(means.size());
     double held = 0;
-    for (const auto& [a, b] : pairs) {
+    for (const auto& [a, b] : allPairs(means.size())) {
         const Interval interval = meanOfPair(a, b).ci95;
         const double truth = means[a] - means[b];
         if (interval.low.exists() && *interval.low <= truth && truth <= *interval.high) ++held;
     }
-    return held / static_cast<double>(pairs.size());
+    return held;
 }
 
-/// One study of each generalisation; the numbers of each row: these, alike, reference.
+/// One study of each generalisation; the counts of each row: these, alike, reference.
 std::vector<std::array<double, 3>> plantedNumbers(const PlantedTruth& truth, const PlantedOptions& options,
                                                   std::span<const double> intercepts, const std::vector<PlantedFamily>& families,
                                                   const std::vector<PlantedDecision>& decisions, Draws& draws)
@@ -181,13 +180,13 @@ std::vector<std::array<double, 3>> plantedNumbers(const PlantedTruth& truth, con
         const auto right = decidedByClaims(study.answers, decisions, families, generalisation);
         for (std::size_t i = 0; i < right.size(); ++i) numbers[i][column] = right[i];
         const Degrees degrees = degreesOf(study.answers);
-        numbers.back()[column] = coverageOf(study.means, [&](std::size_t a, std::size_t b) {
+        numbers.back()[column] = heldBy(study.means, [&](std::size_t a, std::size_t b) {
             return differenceOf(study.answers, {a, b}, generalisation, degrees, quantiles);
         });
         if (column == 0) continue;
         const auto byReference = decidedByReference(study.answers, decisions, families);
         for (std::size_t i = 0; i < byReference.size(); ++i) numbers[i][2] = byReference[i];
-        numbers.back()[2] = coverageOf(study.means, [&](std::size_t a, std::size_t b) {
+        numbers.back()[2] = heldBy(study.means, [&](std::size_t a, std::size_t b) {
             return differenceByTwoConditionModel(study.answers.tableUnder(a), study.answers.tableUnder(b), quantiles);
         });
     }
@@ -210,20 +209,20 @@ std::vector<PlantedTruth> plantedTruths()
     return truths;
 }
 
-void StudyMean::add(double x)
+void StudyMean::add(double count)
 {
     ++studies;
-    sum += x;
-    sumOfSquares += x * x;
+    sum += count;
+    sumOfSquares += count * count;
 }
 
-double StudyMean::mean() const { return studies == 0 ? 0 : sum / static_cast<double>(studies); }
+double StudyMean::mean() const { return studies == 0 ? 0 : sum / static_cast<double>(studies) / static_cast<double>(each); }
 
 double StudyMean::se() const
 {
     if (studies < 2) return 0;
-    const auto n = static_cast<double>(studies);
-    return std::sqrt(std::max(0.0, sumOfSquares / n - mean() * mean()) / (n - 1));
+    const auto n = static_cast<double>(studies), most = static_cast<double>(each);
+    return std::sqrt(std::max(0.0, sumOfSquares / n / (most * most) - mean() * mean()) / (n - 1));
 }
 
 PlantedCell plantedCell(const PlantedTruth& truth, const PlantedOptions& options)
@@ -238,14 +237,15 @@ PlantedCell plantedCell(const PlantedTruth& truth, const PlantedOptions& options
             interceptFor(contrastShare, std::hypot(truth.interactions.participantsSd(c), truth.interactions.fabricsSd(c))));
     PlantedCell cell{truth, {}};
     for (const PlantedDecision& decision : decisions) cell.rows.push_back({nameOf(decision, families), false, {}, {}, {}, {}});
-    cell.rows.push_back({"95 % interval holds the truth", true, {}, {}, {}, {}});
+    const StudyMean ofPairs{0, 0, 0, allPairs(design.conditions).size()};
+    cell.rows.push_back({"95 % interval holds the truth", true, ofPairs, ofPairs, ofPairs, ofPairs});
     const SimulationOptions& simulation = options.simulation;
-    std::vector<std::vector<std::array<double, 3>>> numbers(simulation.studies);
+    std::vector<std::vector<std::array<double, 3>>> numbers(simulation.ownStudies());
     const auto finishedOne = [&](std::size_t) { simulation.done(1); };
     onThreads(
-        simulation.studies, simulation.threads,
+        simulation.ownStudies(), simulation.threads,
         [&](std::size_t study) {
-            Draws draws(simulation.seed, study);
+            Draws draws(simulation.seed, simulation.share.item(study));
             numbers[study] = plantedNumbers(truth, options, intercepts, families, decisions, draws);
         },
         simulation.done ? finishedOne : std::function<void(std::size_t)>());
@@ -283,7 +283,7 @@ std::vector<PlantedCell> plantedCells(const PlantedOptions& options)
         if (options.counted)
             if (std::vector<PlantedRow> rows = options.counted(truth.text()); !rows.empty()) {
                 cells.push_back({truth, std::move(rows)});
-                if (options.simulation.done) options.simulation.done(options.simulation.studies);
+                if (options.simulation.done) options.simulation.done(options.simulation.ownStudies());
                 continue;
             }
         cells.push_back(plantedCell(truth, options));
@@ -294,7 +294,7 @@ std::vector<PlantedCell> plantedCells(const PlantedOptions& options)
 
 std::size_t plantedClaimStudies(const PlantedOptions& options)
 {
-    return plantedTruthsOf(options).size() * options.simulation.studies;
+    return plantedTruthsOf(options).size() * options.simulation.ownStudies();
 }
 
 }  // namespace stats

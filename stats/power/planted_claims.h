@@ -25,13 +25,15 @@ struct PlantedTruth {
 /// Ratings: all interactions of claimNulls() with differences of 0, 0.5, 1 and 2. Choices: all interactions, no difference.
 std::vector<PlantedTruth> plantedTruths();
 
-/// Mean over studies of a number that each study has: 0 or 1, or a share.
+/// Mean over studies of a share that each study has: of its `each` decisions or intervals. The sums are whole numbers, so that
+/// they do not depend on the order of the studies.
 struct StudyMean {
     std::size_t studies = 0;
-    double sum = 0;
+    double sum = 0;  ///< of counts from -each to each
     double sumOfSquares = 0;
+    std::size_t each = 1;  ///< decisions or intervals of one study
 
-    void add(double x);
+    void add(double count);
     double mean() const;
     double se() const;  ///< Monte-Carlo standard error
     bool operator==(const StudyMean&) const = default;

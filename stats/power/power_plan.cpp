@@ -1,5 +1,7 @@
 #include "stats/power/power_plan.h"
 
+#include <cstdio>
+
 #include "stats/power/power.h"
 #include "stats/power/power_groups.h"
 
@@ -34,13 +36,34 @@ PlannedTest plannedTest(const PowerGroup& group, const GroupedTest& test, const 
     return {group.question, test.name, group.effect, detectableBy(test, options.design), group.effect, {}};
 }
 
+/// Name of the studies with this effect.
+std::string studiesOf(const PowerGroup& group, double effect)
+{
+    char number[32];
+    std::snprintf(number, sizeof number, "%.17g", effect);
+    return group.question + ", " + group.effect + " of " + number;
+}
+
+std::vector<Rejections> simulatedRejections(const PowerGroup& group, double effect, const PowerOptions& options)
+{
+    const std::string studies = studiesOf(group, effect);
+    if (options.counted)
+        if (std::vector<Rejections> counts = options.counted(studies); counts.size() == group.tests.size()) {
+            if (options.simulation.done) options.simulation.done(options.simulation.ownStudies());
+            return counts;
+        }
+    const SimulatedAnalysis analysis = [&](Draws& draws, std::span<Value> p) { group.analysis(effect, draws, p); };
+    std::vector<Rejections> counts = simulateTests(group.tests.size(), analysis, options.simulation);
+    if (options.finished) options.finished(studies, counts);
+    return counts;
+}
+
 void addTests(std::vector<PlannedTest>& planned, const PowerGroup& group, const PowerOptions& options)
 {
     std::vector<PlannedTest> tests;
     for (const GroupedTest& test : group.tests) tests.push_back(plannedTest(group, test, options));
     for (const double effect : group.effects) {
-        const SimulatedAnalysis analysis = [&](Draws& draws, std::span<Value> p) { group.analysis(effect, draws, p); };
-        const auto simulated = simulateTests(tests.size(), analysis, options.simulation);
+        const auto simulated = simulatedRejections(group, effect, options);
         for (std::size_t t = 0; t < tests.size(); ++t)
             tests[t].points.push_back({effect, group.tests[t].formula(options.design, effect), simulated[t],
                                        participantsFor(group.tests[t], options.design, effect, group.question)});
@@ -68,7 +91,7 @@ std::vector<PlannedTest> plannedTests(const PowerOptions& options)
 std::size_t plannedStudies(const PowerOptions& options)
 {
     std::size_t studies = 0;
-    for (const PowerGroup& group : powerGroups(options)) studies += group.effects.size() * options.simulation.studies;
+    for (const PowerGroup& group : powerGroups(options)) studies += group.effects.size() * options.simulation.ownStudies();
     return studies;
 }
 

@@ -38,7 +38,7 @@ double onScale(double rating, const RatingTruth& truth)
 void inParallel(const SimulationOptions& options, const std::function<void(std::size_t)>& work)
 {
     const auto finishedOne = [&](std::size_t) { options.done(1); };
-    onThreads(options.studies, options.threads, work, options.done ? finishedOne : std::function<void(std::size_t)>());
+    onThreads(options.ownStudies(), options.threads, work, options.done ? finishedOne : std::function<void(std::size_t)>());
 }
 
 }  // namespace
@@ -130,9 +130,9 @@ Interval Rejections::interval() const
 std::vector<Rejections> simulateTests(std::size_t tests, const SimulatedAnalysis& analysis, const SimulationOptions& options)
 {
     enum TestOutcome : char { Kept, Rejected, Undefined };
-    std::vector<char> outcomes(tests * options.studies);
+    std::vector<char> outcomes(tests * options.ownStudies());
     inParallel(options, [&](std::size_t study) {
-        Draws draws(options.seed, study);
+        Draws draws(options.seed, options.share.item(study));
         std::vector<Value> p(tests);
         analysis(draws, p);
         for (std::size_t t = 0; t < tests; ++t)
@@ -140,7 +140,7 @@ std::vector<Rejections> simulateTests(std::size_t tests, const SimulatedAnalysis
     });
     std::vector<Rejections> result(tests);
     for (std::size_t t = 0; t < tests; ++t)
-        for (std::size_t study = 0; study < options.studies; ++study) {
+        for (std::size_t study = 0; study < options.ownStudies(); ++study) {
             ++result[t].studies;
             result[t].rejected += outcomes[study * tests + t] == Rejected ? 1 : 0;
             result[t].undefined += outcomes[study * tests + t] == Undefined ? 1 : 0;

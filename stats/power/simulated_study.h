@@ -8,6 +8,7 @@
 
 #include "stats/kernels/block_table.h"
 #include "stats/kernels/draws.h"
+#include "stats/kernels/share.h"
 #include "stats/models/crossed_study.h"
 
 namespace stats {
@@ -62,11 +63,14 @@ BlockTable participantMeans(const CrossedStudy& study);
 BlockTable answersByBlock(const CrossedStudy& study);
 
 struct SimulationOptions {
-    std::size_t studies = 10000;
+    std::size_t studies = 10000;  ///< in all shares
     std::uint64_t seed = 1;
     unsigned threads = 0;  ///< 0: one for each core; changes no number
     double alpha = 0.05;
     std::function<void(std::size_t studies)> done = {};  ///< gets how many more are done; on one thread at a time
+    Share share = {};                                    ///< the studies of this process; study i is the same whoever draws it
+
+    std::size_t ownStudies() const { return share.sizeOf(studies); }
 };
 
 /// Rejections by one test in many simulated studies.

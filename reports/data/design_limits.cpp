@@ -1,4 +1,4 @@
-#include "reports/analysis/design_limits.h"
+#include "reports/data/design_limits.h"
 
 #include <set>
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/analysis/analysis_options.h"
+#include "reports/data/analysis_options.h"
 #include "reports/data/study_data.h"
 
 namespace reports {

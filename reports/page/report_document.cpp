@@ -1,0 +1,85 @@
+#include "reports/page/report_document.h"
+
+#include "protocols/files/markup_text.h"
+#include "reports/page/section_text.h"
+#include "reports/text/plain_words.h"
+
+namespace reports {
+namespace {
+
+std::vector<DocumentTag> tagsOf(const StudyData& data)
+{
+    std::vector<DocumentTag> tags;
+    if (data.simulated) tags.push_back({"SIMULATED participants", true});
+    if (data.scripted) tags.push_back({"SCRIPTED participants", true});
+    if (data.blinded) tags.push_back({"blinded", false});
+    return tags;
+}
+
+std::vector<DocumentNotice> noticesOf(const StudyAnalysis& analysis)
+{
+    const StudyData& data = analysis.data;
+    std::vector<DocumentNotice> notices;
+    if (data.simulated)
+        notices.push_back(
+            {"<b>SIMULATED participants.</b> No person took part. The numbers show what the program does, not how a rendering "
+             "feels.",
+             true});
+    if (data.scripted)
+        notices.push_back({"<b>SCRIPTED participants.</b> The answers were written into a file beforehand.", true});
+    if (data.blinded)
+        notices.push_back(
+            {"<b>This report is blinded.</b> Conditions carry masked labels. Signals, groups and planned contrasts are left out "
+             "until the study is unblinded."});
+    for (const std::string& stamp : data.stamps) notices.push_back({protocols::escapedMarkup(stamp)});
+    for (const std::string& limit : analysis.designLimits) notices.push_back({protocols::escapedMarkup(limit)});
+    return notices;
+}
+
+std::string footerOf(const StudyData& data, const std::string& logHead)
+{
+    const std::string head =
+        logHead.empty() ? "" : " Head of the study's log: <code>" + protocols::escapedMarkup(logHead) + "</code>.";
+    const std::string hash = data.protocolSha256.empty()
+                                 ? ""
+                                 : " Protocol SHA-256: <code>" + protocols::escapedMarkup(data.protocolSha256) + "</code>.";
+    return "All numbers with full digits are in <code>results.json</code>, <code>statistics.json</code>, "
+           "<code>tables/</code> and <code>figures/</code> beside this page." +
+           hash + head;
+}
+
+void addItems(DocumentSection& section, const std::string& question, const std::vector<ReportTable>& tables,
+              const std::vector<Figure>& figures)
+{
+    for (const Figure& figure : figures)
+        if (figure.section == section.heading.section && figure.question == question) section.items.emplace_back(&figure);
+    for (const ReportTable& one : tables)
+        if (one.section == section.heading.section && one.question == question && one.onPage) section.items.emplace_back(&one);
+}
+
+}  // namespace
+
+ReportDocument reportDocument(const StudyAnalysis& analysis, const std::vector<ReportTable>& tables,
+                              const std::vector<Figure>& figures, const std::string& logHead)
+{
+    const StudyData& data = analysis.data;
+    ReportDocument document;
+    document.title = data.name;
+    document.lede = "Haptic rendering study: " + counted(data.participants.size(), "participant") + ", " +
+                    counted(data.fabrics.size(), "fabric") + ", " + counted(data.conditions.size(), "condition");
+    document.tags = tagsOf(data);
+    document.notices = noticesOf(analysis);
+    document.footerHtml = footerOf(data, logHead);
+    for (const SectionHeading& heading : sectionHeadings()) {
+        DocumentSection section{heading, {}, {}, {}};
+        addItems(section, "", tables, figures);
+        for (const QuestionAnalysis& question : analysis.questions) addItems(section, question.question.id, tables, figures);
+        if (section.items.empty() && !standsAlone(heading.section)) continue;
+        section.leadHtml = sectionLead(heading.section, analysis);
+        section.endHtml = sectionEnd(heading.section);
+        document.sections.push_back(std::move(section));
+    }
+    return document;
+}
+
+}  // namespace reports

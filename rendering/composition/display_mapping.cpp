@@ -54,6 +54,11 @@ void MapRange::include(const ScaledMap& map)
 {
     double low = 0, high = 0;
     cv::minMaxLoc(map.values, &low, &high);
+    include(low, high);
+}
+
+void MapRange::include(double low, double high)
+{
     min = empty ? low : std::min(min, low);
     max = empty ? high : std::max(max, high);
     empty = false;

@@ -15,6 +15,7 @@ struct MapRange {
     double min = 0;
     double max = 0;
     void include(const ScaledMap& map);
+    void include(double low, double high);
     bool empty = true;
     bool constant() const { return !(max > min); }
 };

@@ -51,6 +51,9 @@ std::string difference(const ordered_json& now, const ordered_json& before)
     if (!gone.empty()) add("its range no longer includes " + listed(gone));
     if (now.at("range") != before.at("range") || now.value("ranges", ordered_json()) != before.value("ranges", ordered_json()))
         add("the range was " + rangeText(before) + " and is now " + rangeText(now));
+    // Files of earlier versions state no quality for each condition.
+    if (before.contains("quality") && before.at("quality") != now.value("quality", ordered_json()))
+        add("the quality was " + before.at("quality").dump() + " and is now " + now.value("quality", ordered_json()).dump());
     if (now.at("mapping") != before.value("mapping", ordered_json()))
         add("the mapping was " + before.value("mapping", ordered_json()).dump() + " and is now " + now.at("mapping").dump());
     return text;

@@ -66,7 +66,7 @@ std::optional<protocols::Fault> missingHeight(const fabrics::Dataset& dataset, c
         return protocols::Fault{heights + "the tactile frames have no calibration", where, "tactile.calibration",
                                 "calibrate with vis2hap calibrate and name the file in dataset.json"};
     if (dataset.tactileCalibration != "known") return {};
-    if (fabrics::readKnownHeight(dataset, fabric, samples.tactile)) return {};
+    if (std::filesystem::exists(knownHeightPath(dataset, fabric, samples.tactile))) return {};
     return protocols::Fault{heights + "the data set states known heights but has none for this sample", where,
                             fabric.value + "/height/*.tiff", "add the height, or name a calibration"};
 }
@@ -87,11 +87,13 @@ protocols::Fault missingPitch(const fabrics::Dataset& dataset, const std::string
 
 /// Runs one computation, counts it and adds its time.
 template <class Work>
-void computed(RenderedFabrics& counts, Signal signal, Work work)
+void computed(RenderedFabrics& counts, FabricSignals& signals, Signal signal, Work work)
 {
     const auto start = std::chrono::steady_clock::now();
     work();
-    counts.milliseconds[signal] += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    const double taken = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    counts.milliseconds[signal] += taken;
+    signals.milliseconds[signal] = taken;
     ++counts.computed[signal];
 }
 
@@ -137,9 +139,7 @@ cv::Mat SignalComputation::tactileHeight(const protocols::FabricId& fabric, int 
         m_calibration = signals::readCalibration(m_dataset.folder / m_dataset.tactileCalibration);
         m_reference = fabrics::readTactileReference(m_dataset);
     }
-    const auto quality =
-        m_quality == models::Quality::Fast ? signals::IntegrationQuality::Fast : signals::IntegrationQuality::Full;
-    return signals::heightFromFrame(frame, m_reference, *m_calibration, quality);
+    return signals::heightFromFrame(frame, m_reference, *m_calibration, models::presetOf(m_quality).integration);
 }
 
 cv::Mat SignalComputation::reliefOf(const cv::Mat& photograph, FabricSignals& result) const
@@ -155,37 +155,84 @@ cv::Mat SignalComputation::reliefOf(const cv::Mat& photograph, FabricSignals& re
 }
 
 FabricSignals SignalComputation::measured(const protocols::FabricId& fabric, const SampleChoice& samples,
-                                          const std::set<Signal>& needed, RenderedFabrics& counts)
+                                          const std::set<Signal>& needed, RenderedFabrics& counts, const FabricSignals& known)
 {
     FabricSignals result;
-    const fabrics::PhotographViews views(m_dataset);
-    result.photographMmPerPixel = views.mmPerPixel(fabric, samples.visual);
-    result.photographLightDeg = views.lightDeg(fabric, samples.visual);
+    result.photographMmPerPixel = m_views.mmPerPixel(fabric, samples.visual);
+    result.photographLightDeg = m_views.lightDeg(fabric, samples.visual);
     result.tactileMmPerPixel = m_dataset.tactileMmPerPixel;
     const auto compute = [&](Signal signal, const auto& work) {
-        if (needed.contains(signal)) computed(counts, signal, [&] { result.images[signal] = work(); });
+        if (!needed.contains(signal)) return;
+        if (const auto same = known.images.find(signal); same != known.images.end() && !dependsOnQuality(signal)) {
+            result.images.insert(*same);
+            if (const auto taken = known.milliseconds.find(signal); taken != known.milliseconds.end())
+                result.milliseconds.insert(*taken);
+        } else {
+            computed(counts, result, signal, [&] { result.images[signal] = work(); });
+        }
     };
-    compute(Signal::Photograph, [&] { return fabrics::readPhotograph(m_dataset, fabric, samples.visual); });
-    compute(Signal::TactileFrame, [&] { return fabrics::readTactileFrame(m_dataset, fabric, samples.tactile); });
-    compute(Signal::GreyPhotograph, [&] { return signals::grey(imageOf(result, Signal::Photograph)); });
-    compute(Signal::ShapeFromShading, [&] {
-        const cv::Mat& photograph = imageOf(result, Signal::Photograph);
-        result.light = signals::estimateLight(photograph, m_shading.highPassPx);
-        result.colourVariation = signals::colourVariation(photograph, m_shading.highPassPx);
-        return reliefOf(photograph, result);
+    const auto readPhotograph = [&]() -> const cv::Mat& {
+        if (!result.images.contains(Signal::Photograph))
+            compute(Signal::Photograph, [&] { return fabrics::readPhotograph(m_dataset, fabric, samples.visual); });
+        return imageOf(result, Signal::Photograph);
+    };
+    const auto readFrame = [&]() -> const cv::Mat& {
+        if (!result.images.contains(Signal::TactileFrame))
+            compute(Signal::TactileFrame, [&] { return fabrics::readTactileFrame(m_dataset, fabric, samples.tactile); });
+        return imageOf(result, Signal::TactileFrame);
+    };
+    // A cache may make recordings needless. The generators always see the photograph.
+    const bool isSeen = std::any_of(needed.begin(), needed.end(), [](Signal signal) { return isGenerated(signal); });
+    if (needed.contains(Signal::Photograph) && (isSeen || !m_kept.isOn())) readPhotograph();
+    if (needed.contains(Signal::TactileFrame) && !m_kept.isOn()) readFrame();
+    // A signal that the cache gives is not counted as computed.
+    const auto keep = [&](Signal signal, const auto& keptOrComputed) {
+        if (needed.contains(signal))
+            result.images[signal] = keptOrComputed([&](const auto& work) {
+                cv::Mat image;
+                computed(counts, result, signal, [&] { image = work(); });
+                return image;
+            });
+    };
+    compute(Signal::GreyPhotograph, [&] { return signals::grey(readPhotograph()); });
+    keep(Signal::ShapeFromShading, [&](const auto& counted) {
+        return m_kept.relief(fabric, samples.visual, m_shading, m_shown, result, [&] {
+            const cv::Mat& photograph = readPhotograph();
+            return counted([&] {
+                result.light = signals::estimateLight(photograph, m_shading.highPassPx);
+                result.colourVariation = signals::colourVariation(photograph, m_shading.highPassPx);
+                return reliefOf(photograph, result);
+            });
+        });
     });
-    compute(Signal::GreyTactile, [&] { return signals::grey(imageOf(result, Signal::TactileFrame)); });
-    compute(Signal::PhotometricHeight,
-            [&] { return tactileHeight(fabric, samples.tactile, imageOf(result, Signal::TactileFrame)); });
+    compute(Signal::GreyTactile, [&] { return signals::grey(readFrame()); });
+    keep(Signal::PhotometricHeight, [&](const auto& counted) {
+        const auto height = [&] {
+            const cv::Mat& frame = readFrame();
+            return counted([&] { return tactileHeight(fabric, samples.tactile, frame); });
+        };
+        // A known height is a file that is read as fast as an entry of the cache.
+        return m_dataset.tactileCalibration == "known" ? height()
+                                                       : m_kept.height(fabric, samples.tactile, m_quality, result, height);
+    });
 
     compute(Signal::HeightGradient,
             [&] { return signals::heightGradient(imageOf(result, Signal::PhotometricHeight), *m_dataset.tactileMmPerPixel); });
 
+    if (known.traces.contains(Signal::MeasuredTrace) && needed.contains(Signal::MeasuredTrace)) {
+        result.traces.insert(*known.traces.find(Signal::MeasuredTrace));
+        result.milliseconds[Signal::MeasuredTrace] = known.milliseconds.at(Signal::MeasuredTrace);
+        result.measuredMeanFriction = known.measuredMeanFriction;
+        result.measuredQuantity = known.measuredQuantity;
+        result.traceMmPerSample = known.traceMmPerSample;
+        return result;
+    }
     fabrics::FrictionRecord record;
     if (needed.contains(Signal::FrictionRecord))
-        computed(counts, Signal::FrictionRecord, [&] { record = fabrics::readFriction(m_dataset, fabric, samples.friction); });
+        computed(counts, result, Signal::FrictionRecord,
+                 [&] { record = fabrics::readFriction(m_dataset, fabric, samples.friction); });
     if (needed.contains(Signal::MeasuredTrace))
-        computed(counts, Signal::MeasuredTrace, [&] {
+        computed(counts, result, Signal::MeasuredTrace, [&] {
             const auto where = fabrics::samplePath(m_dataset, fabric, Modality::Friction, samples.friction).string();
             auto trace = signals::frictionTrace(record, where);
             result.traces[Signal::MeasuredTrace] = std::move(trace.values);
@@ -201,14 +248,31 @@ void addGenerated(FabricSignals& signals, models::GeneratedSignals generated, co
     signals.photograph = generated.photograph;
     if (needed.contains(Signal::GeneratedHeight)) {
         signals.images[Signal::GeneratedHeight] = generated.heightMm;
+        signals.milliseconds[Signal::GeneratedHeight] = generated.heightMilliseconds;
         signals.generatedMmPerPixel = generated.heightMmPerPixel;
     }
     if (needed.contains(Signal::GeneratedSpectrogram)) {
         signals.images[Signal::GeneratedSpectrogram] = generated.spectrogram;
+        signals.milliseconds[Signal::GeneratedSpectrogram] = generated.frictionMilliseconds;
         signals.traces[Signal::GeneratedTrace] = std::move(generated.trace);
         signals.generatedMeanFriction = generated.meanFriction;
         signals.generatedTraceMmPerSample = generated.traceMmPerSample;
     }
+}
+
+void addMissing(FabricSignals& signals, const FabricSignals& other)
+{
+    signals.images.insert(other.images.begin(), other.images.end());
+    if (other.traces.contains(Signal::MeasuredTrace) && !signals.traces.contains(Signal::MeasuredTrace))
+        signals.measuredQuantity = other.measuredQuantity;
+    signals.traces.insert(other.traces.begin(), other.traces.end());
+    signals.milliseconds.insert(other.milliseconds.begin(), other.milliseconds.end());
+    const auto fill = [&](auto... fields) { ((signals.*fields = signals.*fields ? signals.*fields : other.*fields), ...); };
+    fill(&FabricSignals::measuredMeanFriction, &FabricSignals::generatedMeanFriction, &FabricSignals::light,
+         &FabricSignals::shapeLeftOut, &FabricSignals::colourVariation, &FabricSignals::photograph,
+         &FabricSignals::photographMmPerPixel, &FabricSignals::tactileMmPerPixel, &FabricSignals::generatedMmPerPixel,
+         &FabricSignals::traceMmPerSample, &FabricSignals::generatedTraceMmPerSample, &FabricSignals::likeness,
+         &FabricSignals::photographLightDeg);
 }
 
 Sources sourcesOf(const protocols::Condition& condition, const FabricSignals& signals)

@@ -6,7 +6,10 @@
 #include <set>
 
 #include "protocols/files/errors.h"
+#include "rendering/composition/kept_signals.h"
 #include "rendering/composition/render_fabrics.h"
+#include "rendering/fabrics/sample_places.h"
+#include "rendering/models/preset.h"
 #include "rendering/signals/tactile/photometric_stereo.h"
 
 namespace rendering {
@@ -23,16 +26,18 @@ std::optional<protocols::Fault> missingInput(const fabrics::Dataset& dataset, co
 class SignalComputation {
 public:
     /// `shown`: of larger photographs, only the middle of this size is turned into a relief by the linear method. Empty: all.
+    /// `cache`: keeps costly signals. A recording is then read only for a signal that the cache lacks.
     SignalComputation(const fabrics::Dataset& dataset, models::Quality quality, const signals::ShadingOptions& shading = {},
-                      cv::Size shown = {})
-        : m_dataset(dataset), m_quality(quality), m_shading(shading), m_shown(shown)
+                      cv::Size shown = {}, cache::ResultCache* cache = nullptr)
+        : m_dataset(dataset), m_quality(quality), m_shading(shading), m_shown(shown), m_views(dataset), m_kept(cache, dataset)
     {
-        if (quality == models::Quality::Fast) m_shading.quality = signals::ShadingQuality::Fast;
+        if (models::presetOf(quality).shading == signals::ShadingQuality::Fast) m_shading.quality = signals::ShadingQuality::Fast;
     }
 
-    /// Signals in `needed`, except those that a generator makes.
+    /// Signals in `needed`, except those that a generator makes. `known`: the same fabric's signals of another quality; those
+    /// that no quality changes are taken from it.
     FabricSignals measured(const protocols::FabricId& fabric, const SampleChoice& samples, const std::set<Signal>& needed,
-                           RenderedFabrics& counts);
+                           RenderedFabrics& counts, const FabricSignals& known = {});
 
 private:
     cv::Mat reliefOf(const cv::Mat& photograph, FabricSignals& result) const;
@@ -42,12 +47,17 @@ private:
     models::Quality m_quality;
     signals::ShadingOptions m_shading;
     cv::Size m_shown;
+    fabrics::PhotographViews m_views;
+    KeptSignals m_kept;
     cv::Mat m_reference;
     std::optional<signals::Calibration> m_calibration;
 };
 
 /// Adds the signals that the generators made from a fabric's photograph.
 void addGenerated(FabricSignals& signals, models::GeneratedSignals generated, const std::set<Signal>& needed);
+
+/// Adds the signals of `other` that `signals` lacks.
+void addMissing(FabricSignals& signals, const FabricSignals& other);
 
 /// Relief and friction of a condition. All signals that it needs must exist.
 Sources sourcesOf(const protocols::Condition& condition, const FabricSignals& signals);

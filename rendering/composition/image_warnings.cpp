@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace rendering {
 
@@ -19,54 +22,67 @@ constexpr double quietPower = 1e-2;  ///< squared grey levels in a ring; less is
 
 using RingPowers = std::array<double, rings>;
 
-/// Grey levels of 255.
-cv::Mat levelsFrom(const cv::Mat& image)
-{
-    cv::Mat levels;
-    image.convertTo(levels, CV_32F, image.depth() == CV_16U ? 255.0 / 65535 : 1);
-    return levels;
-}
+/// Grey levels of 255 in one level of the image.
+double greyLevelsPerLevel(const cv::Mat& image) { return image.depth() == CV_16U ? 255.0 / 65535 : 1; }
 
 double hann(int place, int length) { return 0.5 - 0.5 * std::cos(2 * CV_PI * (place + 0.5) / length); }
 
-/// Power of the variation in rings of frequency that grow by equal factors, squared grey levels.
-RingPowers ringPowers(const cv::Mat& levels)
+/// Window and rings of one size of the middle, computed once for all images.
+struct RingTable {
+    cv::Size size;
+    cv::Mat window;         ///< CV_32FC1
+    std::vector<int> ring;  ///< of each frequency, row by row; -1: too slow to count
+};
+
+RingTable ringTable(cv::Size size)
 {
-    const cv::Size size(std::min(levels.cols, middlePx), std::min(levels.rows, middlePx));
-    cv::Mat middle = levels(cv::Rect({(levels.cols - size.width) / 2, (levels.rows - size.height) / 2}, size)).clone();
-    middle -= cv::mean(middle)[0];
-    for (int i = 0; i < size.height; ++i)
-        for (int j = 0; j < size.width; ++j)
-            middle.at<float>(i, j) *= static_cast<float>(hann(i, size.height) * hann(j, size.width));
-    cv::Mat spectrum;
-    cv::dft(middle, spectrum, cv::DFT_COMPLEX_OUTPUT);
-    RingPowers powers{};
+    RingTable table{size, cv::Mat(size, CV_32FC1), {}};
     const double lowest = 2.0 / std::max(size.width, size.height), octaves = std::log2(0.5 / lowest);
-    // The window passes 9/64 of the power; the transform sums over all pixels.
-    const double unit = 64.0 / 9 / std::pow(static_cast<double>(size.area()), 2);
     for (int i = 0; i < size.height; ++i)
         for (int j = 0; j < size.width; ++j) {
+            table.window.at<float>(i, j) = static_cast<float>(hann(i, size.height) * hann(j, size.width));
             const double fy = std::min(i, size.height - i) / static_cast<double>(size.height),
                          fx = std::min(j, size.width - j) / static_cast<double>(size.width), f = std::hypot(fx, fy);
-            if (f < lowest / 2) continue;
             const double ring = octaves > 0 ? std::log2(f / lowest) / octaves * rings : 0;
-            const auto value = spectrum.at<cv::Vec2f>(i, j);
-            powers[static_cast<std::size_t>(std::clamp(ring, 0.0, rings - 1.0))] += unit * static_cast<double>(value.dot(value));
+            table.ring.push_back(f < lowest / 2 ? -1 : static_cast<int>(std::clamp(ring, 0.0, rings - 1.0)));
         }
+    return table;
+}
+
+cv::Size middleSizeOf(const cv::Mat& image) { return {std::min(image.cols, middlePx), std::min(image.rows, middlePx)}; }
+
+/// Power of the variation in rings of frequency that grow by equal factors, squared grey levels.
+RingPowers ringPowers(const cv::Mat& image, const RingTable& table)
+{
+    const cv::Size size = table.size;
+    cv::Mat middle, spectrum;
+    image(cv::Rect({(image.cols - size.width) / 2, (image.rows - size.height) / 2}, size))
+        .convertTo(middle, CV_32F, greyLevelsPerLevel(image));
+    middle -= cv::mean(middle)[0];
+    cv::multiply(middle, table.window, middle);
+    cv::dft(middle, spectrum, cv::DFT_COMPLEX_OUTPUT);
+    RingPowers powers{};
+    // The window passes 9/64 of the power; the transform sums over all pixels.
+    const double unit = 64.0 / 9 / std::pow(static_cast<double>(size.area()), 2);
+    auto ring = table.ring.begin();
+    for (int i = 0; i < size.height; ++i) {
+        const auto* value = spectrum.ptr<cv::Vec2f>(i);
+        for (int j = 0; j < size.width; ++j, ++ring)
+            if (*ring >= 0) powers[static_cast<std::size_t>(*ring)] += unit * static_cast<double>(value[j].dot(value[j]));
+    }
     return powers;
 }
 
 /// What comparisons need of an image, computed once.
 struct SeenImage {
-    cv::Mat levels;
+    cv::Mat image;  ///< shares the pixels
     double mean = 0;
     RingPowers powers{};
 };
 
-SeenImage seen(const cv::Mat& image)
+SeenImage seen(const cv::Mat& image, const RingTable& table)
 {
-    const cv::Mat levels = levelsFrom(image);
-    return {levels, cv::mean(levels)[0], ringPowers(levels)};
+    return {image, cv::mean(image)[0] * greyLevelsPerLevel(image), ringPowers(image, table)};
 }
 
 ImageDistance between(const SeenImage& a, const SeenImage& b)
@@ -74,16 +90,30 @@ ImageDistance between(const SeenImage& a, const SeenImage& b)
     double squares = 0;
     for (std::size_t k = 0; k < rings; ++k)
         squares += std::pow(10 * std::log10((a.powers[k] + quietPower) / (b.powers[k] + quietPower)), 2);
-    return {cv::norm(a.levels, b.levels) / std::sqrt(static_cast<double>(a.levels.total())), std::abs(a.mean - b.mean),
-            std::sqrt(squares / rings)};
+    const double levels = cv::norm(a.image, b.image) * greyLevelsPerLevel(a.image);
+    return {levels / std::sqrt(static_cast<double>(a.image.total())), std::abs(a.mean - b.mean), std::sqrt(squares / rings)};
 }
 
-double rangeUsed(const cv::Mat& levels)
+template <class Level>
+std::vector<std::size_t> levelCounts(const cv::Mat& image)
 {
-    cv::Mat sorted;
-    cv::sort(levels.clone().reshape(1, 1), sorted, cv::SORT_EVERY_ROW | cv::SORT_ASCENDING);
-    const auto at = [&](double share) { return sorted.at<float>(static_cast<int>(share * (sorted.cols - 1))); };
-    return static_cast<double>(at(0.999) - at(0.001)) / 255;
+    std::vector<std::size_t> counts(std::size_t{1} << (8 * sizeof(Level)), 0);
+    for (int i = 0; i < image.rows; ++i)
+        for (const Level *level = image.ptr<Level>(i), *end = level + image.cols; level != end; ++level) ++counts[*level];
+    return counts;
+}
+
+/// Difference of the 0.1st and the 99.9th percentile of the levels, as a share of all levels.
+double rangeUsed(const cv::Mat& image)
+{
+    const auto counts = image.depth() == CV_16U ? levelCounts<std::uint16_t>(image) : levelCounts<std::uint8_t>(image);
+    const auto at = [&](double share) {
+        auto left = static_cast<std::size_t>(share * (static_cast<double>(image.total()) - 1));
+        std::size_t level = 0;
+        while (left >= counts[level]) left -= counts[level++];
+        return static_cast<double>(level);
+    };
+    return (at(0.999) - at(0.001)) / (static_cast<double>(counts.size()) - 1);
 }
 
 std::string number(double value, int digits)
@@ -105,16 +135,22 @@ std::string listed(const std::vector<std::string>& names)
 
 }  // namespace
 
-ImageDistance distanceOf(const cv::Mat& a, const cv::Mat& b) { return between(seen(a), seen(b)); }
+ImageDistance distanceOf(const cv::Mat& a, const cv::Mat& b)
+{
+    const RingTable table = ringTable(middleSizeOf(a));
+    return between(seen(a, table), seen(b, table));
+}
 
 ImageFaults imageFaults(const RenderedFabrics& rendering)
 {
     ImageFaults faults;
+    std::optional<RingTable> table;
     std::map<protocols::FabricId, std::vector<std::pair<protocols::ConditionId, SeenImage>>> byFabric;
     for (const auto& rendered : rendering.conditions)
         for (const auto& [fabric, image] : rendered.images) {
-            auto one = seen(image);
-            if (const double used = rangeUsed(one.levels); used < leastRangeUsed)
+            if (!table || table->size != middleSizeOf(image)) table = ringTable(middleSizeOf(image));
+            auto one = seen(image, *table);
+            if (const double used = rangeUsed(image); used < leastRangeUsed)
                 faults.flat.push_back({fabric, rendered.condition, used});
             for (const auto& [condition, other] : byFabric[fabric])
                 if (const auto distance = between(other, one); distance.same())

@@ -20,6 +20,7 @@ struct SignalRow {
     ReliefSource relief = ReliefSource::None;
     FrictionSource friction = FrictionSource::None;
     bool isGenerated = false;
+    bool hasQuality = false;  ///< computed at a choice of prices
 };
 
 const std::vector<SignalRow>& signalTable()
@@ -29,15 +30,28 @@ const std::vector<SignalRow>& signalTable()
         {Signal::TactileFrame, "tactile frame", {}},
         {Signal::FrictionRecord, "friction record", {}},
         {Signal::GreyPhotograph, "grey photograph", {Signal::Photograph}, ReliefSource::GreyPhotograph},
-        {Signal::ShapeFromShading, "shape from shading", {Signal::Photograph}, ReliefSource::ShapeFromShading},
+        {Signal::ShapeFromShading,
+         "shape from shading",
+         {Signal::Photograph},
+         ReliefSource::ShapeFromShading,
+         FrictionSource::None,
+         false,
+         true},
         {Signal::GreyTactile, "grey tactile frame", {Signal::TactileFrame}, ReliefSource::GreyTactile},
-        {Signal::PhotometricHeight, "photometric height", {Signal::TactileFrame}, ReliefSource::PhotometricHeight},
+        {Signal::PhotometricHeight,
+         "photometric height",
+         {Signal::TactileFrame},
+         ReliefSource::PhotometricHeight,
+         FrictionSource::None,
+         false,
+         true},
         {Signal::HeightGradient, "gradient of the height", {Signal::PhotometricHeight}, ReliefSource::HeightGradient},
         {Signal::GeneratedHeight,
          "generated height",
          {Signal::Photograph},
          ReliefSource::GeneratedHeight,
          FrictionSource::None,
+         true,
          true},
         {Signal::MeasuredTrace, "measured trace", {Signal::FrictionRecord}, ReliefSource::None, FrictionSource::MeasuredTrace},
         {Signal::GeneratedSpectrogram,
@@ -45,6 +59,7 @@ const std::vector<SignalRow>& signalTable()
          {Signal::Photograph},
          ReliefSource::None,
          FrictionSource::None,
+         true,
          true},
         {Signal::GeneratedTrace,
          "generated trace",
@@ -123,6 +138,12 @@ std::vector<Signal> signalsFor(std::span<const protocols::ConditionId> condition
     return inOrder(needed);
 }
 
+bool dependsOnQuality(Signal signal)
+{
+    const SignalRow& row = rowOf(signal);
+    return row.hasQuality || std::any_of(row.from.begin(), row.from.end(), dependsOnQuality);
+}
+
 bool isGenerated(Signal signal) { return rowOf(signal).isGenerated; }
 
 Signal recordingOf(Signal signal)
@@ -139,13 +160,20 @@ bool needsGenerators(std::span<const Signal> signals)
 std::string explain(std::span<const protocols::ConditionId> conditions)
 {
     std::string text;
+    std::size_t width = 9;
+    std::set<protocols::Quality> qualities;
+    for (const auto& id : conditions) {
+        width = std::max(width, id.value.size());
+        if (const auto quality = protocols::qualityOf(id)) qualities.insert(*quality);
+    }
     for (const auto& id : conditions) {
         const auto signals = signalsFor(protocols::conditionNamed(id.value));
-        text += id.value + std::string(id.value.size() < 9 ? 9 - id.value.size() : 0, ' ') + "  " + joined(signals) +
+        text += id.value + std::string(id.value.size() < width ? width - id.value.size() : 0, ' ') + "  " + joined(signals) +
                 (needsGenerators(signals) ? "  [generators, libtorch]" : "  [no libtorch]") + "\n";
     }
     const auto all = signalsFor(conditions);
-    text += "computed once for each fabric: " + joined(all) + "\n";
+    text += "computed once for each fabric" + std::string(qualities.empty() ? "" : " and quality that needs it") + ": " +
+            joined(all) + "\n";
     text += needsGenerators(all) ? "libtorch is needed (vis2hap-nn starts)\n" : "libtorch is not needed\n";
     return text;
 }

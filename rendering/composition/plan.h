@@ -36,6 +36,8 @@ std::optional<Signal> frictionSignal(const protocols::Condition& condition);
 std::vector<Signal> signalsFor(const protocols::Condition& condition);
 std::vector<Signal> signalsFor(std::span<const protocols::ConditionId> conditions);
 
+/// True where a quality changes how the signal or one of its inputs is computed.
+bool dependsOnQuality(Signal signal);
 /// True for a signal that a trained generator makes.
 bool isGenerated(Signal signal);
 /// Recording from which a signal is computed: photograph, tactile frame or friction record.

@@ -4,12 +4,14 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "protocols/condition.h"
+#include "rendering/cache/result_cache.h"
 #include "rendering/composition/display_mapping.h"
 #include "rendering/composition/friction_image.h"
 #include "rendering/composition/plan.h"
@@ -39,13 +41,17 @@ struct RenderRequest {
     Extension extension = Extension::Tile;
     Percentiles percentiles;  ///< taken over the pixels of all fabrics together; 0 and 100 are the least and greatest value
     DisplayMapping mapping;
-    signals::ShadingOptions shading;       ///< for v_shape; its quality follows from generation.quality
-    models::GenerationOptions generation;  ///< model and quality; the conditions determine which signals are generated
+    signals::ShadingOptions shading;  ///< for v_shape; its quality follows from generation.quality
+    /// Model, and the quality of conditions that carry none; the conditions determine which signals are generated.
+    models::GenerationOptions generation;
 
     /// Called at most once, with the photographs of all fabrics, and only if a condition needs it.
     std::function<std::vector<models::GeneratedSignals>(std::span<const models::InputPhotograph>,
                                                         const models::GenerationOptions&)>
         generate = models::generate;
+
+    /// Keeps signals and ranges, and gives those that were kept before; null: everything is computed.
+    std::shared_ptr<cache::ResultCache> cache = nullptr;
 };
 
 /// Signals of one fabric, for comparing and showing measured and generated ones.
@@ -62,6 +68,8 @@ struct FabricSignals {
         generatedTraceMmPerSample;
     std::optional<models::ClothLikeness> likeness;  ///< of the photograph, where signals are generated from it
     std::optional<double> photographLightDeg;       ///< side of the lamp, where samples.csv states it
+    /// Time of each signal; that of a trace is part of its spectrogram's. Starting vis2hap-nn and loading weights are left out.
+    std::map<Signal, double> milliseconds = {};
 };
 
 /// Facts on the conversion of a source to a map on the screen.
@@ -74,6 +82,7 @@ struct MapFacts {
 
 struct RenderedCondition {
     protocols::ConditionId condition;
+    models::Quality quality = models::Quality::Balanced;
     MapRange range;  ///< range of the first rendered fabric
     /// Ranges by quantity of the measured friction ("" where none is used), because a coefficient and a count of sensor units
     /// have no common range.
@@ -90,11 +99,18 @@ struct RenderedCondition {
 
 struct RenderedFabrics {
     std::vector<RenderedCondition> conditions;
+    /// Signals at the usual quality. One that is needed at other qualities only is here at the most accurate of them. Of rendered
+    /// fabrics, and of those whose ranges were unknown.
     std::map<protocols::FabricId, FabricSignals> signals;
-    std::map<Signal, int> computed;         ///< number of computations of each signal
-    std::map<Signal, double> milliseconds;  ///< time over all fabrics; both generators are counted under the first
+    std::map<models::Quality, std::map<protocols::FabricId, FabricSignals>> signalsAt;  ///< those that conditions use
+    std::map<Signal, int> computed;         ///< number of computations of each signal; kept ones do not count
+    int keptRanges = 0;                     ///< maps whose range the cache knew
+    std::map<Signal, double> milliseconds;  ///< time over all fabrics and qualities; both generators are counted under the first
     std::map<protocols::FabricId, SampleChoice> samples;
 };
+
+/// The quality of a condition: its own, or the usual one of the request.
+models::Quality qualityOf(const protocols::ConditionId& condition, const RenderRequest& request);
 
 /// `progress(done, total, what)` reports each step. Throws badInput before any computation where the data set lacks a signal
 /// for a requested image; it names the fabric and the signal. A fabric that only contributes to the range is left out instead.

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "rendering/composition/image_warnings.h"
+#include "rendering/models/preset.h"
+#include "rendering/models/preset_trade.h"
 
 namespace rendering {
 
@@ -43,6 +45,8 @@ ordered_json jsonOf(const RenderedCondition& rendered, const RenderRequest& requ
         for (const auto& [quantity, range] : rendered.ranges) json["ranges"][quantity] = jsonOf(range);
     for (const Signal signal : signalsFor(protocols::conditionNamed(rendered.condition.value)))
         json["signals"].push_back(nameOf(signal));
+    json["quality"] = nameOf(rendered.quality);
+    if (rendered.quality != request.generation.quality) json["settings"] = settingsOf(rendered.quality);
     json["mapping"] = mappingOf(request);
     json["stroke_axis"] = std::string(1, strokeAxis);
     json["images"] = ordered_json::array();
@@ -69,32 +73,16 @@ ordered_json jsonOf(const models::PhotographFacts& photograph)
     return json;
 }
 
-/// Sample indices of the signals that the fabric's images use.
-ordered_json samplesOf(const SampleChoice& samples, const RenderedFabrics& rendering)
+/// Sample indices of the recordings that the images use, whether they were read now or a cache made that needless.
+ordered_json samplesOf(const SampleChoice& samples, const std::vector<Signal>& used)
 {
+    const auto uses = [&](Signal signal) { return std::find(used.begin(), used.end(), signal) != used.end(); };
     ordered_json json = ordered_json::object();
-    if (rendering.computed.contains(Signal::Photograph)) json["visual"] = samples.visual;
-    if (rendering.computed.contains(Signal::TactileFrame)) json["tactile"] = samples.tactile;
-    if (rendering.computed.contains(Signal::FrictionRecord)) json["friction"] = samples.friction;
+    if (uses(Signal::Photograph)) json["visual"] = samples.visual;
+    if (uses(Signal::TactileFrame)) json["tactile"] = samples.tactile;
+    if (uses(Signal::FrictionRecord)) json["friction"] = samples.friction;
     return json;
 }
-
-const char* nameOf(models::Quality quality)
-{
-    switch (quality) {
-        case models::Quality::Fast:
-            return "fast";
-        case models::Quality::Balanced:
-            return "balanced";
-        case models::Quality::Accurate:
-            return "accurate";
-    }
-    return "";
-}
-
-}  // namespace
-
-namespace {
 
 std::string percent(double share)
 {
@@ -111,6 +99,27 @@ std::string inWords(const MapFacts& facts)
 }
 
 }  // namespace
+
+ordered_json settingsOf(models::Quality quality)
+{
+    const models::Preset& preset = models::presetOf(quality);
+    ordered_json json{{"preset", preset.name},
+                      {"integration_bits", preset.integration == signals::IntegrationQuality::Fast ? 32 : 64},
+                      {"shading_pixels", preset.shading == signals::ShadingQuality::Fast ? "a quarter" : "all"},
+                      {"phase_iterations", preset.phaseIterations},
+                      {"pictures_averaged", preset.pictures},
+                      {"margin_px", preset.marginPx},
+                      {"crops", preset.cropsAcross * preset.cropsAcross},
+                      {"trade_measured_on", models::presetTradeMachine}};
+    for (const models::PresetTrade& trade : models::presetTrades) {
+        const auto i = static_cast<std::size_t>(quality);
+        json["trade"][trade.stage] = {{"ms", trade.milliseconds[i]},
+                                      {"error", trade.error[i]},
+                                      {"least_error", *std::min_element(trade.error.begin(), trade.error.end())},
+                                      {"error_is", trade.errorIs}};
+    }
+    return json;
+}
 
 std::vector<std::string> describeMaps(const RenderedFabrics& rendering)
 {
@@ -151,22 +160,28 @@ std::string renderJson(const fabrics::Dataset& dataset, const RenderRequest& req
     ordered_json json{{"schema", "vis2hap.render/1"},
                       {"dataset", dataset.name},
                       {"scale", nameOf(request.scale)},
-                      {"quality", nameOf(request.generation.quality)},
+                      {"quality", models::presetOf(request.generation.quality).name},
+                      {"settings", settingsOf(request.generation.quality)},
                       {"conditions", ordered_json::object()},
                       {"samples", ordered_json::object()},
                       {"signals_computed", ordered_json::object()},
                       {"signals_ms", ordered_json::object()}};
     for (const auto& rendered : rendering.conditions) json["conditions"][rendered.condition.value] = jsonOf(rendered, request);
     json["image_faults"] = jsonOf(imageFaults(rendering));
-    for (const auto& [fabric, samples] : rendering.samples) json["samples"][fabric.value] = samplesOf(samples, rendering);
+    const auto used = signalsFor(std::span<const protocols::ConditionId>(request.conditions));
+    for (const auto& [fabric, samples] : rendering.samples) json["samples"][fabric.value] = samplesOf(samples, used);
     for (const auto& [signal, count] : rendering.computed) json["signals_computed"][nameOf(signal)] = count;
     for (const auto& [signal, milliseconds] : rendering.milliseconds) json["signals_ms"][nameOf(signal)] = rounded(milliseconds);
+    // Of the rendered fabrics alone, because a cache may know the ranges of others without their signals.
+    const auto isRendered = [&](const protocols::FabricId& fabric) {
+        return std::find(request.fabrics.begin(), request.fabrics.end(), fabric) != request.fabrics.end();
+    };
     for (const auto& [fabric, computed] : rendering.signals)
-        if (computed.measuredMeanFriction)
+        if (computed.measuredMeanFriction && isRendered(fabric))
             json["measured_friction"][fabric.value] = {{"quantity", computed.measuredQuantity},
                                                        {"mean", *computed.measuredMeanFriction}};
     for (const auto& [fabric, computed] : rendering.signals)
-        if (computed.light)
+        if (computed.light && isRendered(fabric))
             json["shading"][fabric.value] = {
                 {"method", request.shading.method == signals::ShadingMethod::Linear ? "linear" : "bumps"},
                 {"light_from", request.shading.lightFromBelow ? "below" : "above"},
@@ -174,7 +189,7 @@ std::string renderJson(const fabrics::Dataset& dataset, const RenderRequest& req
                 {"light_coherence", computed.light->coherence},
                 {"colour_variation", *computed.colourVariation}};
     for (const auto& [fabric, computed] : rendering.signals)
-        if (computed.photograph) {
+        if (computed.photograph && isRendered(fabric)) {
             json["photographs"][fabric.value] = jsonOf(*computed.photograph);
             if (computed.likeness) json["photographs"][fabric.value]["likeness"] = models::nameOf(*computed.likeness);
         }

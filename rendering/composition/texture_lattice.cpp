@@ -26,6 +26,15 @@ cv::Mat ramps(int length, int strip)
     return weights;
 }
 
+/// column * row^T. OpenCV's own product wakes the threads of a linear algebra library, which costs far more than this.
+cv::Mat productOf(const cv::Mat& column, const cv::Mat& row)
+{
+    cv::Mat product(column.rows, row.rows, CV_32FC1);
+    for (int i = 0; i < product.rows; ++i)
+        for (int j = 0; j < product.cols; ++j) product.at<float>(i, j) = column.at<float>(i) * row.at<float>(j);
+    return product;
+}
+
 /// Overlap of a patch and a canvas, as rectangles in both; empty where there is none.
 struct PatchOverlap {
     cv::Rect onCanvas, ofPatch;
@@ -99,7 +108,7 @@ std::vector<cv::Point> lattice(cv::Point first, cv::Size patch, cv::Size canvas,
 
 cv::Mat blended(const cv::Mat& patch, const TileStep& x, const TileStep& y, double agreement)
 {
-    const cv::Mat window = ramps(patch.rows, y.strip) * ramps(patch.cols, x.strip).t();
+    const cv::Mat window = productOf(ramps(patch.rows, y.strip), ramps(patch.cols, x.strip));
     cv::Mat sum = cv::Mat::zeros(patch.size(), CV_32FC1), weight = sum.clone(), squares = sum.clone();
     for (const cv::Point place : lattice({}, patch.size(), patch.size(), x, y)) {
         const PatchOverlap overlap = overlapOf(patch.size(), place, patch.size());

@@ -106,7 +106,20 @@ const cv::Mat& StimulusBank::imageOf(const protocols::FileCode& code)
     return m_ready.at(code);
 }
 
+void StimulusBank::requireImage(const protocols::SealedCode& code) const
+{
+    (void)sealedOf(protocols::opened(code, m_stationKey));
+}
+
 void StimulusBank::prefetch(const protocols::SealedCode& code) { makeReady(protocols::opened(code, m_stationKey)); }
+
+const std::string& StimulusBank::sealedOf(const protocols::FileCode& code) const
+{
+    const auto sealed = m_sealed.find(code);
+    if (sealed == m_sealed.end())
+        throw notUsable("the study has no stimulus of this name", protocols::stimulusFile(m_stimuli, code));
+    return sealed->second;
+}
 
 void StimulusBank::makeReady(const protocols::FileCode& code)
 {
@@ -115,9 +128,7 @@ void StimulusBank::makeReady(const protocols::FileCode& code)
         return;
     }
     const auto file = protocols::stimulusFile(m_stimuli, code);
-    const auto sealed = m_sealed.find(code);
-    if (sealed == m_sealed.end()) throw notUsable("the study has no stimulus of this name", file);
-    const auto bytes = protocols::open(m_stationKey, sealed->second, code.value);
+    const auto bytes = protocols::open(m_stationKey, sealedOf(code), code.value);
     if (!bytes) throw notUsable("the stimulus was altered", file);
     m_ready[code] = pgmOfBytes(*bytes, file);
     m_order.push_back(code);

@@ -31,10 +31,14 @@ public:
     const cv::Mat& image(const protocols::SealedCode& code);
     const cv::Mat& imageOf(const protocols::FileCode& code);
 
+    /// Throws as image() does where the study has no such image; decrypts no image.
+    void requireImage(const protocols::SealedCode& code) const;
+
     /// Decrypts the image now, while the operator fills the tray. Keeps the last few images.
     void prefetch(const protocols::SealedCode& code);
 
 private:
+    const std::string& sealedOf(const protocols::FileCode& code) const;
     void makeReady(const protocols::FileCode& code);
 
     std::filesystem::path m_stimuli;

@@ -6,6 +6,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
+#include "rendering/fabrics/dataset_hash.h"
 #include "rendering/fabrics/dataset_json.h"
 #include "rendering/images/image_png.h"
 #include "rendering/images/image_tiff.h"
@@ -104,31 +105,7 @@ void writeDatasetJson(const Dataset& dataset)
     protocols::writeWholeFile(dataset.folder / "dataset.json", toJson(dataset), protocols::Sync::Later);
 }
 
-std::string hashOf(const Dataset& dataset)
-{
-    std::vector<fs::path> files{"dataset.json"};
-    const auto addIfThere = [&](const fs::path& file) {
-        if (fs::is_regular_file(dataset.folder / file)) files.push_back(file);
-    };
-    addIfThere("samples.csv");
-    addIfThere("tactile-reference.png");
-    if (!dataset.tactileCalibration.empty() && dataset.tactileCalibration != "known") addIfThere(dataset.tactileCalibration);
-    for (const FabricInfo& fabric : dataset.fabrics)
-        for (const Modality modality : {Modality::Visual, Modality::Tactile, Modality::Friction})
-            for (const int index : sampleIndices(dataset, fabric.id, modality)) {
-                files.push_back(fs::relative(samplePath(dataset, fabric.id, modality, index), dataset.folder));
-                if (modality == Modality::Tactile)
-                    addIfThere(fs::relative(knownHeightPath(dataset, fabric.id, index), dataset.folder));
-                if (modality == Modality::Visual)
-                    addIfThere(fs::relative(surfacePath(dataset, fabric.id, index), dataset.folder));
-            }
-    std::sort(files.begin(), files.end(),
-              [](const fs::path& a, const fs::path& b) { return a.generic_string() < b.generic_string(); });
-    std::string list;
-    for (const fs::path& file : files)
-        list += file.generic_string() + " " + protocols::sha256OfFile(dataset.folder / file) + "\n";
-    return protocols::sha256(list);
-}
+std::string hashOf(const Dataset& dataset) { return hashOf(dataset, protocols::sha256OfFile); }
 
 std::vector<int> sampleIndices(const Dataset& dataset, const FabricId& fabric, Modality modality)
 {

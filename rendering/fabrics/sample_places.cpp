@@ -6,8 +6,8 @@
 #include <set>
 #include <tuple>
 
-#include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/foreign/foreign_table.h"
 #include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/random.h"
@@ -118,7 +118,7 @@ std::vector<SamplePlace> readSamplePlaces(const Dataset& dataset)
 {
     const fs::path file = dataset.folder / "samples.csv";
     if (!fs::exists(file)) return {};
-    const protocols::CsvTable table = protocols::readCsvTable(file);
+    const protocols::CsvTable table = protocols::readForeignTable(file).table;
     const auto column = [&](const char* name) {
         if (const auto found = table.column(name)) return *found;
         throw protocols::badInput({std::string("has no column ") + name, table.where, header, "add the column"});

@@ -19,8 +19,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* requestSchema = "vis2hap.generate/1";
 constexpr const char* answerSchema = "vis2hap.generated/1";
-constexpr std::pair<Quality, const char*> qualities[] = {
-    {Quality::Fast, "fast"}, {Quality::Balanced, "balanced"}, {Quality::Accurate, "accurate"}};
 
 ordered_json written(const fs::path& folder, const std::string& name, const cv::Mat& array)
 {
@@ -101,22 +99,16 @@ GeneratedSignals answerIn(const fs::path& folder, const nlohmann::json& item)
         answer.meanFriction = item.at("mean_friction").get<double>();
         answer.photograph.meanFriction = intervalIn(item.at("mean_friction_interval"));
     }
+    answer.heightMilliseconds = item.value("height_ms", 0.0);
+    answer.frictionMilliseconds = item.value("friction_ms", 0.0);
     return answer;
 }
 
 }  // namespace
 
-std::string nameOf(Quality quality)
-{
-    for (const auto& [value, name] : qualities)
-        if (value == quality) return name;
-    return {};
-}
-
 Quality qualityNamed(std::string_view name)
 {
-    for (const auto& [value, known] : qualities)
-        if (name == known) return value;
+    if (const auto quality = protocols::qualityFrom(name)) return *quality;
     throw protocols::badInput(
         {"unknown quality '" + std::string(name) + "'", "--quality", "fast, balanced or accurate", "correct the option"});
 }
@@ -204,7 +196,9 @@ void AnswerWriter::add(const GeneratedSignals& answer)
         {"trace", written(m_folder, "trace" + number + ".npy", trace)},
         {"trace_mm_per_sample", answer.traceMmPerSample},
         {"mean_friction", answer.meanFriction},
-        {"mean_friction_interval", interval ? ordered_json{interval->low, interval->high} : ordered_json()}};
+        {"mean_friction_interval", interval ? ordered_json{interval->low, interval->high} : ordered_json()},
+        {"height_ms", answer.heightMilliseconds},
+        {"friction_ms", answer.frictionMilliseconds}};
     m_signals.push_back(signals.dump());
 }
 

@@ -6,7 +6,7 @@
 //   answer.json  {"schema":"vis2hap.generated/1","signals":[{"height":FILE|null,"height_mm_per_pixel":X,
 //                 "spectrogram":FILE|null,"spectrogram_parameters":{"window":N,"hop":N,"fft":N,"samples_per_mm":X},
 //                 "trace":FILE|null,"trace_mm_per_sample":X,"mean_friction":X,"mean_friction_interval":[LOW,HIGH]|null,
-//                 "distance":X|null,"usual_distance":X}]}
+//                 "distance":X|null,"usual_distance":X,"height_ms":X,"friction_ms":X}]}
 #pragma once
 
 #include <filesystem>
@@ -29,7 +29,6 @@ struct GenerationRequest {
     GenerationOptions options;
 };
 
-std::string nameOf(Quality quality);
 Quality qualityNamed(std::string_view name);  ///< throws badInput that lists the three
 
 /// Writes each photograph when it is added, and request.json at the end.

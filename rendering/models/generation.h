@@ -8,12 +8,13 @@
 #include <span>
 #include <vector>
 
+#include "protocols/quality.h"
 #include "rendering/models/model_card.h"
 #include "rendering/signals/spectrogram.h"
 
 namespace rendering::models {
 
-enum class Quality { Fast, Balanced, Accurate };
+using protocols::Quality;
 
 struct GenerationOptions {
     std::filesystem::path model;  ///< weights file; empty: the weights that come with the program
@@ -56,6 +57,9 @@ struct GeneratedSignals {
     /// Parameters for the inversion of the spectrogram; its sample rate is in samples per millimetre.
     signals::SpectrogramParameters spectrogramParameters;
     PhotographFacts photograph;
+    /// Time that the networks and the steps after them took, without starting the program and loading weights; 0 if not
+    /// requested.
+    double heightMilliseconds = 0, frictionMilliseconds = 0;
 };
 
 /// Signals in the order of the photographs. Each photograph is processed independently of the others. Throws environmentFault

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/foreign/foreign_table.h"
 #include "protocols/files/number_text.h"
 #include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
@@ -48,7 +48,7 @@ using NamedWidths = std::map<std::string, double>;
 NamedWidths widthsInTable(const fs::path& file)
 {
     if (!fs::is_regular_file(file)) return {};
-    const auto table = protocols::readCsvTable(file);
+    const auto table = protocols::readForeignTable(file).table;
     const auto name = table.column("name"), width = table.column("width_mm");
     if (!name || !width)
         throw protocols::badInput({"lacks a column", file.string(), "name,width_mm", "write the header name,width_mm"});

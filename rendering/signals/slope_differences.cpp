@@ -268,6 +268,17 @@ cv::Mat SlopeDifferences<T>::surfaceOf(const cv::Mat& sources) const
 }
 
 template <class T>
+cv::Mat SlopeDifferences<T>::heightFactors() const
+{
+    cv::Mat factors(m_size, cv::DataType<T>::type);
+    for (int i = 0; i < m_size.height; ++i)
+        for (int j = 0; j < m_size.width; ++j)
+            factors.at<T>(i, j) = 1 / (m_alongY[static_cast<std::size_t>(i)] + m_alongX[static_cast<std::size_t>(j)]);
+    factors.at<T>(0, 0) = 0;  // Slopes do not contain the mean.
+    return factors;
+}
+
+template <class T>
 Slopes SlopeDifferences<T>::weights(const cv::Mat& measured, double weightOfGaps) const
 {
     Slopes result{cv::Mat(m_size, cv::DataType<T>::type), cv::Mat(m_size, cv::DataType<T>::type)};

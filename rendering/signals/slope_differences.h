@@ -25,6 +25,8 @@ public:
     cv::Mat sources(const Slopes& slopes) const;
     /// Height of mean 0 that satisfies transposed(of(height)) == sources.
     cv::Mat surfaceOf(const cv::Mat& sources) const;
+    /// Factors from the cosine transform of the sources to that of the height, as surfaceOf() applies them.
+    cv::Mat heightFactors() const;
     /// 1 for a rise between two measured places, else `weightOfGaps`. Not for central differences.
     Slopes weights(const cv::Mat& measured, double weightOfGaps) const;
 

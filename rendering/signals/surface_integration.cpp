@@ -10,6 +10,7 @@
 #include "protocols/files/errors.h"
 #include "rendering/signals/cosine_transform.h"
 #include "rendering/signals/gap_multigrid.h"
+#include "rendering/signals/high_pass.h"
 #include "rendering/signals/joined_lattices.h"
 #include "rendering/signals/known_places.h"
 #include "rendering/signals/slope_differences.h"
@@ -169,22 +170,9 @@ double curlResidual(const Slopes& slopes, const cv::Mat& heightMm, const Pitch& 
 
 cv::Mat withoutLowFrequency(const cv::Mat& heightMm, const Pitch& pitch, double cutoffMm)
 {
-    if (!(cutoffMm > 0))
-        throw protocols::badInput({.what = "a high-pass cut-off of " + std::to_string(cutoffMm) + " mm removes nothing",
-                                   .where = "",
-                                   .expected = "a wavelength above 0",
-                                   .nextStep = "correct the cut-off"});
+    const cv::Mat shares = highPassShares(heightMm.size(), pitch, cutoffMm);
     cv::Mat spectrum = cosineTransform(as<double>(heightMm));
-    const auto passed = [cutoffMm](int length, double step) {
-        std::vector<double> share(static_cast<std::size_t>(length));
-        for (int k = 0; k < length; ++k)
-            share[static_cast<std::size_t>(k)] = std::exp2(-std::pow(cutoffMm * cosineFrequency(k, length, step), 2));
-        return share;
-    };
-    const auto alongX = passed(spectrum.cols, pitch.x), alongY = passed(spectrum.rows, pitch.y);
-    for (int i = 0; i < spectrum.rows; ++i)
-        for (int j = 0; j < spectrum.cols; ++j)
-            spectrum.at<double>(i, j) *= 1 - alongY[static_cast<std::size_t>(i)] * alongX[static_cast<std::size_t>(j)];
+    cv::multiply(spectrum, shares, spectrum);
     cv::Mat result;
     inverseCosineTransform(spectrum).convertTo(result, heightMm.depth());
     return result;

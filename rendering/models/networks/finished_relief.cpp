@@ -2,6 +2,8 @@
 
 #include <opencv2/core.hpp>
 
+#include "rendering/models/preset.h"
+
 namespace rendering::models {
 
 RingFilter ringFilter(const Architecture& architecture, int passes)
@@ -15,7 +17,7 @@ RingFilter ringFilter(const Architecture& architecture, int passes)
 
 torch::Tensor finishedRelief(const torch::Tensor& relief, const torch::Tensor& rings, const Architecture& architecture)
 {
-    constexpr int passes = 3;  // Equal to Quality::Balanced.
+    constexpr int passes = presetOf(Quality::Balanced).spectrumPasses;
     if (!architecture.imposesSpectrum) return relief;
     torch::Tensor finished = relief.detach().contiguous().clone();
     const torch::Tensor wanted = rings.detach().contiguous();

@@ -2,15 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 #include <optional>
 #include <thread>
 
 #include "protocols/files/errors.h"
+#include "rendering/models/elapsed.h"
 #include "rendering/models/networks/finished_relief.h"
 #include "rendering/models/networks/weights.h"
 #include "rendering/models/photograph_at_pitch.h"
+#include "rendering/models/preset.h"
 #include "rendering/models/ring_spectrum.h"
 #include "rendering/models/seeing/friction_target.h"
 #include "rendering/models/seeing/picture_tensors.h"
@@ -25,23 +28,20 @@ constexpr int tileSide = 256;  ///< px of the height map from one pass of G_h
 
 int roundedUpTo16(int length) { return (length + 15) / 16 * 16; }
 
+/// Symmetries of the square over which a quality averages. Of two, the second is number 3.
 std::vector<int> turnsOf(Quality quality)
 {
-    switch (quality) {
-        case Quality::Fast:
-            return {0};
-        case Quality::Balanced:
-            return {0, 3};
-        case Quality::Accurate:
-            return {0, 1, 2, 3, 4, 5, 6, 7};
-    }
-    return {};
+    const int count = presetOf(quality).turns;
+    if (count == 2) return {0, 3};
+    std::vector<int> turns(static_cast<std::size_t>(count));
+    std::iota(turns.begin(), turns.end(), 0);
+    return turns;
 }
 
 /// Corners of the crops for G_s, evenly spread over the photograph.
 std::vector<cv::Point> cropCorners(const cv::Size& size, int side, Quality quality)
 {
-    const int across = quality == Quality::Fast ? 1 : quality == Quality::Balanced ? 2 : 3;
+    const int across = presetOf(quality).cropsAcross;
     const auto along = [&](int length, int i) {
         const int room = std::max(0, length - side);
         return across == 1 ? room / 2 : room * i / (across - 1);
@@ -57,35 +57,7 @@ std::vector<cv::Point> cropCorners(const cv::Size& size, int side, Quality quali
 int marginOf(const cv::Size& photograph, Quality quality)
 {
     const bool single = photograph.width <= tileSide && photograph.height <= tileSide;
-    return quality != Quality::Fast ? 32 : single ? 0 : 16;
-}
-
-int iterationsOf(Quality quality)
-{
-    switch (quality) {
-        // A quarter of Balanced. The mean stays exact; the loss of texture is not measured separately.
-        case Quality::Fast:
-            return 8;
-        case Quality::Balanced:
-            return signals::GriffinLimOptions::of(signals::InversionQuality::Fast).iterations;
-        case Quality::Accurate:
-            return signals::GriffinLimOptions::of(signals::InversionQuality::Accurate).iterations;
-    }
-    return 0;
-}
-
-/// Number of passes of the filter that imposes the spectrum.
-int passesOf(Quality quality)
-{
-    switch (quality) {
-        case Quality::Fast:
-            return 1;
-        case Quality::Balanced:
-            return 3;
-        case Quality::Accurate:
-            return 6;
-    }
-    return 1;
+    return quality == Quality::Fast && single ? 0 : presetOf(quality).paperMarginPx;
 }
 
 void requireFinite(const cv::Mat& values)
@@ -119,7 +91,7 @@ struct LoadedModel::Parts {
         const cv::Mat relief = result({0, 0, rgb.cols, rgb.rows}) * architecture.heightScaleMm;
         requireFinite(relief);  // The filter would spread a single value that is not finite over the whole map.
         if (!architecture.imposesSpectrum) return relief;
-        return withRingPowers(relief, predictedRings(rgb, quality), ringFilter(architecture, passesOf(quality)));
+        return withRingPowers(relief, predictedRings(rgb, quality), ringFilter(architecture, presetOf(quality).spectrumPasses));
     }
 
     /// Radial power spectrum that G_h predicts, averaged over crops.
@@ -135,7 +107,7 @@ struct LoadedModel::Parts {
         const int side = architecture.crop;
         cv::Mat wide;
         cv::copyMakeBorder(rgb, wide, 0, std::max(0, side - rgb.rows), 0, std::max(0, side - rgb.cols), cv::BORDER_REFLECT_101);
-        const int turns = quality == Quality::Accurate ? 4 : 1;
+        const int turns = presetOf(quality).cropTurns;
         std::vector<torch::Tensor> all;
         for (const cv::Point& corner : cropCorners(wide.size(), side, quality))
             for (int turn = 0; turn < turns; ++turn)
@@ -187,21 +159,23 @@ GeneratedSignals LoadedModel::generate(const InputPhotograph& photograph, const 
     if (architecture.sees) return seenSignals(m_parts->seeing, architecture, photograph, options);
     const cv::Mat rgb = photographAtPitch(photograph, architecture.mmPerPixel).rgb;
     GeneratedSignals signals;
-    if (options.height) {
-        signals.heightMm = m_parts->height(rgb, options.quality);
-        signals.heightMmPerPixel = architecture.mmPerPixel;
-        requireFinite(signals.heightMm);
-    }
-    if (options.friction) {
-        const FrictionTarget target = m_parts->friction(rgb, options.quality);
-        requireFinite(target.logRatio);
-        requireFinite(cv::Mat(1, 1, CV_32F, cv::Scalar(static_cast<double>(target.mean))));
-        signals.spectrogram = magnitudes(target, architecture);
-        signals.spectrogramParameters = spectrogramParameters(architecture);
-        signals.trace = traceOf(target, architecture, iterationsOf(options.quality));
-        signals.traceMmPerSample = architecture.traceMmPerSample;
-        signals.meanFriction = target.mean;
-    }
+    if (options.height)
+        signals.heightMilliseconds = millisecondsOf([&] {
+            signals.heightMm = m_parts->height(rgb, options.quality);
+            signals.heightMmPerPixel = architecture.mmPerPixel;
+            requireFinite(signals.heightMm);
+        });
+    if (options.friction)
+        signals.frictionMilliseconds = millisecondsOf([&] {
+            const FrictionTarget target = m_parts->friction(rgb, options.quality);
+            requireFinite(target.logRatio);
+            requireFinite(cv::Mat(1, 1, CV_32F, cv::Scalar(static_cast<double>(target.mean))));
+            signals.spectrogram = magnitudes(target, architecture);
+            signals.spectrogramParameters = spectrogramParameters(architecture);
+            signals.trace = traceOf(target, architecture, presetOf(options.quality).phaseIterations);
+            signals.traceMmPerSample = architecture.traceMmPerSample;
+            signals.meanFriction = target.mean;
+        });
     return signals;
 }
 

@@ -81,6 +81,46 @@ std::vector<BenchCase> casesOf(const fabrics::Dataset& dataset)
     return cases;
 }
 
+/// A photograph, and the height of the same place that its simulated surface has.
+struct KnownRelief {
+    InputPhotograph photograph;
+    cv::Mat heightMm;
+};
+
+std::vector<KnownRelief> knownReliefs(const std::filesystem::path& folder)
+{
+    fabrics::ProceduralOptions options;
+    options.samples = 1;
+    options.seed = 92;
+    options.pairing = fabrics::Pairing::Aligned;
+    const fabrics::Dataset dataset = fabrics::makeProceduralFabrics(folder, options);
+    std::vector<KnownRelief> reliefs;
+    for (const fabrics::FabricInfo& fabric : dataset.fabrics)
+        if (const std::optional<cv::Mat> known = fabrics::readKnownHeight(dataset, fabric.id, 0))
+            reliefs.push_back({{fabrics::readPhotograph(dataset, fabric.id, 0), dataset.cameraMmPerPixel}, *known});
+    return reliefs;
+}
+
+cv::Mat middleOf(const cv::Mat& map, const cv::Size& size)
+{
+    return map({(map.cols - size.width) / 2, (map.rows - size.height) / 2, size.width, size.height});
+}
+
+/// RMS difference of the relief from the known one where both are known, in percent of the known one's RMS height. Waves longer
+/// than 3 mm, which a photograph does not show, are left out of both.
+double reliefErrorPercent(const cv::Mat& generatedMm, const cv::Mat& knownMm, double pitch)
+{
+    constexpr double cutoffMm = 3;
+    const cv::Size shared(std::min(generatedMm.cols, knownMm.cols), std::min(generatedMm.rows, knownMm.rows));
+    const auto flattened = [&](const cv::Mat& map) {
+        cv::Mat values;
+        signals::withoutLowFrequency(middleOf(map, shared), {pitch, pitch}, cutoffMm).convertTo(values, CV_64F);
+        return values;
+    };
+    const cv::Mat generated = flattened(generatedMm), known = flattened(knownMm);
+    return 100 * cv::norm(generated, known) / cv::norm(known);
+}
+
 /// Peak resident memory of this process in MB; 0 where the system does not state it.
 double peakMb()
 {
@@ -126,6 +166,7 @@ double average(const std::vector<double>& values)
 struct BenchModels {
     const LoadedModel& ours;
     const LoadedModel* earlier = nullptr;
+    std::vector<KnownRelief> reliefs;
 };
 
 GeneratorBenchRow benchQuality(const BenchModels& models, const std::vector<BenchCase>& cases,
@@ -134,7 +175,7 @@ GeneratorBenchRow benchQuality(const BenchModels& models, const std::vector<Benc
     using std::chrono::steady_clock;
     GenerationOptions options;
     options.quality = quality;
-    std::vector<double> milliseconds, at128, ratios, height, friction, meanError, spreadError;
+    std::vector<double> milliseconds, at128, ratios, height, friction, meanError, spreadError, reliefError;
     const auto timed = [&](const LoadedModel& model, const InputPhotograph& photograph, std::vector<double>& times) {
         const steady_clock::time_point started = steady_clock::now();
         GeneratedSignals signals = model.generate(photograph, options);
@@ -158,8 +199,18 @@ GeneratorBenchRow benchQuality(const BenchModels& models, const std::vector<Benc
         if (cases[i].heightSpreadMm && *cases[i].heightSpreadMm > 0)
             spreadError.push_back(std::abs(spread(signals.heightMm) / *cases[i].heightSpreadMm - 1));
     }
-    return {quality,         median(milliseconds), median(at128),      ratios.empty() ? 0 : median(ratios),
-            average(height), average(friction),    average(meanError), average(spreadError)};
+    for (const KnownRelief& one : models.reliefs)
+        reliefError.push_back(reliefErrorPercent(models.ours.generate(one.photograph, options).heightMm, one.heightMm,
+                                                 one.photograph.mmPerPixel.value()));
+    return {quality,
+            median(milliseconds),
+            median(at128),
+            ratios.empty() ? 0 : median(ratios),
+            average(height),
+            average(friction),
+            average(meanError),
+            average(spreadError),
+            average(reliefError)};
 }
 
 }  // namespace
@@ -192,8 +243,10 @@ BenchTable benchGenerators(const std::filesystem::path& model, const std::filesy
     std::optional<LoadedModel> earlier;
     if (std::filesystem::exists(earlierModel())) earlier.emplace(earlierModel());
     if (earlier) earlier->generate(cases.front().photograph, accurate);  // The first call prepares plans that later ones use.
+    const protocols::TemporaryFolder aligned;
+    const BenchModels models{loaded, earlier ? &*earlier : nullptr, knownReliefs(aligned.path() / "fabrics")};
     for (const Quality quality : {Quality::Fast, Quality::Balanced, Quality::Accurate})
-        table.rows.push_back(benchQuality({loaded, earlier ? &*earlier : nullptr}, cases, best, quality));
+        table.rows.push_back(benchQuality(models, cases, best, quality));
     return table;
 }
 
@@ -224,7 +277,8 @@ std::string asJson(const BenchTable& table)
                         {"height_deviation_from_accurate_mm", row.heightDeviationFromAccurateMm},
                         {"mean_friction_deviation_from_accurate", row.frictionDeviationFromAccurate},
                         {"mean_friction_relative_error", row.meanFrictionRelativeError},
-                        {"height_spread_relative_error", row.heightSpreadRelativeError}});
+                        {"height_spread_relative_error", row.heightSpreadRelativeError},
+                        {"relief_error_percent", row.reliefErrorPercent}});
     const nlohmann::ordered_json json{
         {"schema", "vis2hap.bench-generation/1"},     {"model", table.model}, {"dataset", table.dataset},
         {"photographs", table.photographs},           {"qualities", rows},    {"peak_mb_at_128", table.peakMbAt128},

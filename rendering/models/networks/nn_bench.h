@@ -19,6 +19,8 @@ struct GeneratorBenchRow {
     double frictionDeviationFromAccurate = 0;  ///< relative deviation of the mean friction
     double meanFrictionRelativeError = 0;      ///< against the measured mean of the fabric
     double heightSpreadRelativeError = 0;      ///< error of the standard deviation, against the measured one of the fabric
+    /// RMS difference from the known relief of the same place, in percent of its RMS height; mean over 15 procedural fabrics.
+    double reliefErrorPercent = 0;
 };
 
 struct BenchTable {

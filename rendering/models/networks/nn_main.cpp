@@ -129,6 +129,10 @@ void offerClothTraining(CLI::App& app, const std::string& command)
     train->add_option("--validate-every", options.validateEvery, "steps (default 1000)");
     train->add_option("--validation-patches", options.validationPatches, "drawn patches for the validation figures (default 96)");
     train->add_option("--threads", options.threads, "default: all threads of the machine");
+    train->add_option("--processes", options.place.processes, "number of processes that train together (default 1)");
+    train->add_option("--rank", options.place.rank, "number of this process, from 0; rank 0 writes the model (default 0)");
+    train->add_option("--master", options.place.master, "HOST:PORT at which rank 0 waits for the others");
+    train->add_option("--wait", options.place.waitS, "longest wait for the other processes, s (default 600)");
     train->callback([call, steps, minutes, rate, checkpoints, command] {
         models::ClothTrainingOptions& chosen = call->options;
         const bool ofLab = !call->lab.empty();
@@ -144,6 +148,9 @@ void offerClothTraining(CLI::App& app, const std::string& command)
         chosen.command = command;
         const auto scans = call->scans.empty() ? std::nullopt : std::optional(fabrics::readDataset(call->scans));
         if (ofLab) {
+            if (!chosen.place.isAlone())
+                throw protocols::badInput({"--processes was given together with DATASET", "train",
+                                           "one process, or a training with --drawn", "leave --processes out"});
             if (chosen.from.empty())
                 throw protocols::badInput(
                     {"--lab was given without --from", "train-cloth", "a model to adapt", "name it with --from"});
@@ -242,9 +249,12 @@ int failedForMemory()
 
 /// Sets missing thread settings and starts this program again, once. The libraries have already read the environment when
 /// main() begins.
-void setUpThreads(char** argv)
+void setUpThreads(int argc, char** argv)
 {
-    const auto missing = models::missingThreadSettings();
+    auto missing = models::missingThreadSettings();
+    // Torch would write lines of its own about connections beside the one error.
+    const bool hasPeers = std::find(argv + 1, argv + argc, std::string_view("--processes")) != argv + argc;
+    if (hasPeers && std::getenv("GLOG_minloglevel") == nullptr) missing.emplace_back("GLOG_minloglevel", "3");
     if (missing.empty()) return;
     for (const auto& [name, value] : missing) ::setenv(name.c_str(), value.c_str(), 1);
     std::error_code none;
@@ -275,7 +285,7 @@ int run(int argc, char** argv)
 int main(int argc, char** argv)
 {
     using protocols::ExitCode;
-    setUpThreads(argv);
+    setUpThreads(argc, argv);
     try {
         return run(argc, argv);
     } catch (const protocols::Error& fault) {

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "rendering/models/seeing/shared_batch_norm.h"
+#include "rendering/models/seeing/training_peers.h"
+
 namespace rendering::models {
 
 namespace {
@@ -11,6 +14,20 @@ namespace {
 /// Decay of the moving average of the weights: the share of the average that remains after each step.
 constexpr double averageDecay = 0.998;
 constexpr double largestGradient = 1;
+
+/// Sums the gradients over all processes, as one row of numbers.
+void sumGradients(const std::vector<torch::Tensor>& parameters, const TrainingPeers& peers)
+{
+    std::vector<torch::Tensor> flat;
+    for (const torch::Tensor& one : parameters) flat.push_back(one.grad().reshape({-1}));
+    torch::Tensor all = torch::cat(flat);
+    peers.sum(all);
+    std::int64_t next = 0;
+    for (const torch::Tensor& one : parameters) {
+        one.grad().copy_(all.narrow(0, next, one.numel()).view_as(one.grad()));
+        next += one.numel();
+    }
+}
 
 }  // namespace
 
@@ -34,10 +51,18 @@ void AveragedNetworks::step(const torch::Tensor& loss, double learningRate, int 
         static_cast<torch::optim::AdamOptions&>(group.options()).lr(learningRate);
     m_steps.zero_grad();
     loss.backward();
+    if (m_peers != nullptr) sumGradients(parametersOf(m_networks), *m_peers);
     torch::nn::utils::clip_grad_norm_(m_networks.relief->parameters(), largestGradient);
     torch::nn::utils::clip_grad_norm_(m_networks.friction->parameters(), largestGradient);
     m_steps.step();
     moveTowards(m_average, m_networks, 1 - std::min(averageDecay, (number + 1.0) / (number + 10.0)));
+}
+
+void AveragedNetworks::shareWith(const TrainingPeers& peers)
+{
+    m_peers = &peers;
+    shareBatchNorms(*m_networks.relief, &peers);
+    shareBatchNorms(*m_networks.friction, &peers);
 }
 
 bool AveragedNetworks::finite()

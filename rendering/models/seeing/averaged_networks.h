@@ -6,6 +6,8 @@
 
 namespace rendering::models {
 
+class TrainingPeers;
+
 class AveragedNetworks {
 public:
     explicit AveragedNetworks(const Architecture& architecture);
@@ -20,6 +22,10 @@ public:
     /// follows faster during the first ones, because the early networks are still poor.
     void step(const torch::Tensor& loss, double learningRate, int number);
 
+    /// From now on `loss` is this process's part of a loss that all processes sum. All of them take the same steps. `peers` must
+    /// outlive this object.
+    void shareWith(const TrainingPeers& peers);
+
     bool finite();
 
     /// Networks, average and optimiser, always the same tensors in the same order.
@@ -30,6 +36,7 @@ public:
 private:
     SeeingNetworks m_networks, m_average;
     torch::optim::Adam m_steps;
+    const TrainingPeers* m_peers = nullptr;
 };
 
 /// Learning rate after `fraction` of the training: it rises over `warmUpSteps` and falls to a fiftieth along a cosine.

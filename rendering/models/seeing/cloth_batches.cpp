@@ -184,19 +184,26 @@ ClothBatch drawClothBatch(const std::vector<ScannedCloth>& scans, const ClothBat
 {
     Random random = Random::stream(seed, "cloth batch/" + std::to_string(number));
     const auto pixels = static_cast<std::size_t>(options.side) * static_cast<std::size_t>(options.side);
-    const auto size = static_cast<std::size_t>(options.size);
+    const auto size = static_cast<std::size_t>(options.size), first = static_cast<std::size_t>(options.firstRow);
+    const auto rows = static_cast<std::size_t>(options.rows.value_or(options.size - options.firstRow));
     ClothBatch batch;
-    batch.size = options.size;
+    batch.size = static_cast<int>(rows);
     batch.side = options.side;
-    batch.photographs.resize(3 * pixels * size);
-    batch.reliefs.resize(pixels * size);
+    batch.photographs.resize(3 * pixels * rows);
+    batch.reliefs.resize(pixels * rows);
     for (std::size_t i = 0; i < size; ++i) {
         const bool scanned = !scans.empty() && random.uniform() < options.scanShare;
+        const bool isWanted = i >= first && i < first + rows;
+        if (!isWanted && !scanned) {
+            random.uniform();  // Of the lamp below. A drawn patch has a stream of its own, so it need not be drawn.
+            continue;
+        }
         const KnownPatch patch = scanned ? scannedPatch(scans, options, random) : drawnPatch(seed, number * size + i, options);
         const ToldLamp lamp = random.uniform() < options.toldShare ? toldLamp(patch.lightDeg) : ToldLamp{};
+        if (!isWanted) continue;
         batch.lamps.insert(batch.lamps.end(), lamp.numbers.begin(), lamp.numbers.end());
-        copyPhotograph(turned(patch.rgb, lamp.turn), batch.photographs.data() + 3 * pixels * i);
-        cv::Mat relief(options.side, options.side, CV_32F, batch.reliefs.data() + pixels * i);
+        copyPhotograph(turned(patch.rgb, lamp.turn), batch.photographs.data() + 3 * pixels * (i - first));
+        cv::Mat relief(options.side, options.side, CV_32F, batch.reliefs.data() + pixels * (i - first));
         cv::subtract(turned(patch.reliefPx, lamp.turn), cv::mean(patch.reliefPx), relief);
         batch.logPitches.push_back(static_cast<float>(std::log(patch.mmPerPixel / pitchUnitMm)));
         batch.logFrictions.push_back(patch.logFriction);

@@ -50,9 +50,12 @@ struct ClothBatchOptions {
     double toldShare = 0.6;          ///< share of the pictures with one lamp whose side is told
     double anewShare = 0.4;          ///< share of scanned cloth that is photographed anew
     Architecture spectrograms = {};  ///< of the strokes
+    int firstRow = 0;                ///< of the patches that are drawn
+    std::optional<int> rows = {};    ///< number of them; nullopt: all from firstRow on
 };
 
-/// Batch `number` of the family `seed`; equal arguments give an equal batch. Drawn fabric `number` x size + i appears in it only.
+/// Rows of batch `number` of the family `seed`; equal arguments give equal rows, whichever rows are drawn beside them. Drawn
+/// fabric `number` x size + i appears in it only.
 ClothBatch drawClothBatch(const std::vector<ScannedCloth>& scans, const ClothBatchOptions& options, std::uint64_t seed,
                           std::uint64_t number);
 

@@ -33,6 +33,23 @@ double meanOf(const std::vector<double>& values)
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
+/// The weights of the losses of this process in those of the whole batch: its share of the patches, and of those with known
+/// friction.
+struct LossShares {
+    double relief = 1, friction = 1, spectrogram = 1;
+};
+
+LossShares lossShares(const ClothTensors& batch, const TrainingPeers& peers)
+{
+    const auto known = [](const torch::Tensor& numbers) { return torch::isfinite(numbers).sum().item<double>(); };
+    const torch::Tensor own = torch::tensor(
+        {static_cast<double>(batch.reliefs.size(0)), known(batch.logFrictions), known(batch.logRatios)}, torch::kDouble);
+    torch::Tensor all = own.clone();
+    peers.sum(all);
+    const torch::Tensor shares = own / all.clamp_min(1);
+    return {shares[0].item<double>(), shares[1].item<double>(), shares[2].item<double>()};
+}
+
 /// Six decimals, enough for comparisons.
 double sixDecimals(double value) { return std::round(value * 1e6) / 1e6; }
 
@@ -51,6 +68,11 @@ ClothBatch ClothTraining::takeBatch(int number)
     options.side = m_options.side;
     options.scanShare = m_options.scanShare;
     options.spectrograms = m_architecture;
+    if (m_peers != nullptr) {
+        const auto [processes, rank, master, wait] = m_peers->place();
+        options.firstRow = m_options.batch * rank / processes;
+        options.rows = m_options.batch * (rank + 1) / processes - options.firstRow;
+    }
     const auto draw = [this, options](int wanted) {
         return drawClothBatch(m_scans, options, m_options.seed, static_cast<std::uint64_t>(wanted));
     };
@@ -69,9 +91,27 @@ ClothLosses ClothTraining::step(int number, double fraction)
     const torch::Tensor ofRelief = reliefLoss(relief, batch.reliefs, {});
     const torch::Tensor ofFriction = frictionLoss(friction, batch.logFrictions);
     const torch::Tensor ofSpectrogram = spectrogramLoss(friction, batch.logRatios);
-    m_trained.step(ofRelief + ofFriction + ofSpectrogram, learningRateAt(m_options.learningRate, fraction, number, warmUpSteps),
-                   number);
-    return {ofRelief.item<double>(), ofFriction.item<double>(), ofSpectrogram.item<double>()};
+    const double rate = learningRateAt(m_options.learningRate, fraction, number, warmUpSteps);
+    if (m_peers == nullptr) {
+        m_trained.step(ofRelief + ofFriction + ofSpectrogram, rate, number);
+        return {ofRelief.item<double>(), ofFriction.item<double>(), ofSpectrogram.item<double>()};
+    }
+    const LossShares shares = lossShares(batch, *m_peers);
+    m_trained.step(shares.relief * ofRelief + shares.friction * ofFriction + shares.spectrogram * ofSpectrogram, rate, number);
+    torch::Tensor losses = torch::tensor({shares.relief * ofRelief.item<double>(), shares.friction * ofFriction.item<double>(),
+                                          shares.spectrogram * ofSpectrogram.item<double>()},
+                                         torch::kDouble);
+    m_peers->sum(losses);
+    return {losses[0].item<double>(), losses[1].item<double>(), losses[2].item<double>()};
+}
+
+void ClothTraining::shareWith(const TrainingPeers& peers)
+{
+    std::vector<StoredTensor> numbers = tensors();
+    for (StoredTensor& one : numbers) peers.takeFromFirst(one.bytes);
+    continueFrom(numbers);
+    m_trained.shareWith(peers);
+    m_peers = &peers;
 }
 
 void ClothTraining::continueFrom(const std::vector<StoredTensor>& tensors)

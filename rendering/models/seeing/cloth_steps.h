@@ -9,6 +9,7 @@
 #include "rendering/models/seeing/averaged_networks.h"
 #include "rendering/models/seeing/cloth_batches.h"
 #include "rendering/models/seeing/cloth_training.h"
+#include "rendering/models/seeing/training_peers.h"
 
 namespace rendering::models {
 
@@ -22,6 +23,10 @@ class ClothTraining {
 public:
     /// `scans` and `options` must outlive this object.
     ClothTraining(const Architecture& architecture, const std::vector<ScannedCloth>& scans, const ClothTrainingOptions& options);
+
+    /// From now on this process draws and computes its rows of every batch; the other processes have the others. `peers` must
+    /// outlive this object. Takes networks and optimiser of rank 0.
+    void shareWith(const TrainingPeers& peers);
 
     /// Runs one step; `fraction` of the training is done, which sets the learning rate. Step `number` always draws the same
     /// batch, so a resumed run draws the batches of an uninterrupted one.
@@ -47,6 +52,7 @@ private:
     AveragedNetworks m_trained;
     std::future<ClothBatch> m_next;  ///< drawn during the computation of the present step
     int m_nextNumber = -1;
+    const TrainingPeers* m_peers = nullptr;
 };
 
 /// What the networks make of a drawn patch, beside what is known.

@@ -1,5 +1,6 @@
 #include "rendering/models/seeing/cloth_training.h"
 
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -70,7 +71,7 @@ public:
         Checkpoint state;
         state.fingerprint = fingerprint(m_options, m_scansHash, m_start ? m_start->summary.sha256 : "");
         const std::filesystem::path checkpoint = checkpointOf(m_options.out);
-        if (m_options.resume) {
+        if (writes() && m_options.resume) {
             StoredRun stored = readCheckpoint(checkpoint, state.fingerprint, kindsOf(training.tensors()));
             training.continueFrom(stored.tensors);
             state = std::move(stored.state);
@@ -80,30 +81,79 @@ public:
             SeeingNetworks start = readSeeingModel(m_options.from, *m_start);
             training.startFrom(start);
         }
-        TrainingLog log(logOf(m_options.out), m_options.resume ? std::optional(state.step) : std::nullopt);
+        if (!m_options.place.isAlone()) join(training, state);
+        std::optional<TrainingLog> log;
+        if (writes()) log.emplace(logOf(m_options.out), m_options.resume ? std::optional(state.step) : std::nullopt);
         m_out << "training on drawn fabrics of family " << m_options.seed << " and " << m_scans.size() << " pictures of scans"
               << std::endl;
-        if (m_start && !m_options.resume) validate(training, state.step, log);
+        if (log && m_start && !m_options.resume) validate(training, state.step, *log);
         const steady_clock::time_point started = steady_clock::now();
         const double before = state.elapsedS;
         while (fractionDone(state) < 1) {
             const ClothLosses losses = training.step(state.step, fractionDone(state));
             if (!std::isfinite(losses.relief + losses.friction + losses.spectrogram)) stopAt(state.step + 1);
             ++state.step;
-            state.elapsedS = before + std::chrono::duration<double>(steady_clock::now() - started).count();
+            state.elapsedS = agreed(before + std::chrono::duration<double>(steady_clock::now() - started).count());
             const bool last = fractionDone(state) >= 1;
-            if (state.step % stepsPerLogRow == 0 || last) report(state, losses, log);
-            if (state.step % m_options.validateEvery == 0 && !last) validate(training, state.step, log);
+            if (log && (state.step % stepsPerLogRow == 0 || last)) report(state, losses, *log);
+            if (log && state.step % m_options.validateEvery == 0 && !last) validate(training, state.step, *log);
             if (last || state.step % m_options.checkpointEvery == 0) {
                 if (!training.finite()) stopAt(state.step);
-                writeCheckpoint(checkpoint, state, training.tensors());
+                if (writes()) writeCheckpoint(checkpoint, state, training.tensors());
             }
         }
-        finish(training, state);
-        std::filesystem::remove(checkpoint);
+        if (writes()) finish(training, state);
+        agreed(0);  // The others end when the model is written.
+        if (writes())
+            std::filesystem::remove(checkpoint);
+        else
+            m_out << "rank 0 has written the model" << std::endl;
     }
 
 private:
+    bool writes() const { return m_options.place.isFirst(); }
+
+    /// Meets the other processes, which take networks, step and time of rank 0.
+    void join(ClothTraining& training, Checkpoint& state)
+    {
+        const TrainingPlace& place = m_options.place;
+        m_out << "rank " << place.rank << " of " << place.processes << " waits for the others at " << place.master << std::endl;
+        m_peers.emplace(place, agreedSettings());
+        training.shareWith(*m_peers);
+        state.step = static_cast<int>(agreed(state.step));
+        state.elapsedS = agreed(state.elapsedS);
+    }
+
+    /// What all processes must have alike.
+    AgreedSettings agreedSettings() const
+    {
+        const auto number = [](double value) { return nlohmann::json(value).dump(); };
+        std::string heldOut;
+        for (const protocols::FabricId& id : m_options.heldOut) heldOut += (heldOut.empty() ? "" : ",") + id.value;
+        return {{"--steps", m_options.steps ? std::to_string(*m_options.steps) : ""},
+                {"--minutes", m_options.minutes ? number(*m_options.minutes) : ""},
+                {"--seed", std::to_string(m_options.seed)},
+                {"--batch", std::to_string(m_options.batch)},
+                {"--crop", std::to_string(m_options.side)},
+                {"--channels", std::to_string(m_options.baseChannels)},
+                {"--learning-rate", number(m_options.learningRate)},
+                {"--scan-share", number(m_options.scanShare)},
+                {"--checkpoint-every", std::to_string(m_options.checkpointEvery)},
+                {"--resume", m_options.resume ? "given" : ""},
+                {"--hold-out", heldOut},
+                {"the hash of the data set of --scans", m_scansHash},
+                {"the hash of the model of --from", m_start ? m_start->summary.sha256 : ""}};
+    }
+
+    /// The number of rank 0.
+    double agreed(double number) const
+    {
+        if (!m_peers) return number;
+        torch::Tensor shared = torch::full({1}, number, torch::kDouble);
+        m_peers->takeFromFirst(shared);
+        return shared.item<double>();
+    }
+
     /// Weights on the way to a model that was trained further. Its training is the one that the card tells.
     void mix()
     {
@@ -198,7 +248,33 @@ private:
     Architecture m_architecture;
     std::vector<ScannedCloth> m_scans;
     std::string m_scansHash;
+    std::optional<TrainingPeers> m_peers;
 };
+
+void requireUsablePlace(const ClothTrainingOptions& options)
+{
+    const auto refuse = [](const std::string& what, const std::string& expected) {
+        throw protocols::badInput({what, "train", expected, "correct the option"});
+    };
+    const TrainingPlace& place = options.place;
+    if (place.processes < 1 || place.processes > mostProcesses)
+        refuse("--processes is " + std::to_string(place.processes), "1 to " + std::to_string(mostProcesses));
+    if (place.rank < 0 || place.rank >= place.processes)
+        refuse("--rank is " + std::to_string(place.rank), "0 to " + std::to_string(place.processes - 1));
+    if (place.waitS < 1 || place.waitS > 86400) refuse("--wait is " + std::to_string(place.waitS), "1 to 86400 s");
+    if (place.isAlone()) return;
+    if (!options.towards.empty()) refuse("--processes was given together with --towards", "a training");
+    if (options.batch < place.processes)
+        refuse(
+            "a batch of " + std::to_string(options.batch) + " is too small for " + std::to_string(place.processes) + " processes",
+            "a patch for each process");
+    const std::size_t colon = place.master.rfind(':');
+    int port = 0;
+    const char* end = place.master.data() + place.master.size();
+    if (colon == std::string::npos || colon == 0 || std::from_chars(place.master.data() + colon + 1, end, port).ptr != end ||
+        port < 1 || port > 65535)
+        refuse("--master is \"" + place.master + "\"", "HOST:PORT of rank 0, such as 192.168.1.10:29500");
+}
 
 }  // namespace
 
@@ -222,6 +298,7 @@ void requireUsable(const ClothTrainingOptions& options)
         !(options.learningRate > 0))
         refuse("a count or rate is too small", "positive numbers, and a batch of at least 2");
     if (!(options.scanShare >= 0 && options.scanShare <= 1)) refuse("--scan-share is out of range", "0 to 1");
+    requireUsablePlace(options);
 }
 
 void setTrainingThreads(const ClothTrainingOptions& options)
@@ -244,7 +321,7 @@ ModelCardFields cardOfSeeingModel(const std::filesystem::path& model)
 void trainOnCloth(const fabrics::Dataset* scans, const ClothTrainingOptions& options, std::ostream& log, bool terminal)
 {
     requireUsable(options);
-    protocols::requireWritable(options.out);
+    if (options.place.isFirst()) protocols::requireWritable(options.out);
     setTrainingThreads(options);
     ClothRun(scans, options, log, terminal).run();
 }

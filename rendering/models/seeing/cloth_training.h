@@ -11,6 +11,7 @@
 
 #include "rendering/fabrics/dataset.h"
 #include "rendering/models/model_card_fields.h"
+#include "rendering/models/seeing/training_place.h"
 
 namespace rendering::models {
 
@@ -34,14 +35,16 @@ struct ClothTrainingOptions {
     int validateEvery = 1000;    ///< steps
     int validationPatches = 96;
     int threads = 0;      ///< 0: all threads of the machine
+    TrainingPlace place;  ///< `batch` is that of all processes together
     std::string command;  ///< as typed, for the model card
 };
 
 /// Trains and writes the moving average of the networks. With `towards` it trains nothing: a training on other cloth costs part
 /// of what the model knew, and weights between both keep most of the two (Wortsman et al., "Robust fine-tuning", 2022). `scans`:
 /// a data set of `vis2hap import scans`, or nullptr. Reports to `log`; a start from a model prints its figures before and after.
-/// Throws badInput (options, data set, model, a checkpoint of other settings), environmentFault where nothing can be written,
-/// workFailed where the loss stops being finite; the last good checkpoint stays.
+/// In several processes, all are called with the same options but for the rank; only rank 0 reads a checkpoint and writes.
+/// Throws badInput (options, data set, model, a checkpoint of other settings, processes that differ), environmentFault where
+/// nothing can be written, workFailed where the loss stops being finite or another process ends; the last good checkpoint stays.
 void trainOnCloth(const fabrics::Dataset* scans, const ClothTrainingOptions& options, std::ostream& log, bool terminal);
 
 /// Throws badInput for options that no training can follow.

@@ -4,6 +4,7 @@
 
 #include "rendering/models/seeing/pitch_unit.h"
 #include "rendering/models/seeing/seen_texture.h"
+#include "rendering/models/seeing/shared_batch_norm.h"
 #include "rendering/models/seeing/told_lamp.h"
 
 namespace rendering::models {
@@ -20,7 +21,7 @@ constexpr double leastSigmaPx = 0.3, leastSlope = 0.01;
 void append(nn::Sequential& chain, int in, int out, int size = 3, int stride = 1)
 {
     chain->push_back(nn::Conv2d(nn::Conv2dOptions(in, out, size).stride(stride).padding((size - 1) / 2).bias(false)));
-    chain->push_back(nn::BatchNorm2d(out));
+    chain->push_back(SharedBatchNorm(out));
     chain->push_back(nn::LeakyReLU(nn::LeakyReLUOptions().negative_slope(0.1)));
 }
 

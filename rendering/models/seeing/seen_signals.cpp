@@ -6,6 +6,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "protocols/files/errors.h"
+#include "rendering/models/elapsed.h"
+#include "rendering/models/preset.h"
 #include "rendering/models/seeing/friction_target.h"
 #include "rendering/models/seeing/picture_tensors.h"
 #include "rendering/models/seeing/pitch_unit.h"
@@ -30,17 +32,13 @@ constexpr double enlargement = 2;
 
 int upTo16(int length) { return (length + 15) / 16 * 16; }
 
-/// Displacements of the picture over which a quality averages. The networks halve the picture four times, so displaced
-/// pictures give slightly different heights. Symmetries of the square would not do: they move the lamp.
+/// Displacements of the picture over which a quality averages, at most four. The networks halve the picture four times, so
+/// displaced pictures give slightly different heights. Symmetries of the square would not do: they move the lamp.
 std::vector<cv::Point> displacementsOf(Quality quality)
 {
-    if (quality != Quality::Accurate) return {{0, 0}};
-    return {{0, 0}, {8, 8}, {4, 12}, {12, 4}};
+    static const std::vector<cv::Point> all{{0, 0}, {8, 8}, {4, 12}, {12, 4}};
+    return {all.begin(), all.begin() + presetOf(quality).pictures};
 }
-
-int marginFor(Quality quality) { return quality == Quality::Fast ? 16 : 64; }
-
-int cropsAcross(Quality quality) { return quality == Quality::Fast ? 1 : quality == Quality::Balanced ? 2 : 3; }
 
 cv::Mat matOf(const torch::Tensor& map)
 {
@@ -64,7 +62,7 @@ torch::Tensor tensorOf(const ToldLamp& lamp, std::int64_t count)
 
 cv::Mat reliefPx(SeeingNetworks& networks, const cv::Mat& rgb, const ToldLamp& lamp, Quality quality)
 {
-    const int margin = marginFor(quality);
+    const int margin = presetOf(quality).marginPx;
     const cv::Size whole(std::max(48, upTo16(rgb.cols)), std::max(48, upTo16(rgb.rows)));
     const std::vector<cv::Point> displacements = displacementsOf(quality);
     const int border = margin + displacementStep;
@@ -105,27 +103,13 @@ cv::Mat reliefOfThreads(SeeingNetworks& networks, const cv::Mat& rgb, const Told
 torch::Tensor squareCrops(const cv::Mat& rgb, int side, Quality quality)
 {
     const cv::Mat wide = padded(rgb, 0, {std::max(side, rgb.cols), std::max(side, rgb.rows)});
-    const int across = cropsAcross(quality);
+    const int across = presetOf(quality).cropsAcross;
     const auto along = [&](int length, int i) { return across == 1 ? (length - side) / 2 : (length - side) * i / (across - 1); };
     std::vector<torch::Tensor> all;
     for (int row = 0; row < across; ++row)
         for (int column = 0; column < across; ++column)
             all.push_back(tensorOfPicture(wide({along(wide.cols, column), along(wide.rows, row), side, side})));
     return torch::cat(all, 0);
-}
-
-int griffinLimIterations(Quality quality)
-{
-    using signals::GriffinLimOptions, signals::InversionQuality;
-    switch (quality) {
-        case Quality::Fast:
-            return 8;
-        case Quality::Balanced:
-            return GriffinLimOptions::of(InversionQuality::Fast).iterations;
-        case Quality::Accurate:
-            return GriffinLimOptions::of(InversionQuality::Accurate).iterations;
-    }
-    return 0;
 }
 
 void addFriction(GeneratedSignals& signals, SeeingNetworks& networks, const Architecture& architecture, const cv::Mat& rgb,
@@ -143,7 +127,7 @@ void addFriction(GeneratedSignals& signals, SeeingNetworks& networks, const Arch
     target.mean = static_cast<float>(std::exp(logMean));
     signals.spectrogram = magnitudes(target, architecture);
     signals.spectrogramParameters = spectrogramParameters(architecture);
-    signals.trace = traceOf(target, architecture, griffinLimIterations(quality));
+    signals.trace = traceOf(target, architecture, presetOf(quality).phaseIterations);
     signals.traceMmPerSample = architecture.traceMmPerSample;
     signals.meanFriction = target.mean;
     signals.photograph.meanFriction = FrictionInterval{std::exp(logMean - halfWidth), std::exp(logMean + halfWidth)};
@@ -167,13 +151,17 @@ GeneratedSignals seenSignals(SeeingNetworks& networks, const Architecture& archi
     const ToldLamp lamp = toldLamp(photograph.lightDeg);
     const cv::Mat rgb = turned(photograph.photograph, lamp.turn);
     GeneratedSignals signals;
-    if (options.height) {
-        const cv::Mat heightMm =
-            turnedBack(reliefOfThreads(networks, rgb, lamp, options.quality), lamp.turn) * (pitch * architecture.reliefFactor);
-        signals.heightMm = signals::zeroedRelief(heightMm, {pitch, pitch}, longestWavePx * pitch, architecture.zeroPercentile);
-        signals.heightMmPerPixel = pitch;
-    }
-    if (options.friction) addFriction(signals, networks, architecture, rgb, lamp, pitch, options.quality);
+    if (options.height)
+        signals.heightMilliseconds = millisecondsOf([&] {
+            const cv::Mat heightMm = turnedBack(reliefOfThreads(networks, rgb, lamp, options.quality), lamp.turn) *
+                                     (pitch * architecture.reliefFactor);
+            signals.heightMm =
+                signals::zeroedRelief(heightMm, {pitch, pitch}, longestWavePx * pitch, architecture.zeroPercentile);
+            signals.heightMmPerPixel = pitch;
+        });
+    if (options.friction)
+        signals.frictionMilliseconds =
+            millisecondsOf([&] { addFriction(signals, networks, architecture, rgb, lamp, pitch, options.quality); });
     requireFiniteSignals(signals);
     return signals;
 }

@@ -40,6 +40,24 @@ private:
     std::vector<float> m_values;
 };
 
+/// Monomials of a block of pixels and their weighted sums. Compiled for AVX2 as well; no product is fused, so the bits are equal.
+__attribute__((target_clones("avx2", "default"))) void sumMonomials(const std::vector<Monomial>& all, const float* weightsX,
+                                                                    const float* weightsY, const float* inputs, float* products,
+                                                                    float* __restrict sumsX, float* __restrict sumsY)
+{
+    for (int i = 0; i < blockPx; ++i) sumsX[i] = weightsX[0];
+    for (int i = 0; i < blockPx; ++i) sumsY[i] = weightsY[0];
+    for (std::size_t m = 1; m < all.size(); ++m) {
+        const float* __restrict parent = products + static_cast<std::ptrdiff_t>(all[m].parent) * blockPx;
+        const float* __restrict factor = inputs + static_cast<std::ptrdiff_t>(all[m].factor) * blockPx;
+        float* __restrict product = products + m * blockPx;
+        const float x = weightsX[m], y = weightsY[m];
+        for (int i = 0; i < blockPx; ++i) product[i] = parent[i] * factor[i];
+        for (int i = 0; i < blockPx; ++i) sumsX[i] += x * product[i];
+        for (int i = 0; i < blockPx; ++i) sumsY[i] += y * product[i];
+    }
+}
+
 std::array<std::vector<float>, 2> narrowed(const std::array<std::vector<double>, 2>& values)
 {
     return {std::vector<float>(values[0].begin(), values[0].end()), std::vector<float>(values[1].begin(), values[1].end())};
@@ -83,21 +101,12 @@ Slopes slopesBy(const PolynomialMap& map, const cv::Mat& light)
     CV_Assert(map.coefficients[0].size() == all.size() && map.coefficients[1].size() == all.size());
     const auto coefficients = narrowed(map.coefficients);
     std::vector<float> products(all.size() * blockPx, 1.F);
+    std::array<float, blockPx> sumsX{}, sumsY{};
     return byBlocks(light, inputs, [&](Inputs& block, int length, float* x, float* y) {
-        std::fill_n(x, length, coefficients[0][0]);
-        std::fill_n(y, length, coefficients[1][0]);
-        for (std::size_t m = 1; m < all.size(); ++m) {
-            const float* parent = products.data() + static_cast<std::size_t>(all[m].parent) * blockPx;
-            const float* factor = block.row(all[m].factor);
-            float* product = products.data() + m * blockPx;
-            const float cx = coefficients[0][m], cy = coefficients[1][m];
-            for (int i = 0; i < length; ++i) {
-                const float value = parent[i] * factor[i];
-                product[i] = value;
-                x[i] += cx * value;
-                y[i] += cy * value;
-            }
-        }
+        sumMonomials(all, coefficients[0].data(), coefficients[1].data(), block.row(0), products.data(), sumsX.data(),
+                     sumsY.data());
+        std::copy_n(sumsX.data(), length, x);
+        std::copy_n(sumsY.data(), length, y);
     });
 }
 

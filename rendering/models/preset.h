@@ -1,0 +1,53 @@
+// What the qualities `fast`, `balanced` and `accurate` mean: one row each, with every setting that it fixes. The settings are
+// part of the program, so an image does not depend on the machine that made it.
+//
+// The rule, stage by stage, on the table of `vis2hap bench`: the cheapest setting whose error is at most `accurateMost`,
+// `balancedMost` or `fastMost` times the least error. Such a setting always lies on the stage's Pareto front.
+// `vis2hap bench --choose` prints what the rule would choose on another machine, and changes nothing.
+//
+// The iterations of the phase, and all settings of `fast` and `accurate` for integration and shading, are those of the rule. Two
+// kinds are not. `balanced` keeps 64 bits and all pixels where the rule would take the settings of `fast`. And the networks'
+// averaging does not lower the error against known relief (77 to 79 % of Sq), so the rule would take `fast` for all three; it
+// makes results steadier from picture to picture. These settings stay, so that images of earlier studies can be made again.
+#pragma once
+
+#include <array>
+
+#include "rendering/models/generation.h"
+#include "rendering/signals/shape_from_shading.h"
+#include "rendering/signals/surface_integration.h"
+
+namespace rendering::models {
+
+struct Preset {
+    Quality quality;
+    const char* name;
+    signals::IntegrationQuality integration;  ///< of the slopes of a tactile frame
+    signals::ShadingQuality shading;          ///< of the linear method
+    int phaseIterations;                      ///< Griffin-Lim iterations of a generated trace
+    int pictures;                             ///< displaced pictures over which G_h averages
+    int marginPx;                             ///< pixels around a tile of G_h that are computed and cut off
+    int cropsAcross;                          ///< G_s averages over the square of this number of crops
+    // The networks of the paper, which a laboratory may train anew.
+    int turns;           ///< symmetries of the square over which G_h averages
+    int cropTurns;       ///< quarter turns of each crop of G_s
+    int paperMarginPx;   ///< margin of a tile
+    int spectrumPasses;  ///< passes of the filter that imposes the spectrum
+};
+
+inline constexpr double accurateMost = 1.01;
+inline constexpr double balancedMost = 1.4;
+inline constexpr double fastMost = 4;
+
+inline constexpr std::array<Preset, 3> presets{{
+    {Quality::Fast, "fast", signals::IntegrationQuality::Fast, signals::ShadingQuality::Fast, 8, 1, 16, 1, 1, 1, 16, 1},
+    {Quality::Balanced, "balanced", signals::IntegrationQuality::Full, signals::ShadingQuality::Accurate, 32, 1, 64, 2, 2, 1, 32,
+     3},
+    {Quality::Accurate, "accurate", signals::IntegrationQuality::Full, signals::ShadingQuality::Accurate, 200, 4, 64, 3, 8, 4, 32,
+     6},
+}};
+
+/// The row of a quality.
+constexpr const Preset& presetOf(Quality quality) { return presets[static_cast<std::size_t>(quality)]; }
+
+}  // namespace rendering::models

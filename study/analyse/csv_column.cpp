@@ -3,14 +3,17 @@
 #include <cmath>
 #include <limits>
 
-#include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/foreign/foreign_table.h"
 
 namespace study::analyse {
 
-std::vector<double> readColumn(const std::filesystem::path& file, const std::string& column)
+std::vector<double> readColumn(const std::filesystem::path& file, const std::string& column,
+                               const std::function<void(const std::string& sentence)>& note)
 {
-    const auto table = protocols::readCsvTable(file);
+    const auto foreign = protocols::readForeignTable(file);
+    if (note && !foreign.isUsual) note(file.string() + ": read with " + foreign.taken);
+    const protocols::CsvTable& table = foreign.table;
     const auto index = table.column(column);
     if (!index) {
         std::string names;

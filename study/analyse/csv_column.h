@@ -4,14 +4,17 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace study::analyse {
 
-/// The numbers of a column, NaN for missing ones. Throws badInput, naming the file, the column or the row.
-std::vector<double> readColumn(const std::filesystem::path& file, const std::string& column);
+/// The numbers of a column, NaN for missing ones. `note` gets a sentence where the file is no usual CSV (foreign_table.h). Throws
+/// badInput, naming the file, the column or the row.
+std::vector<double> readColumn(const std::filesystem::path& file, const std::string& column,
+                               const std::function<void(const std::string& sentence)>& note = {});
 
 /// The rows in which both columns have a number; `missing` counts the other rows.
 struct PairedColumns {

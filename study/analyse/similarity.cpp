@@ -4,8 +4,8 @@
 #include <opencv2/core/mat.hpp>
 #include <span>
 
-#include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/foreign/foreign_table.h"
 #include "rendering/images/image_io.h"
 #include "rendering/signals/grey.h"
 #include "stats/metrics/image_metrics.h"
@@ -28,7 +28,7 @@ std::string bothNames(const std::filesystem::path& a, const std::filesystem::pat
 
 std::vector<double> readOneColumn(const std::filesystem::path& file)
 {
-    const auto table = protocols::readCsvTable(file);
+    const auto table = protocols::readForeignTable(file).table;
     if (table.columns.size() != 1)
         throw protocols::badInput({"has " + std::to_string(table.columns.size()) + " columns", file.string(),
                                    "a trace of one column", "write the trace as one column"});

@@ -17,7 +17,7 @@ struct BenchOptions {
     std::function<void(const std::string& part)> begins;   ///< gets the name of each part of the work before it begins
 };
 
-/// "signals", "statistics", "session" and "generators", in the order of a whole run.
+/// "signals", "perception", "fabrics", "statistics", "session" and "generators", in the order of a whole run.
 const std::vector<std::string>& benchStages();
 
 /// The rows of one stage. "session" needs a QApplication. Throws badInput for a missing folder of recordings.

@@ -14,6 +14,7 @@
 #include "rendering/composition/friction_image.h"
 #include "rendering/fabrics/recordings/even_steps.h"
 #include "rendering/signals/spectrogram.h"
+#include "study/bench/bench_turns.h"
 #include "study/bench/median_time.h"
 
 namespace study::bench {
@@ -92,24 +93,31 @@ double powerMoved(const cv::Mat& screen, cv::Size source)
     return 100 * cv::norm(spectrumOf(screen), spectrumOf(screen(middle)), cv::NORM_L1) / 2;
 }
 
-void benchNineConditions(std::vector<BenchRow>& rows, DisplayScale scale, Extension extension)
+void benchNineConditions(std::vector<BenchRow>& rows, DisplayScale scale)
 {
     const auto sources = readySources();
     cv::Mat relief;
-    const double time = medianMilliseconds(7, [&] {
-        for (const auto& [id, one] : sources) {
-            const auto map = compose(protocols::conditionNamed(id), one, scale, extension);
-            rendering::MapRange range;
-            range.include(map);
-            mapToDisplay(map, range);
-            if (id == "h") relief = map.values;
-        }
-    });
     const bool physical = scale == DisplayScale::Physical;
     const cv::Size source = physical ? cv::Size(94, 70) : cv::Size(320, 240);
-    rows.push_back({std::string("nine conditions 800x1280, ") + (physical ? "physical" : "pixels"),
-                    extension == Extension::Tile ? "tile" : "mirror", time, powerMoved(relief, source), "% of power moved",
-                    "composed, ranged and mapped; share of a twill's power with another direction on the screen"});
+    std::vector<TimedSetting> settings;
+    for (const auto extension : {Extension::Tile, Extension::Mirror})
+        settings.push_back({{std::string("nine conditions 800x1280, ") + (physical ? "physical" : "pixels"),
+                             extension == Extension::Tile ? "tile" : "mirror",
+                             {},
+                             {},
+                             "% of power moved",
+                             "composed, ranged and mapped; share of a twill's power with another direction on the screen"},
+                            [&, extension] {
+                                for (const auto& [id, one] : sources) {
+                                    const auto map = compose(protocols::conditionNamed(id), one, scale, extension);
+                                    rendering::MapRange range;
+                                    range.include(map);
+                                    mapToDisplay(map, range);
+                                    if (id == "h") relief = map.values;
+                                }
+                            },
+                            [&] { return powerMoved(relief, source); }});
+    for (BenchRow& row : benchInTurns(settings, {7})) rows.push_back(std::move(row));
 }
 
 void benchResampling(std::vector<BenchRow>& rows)
@@ -171,8 +179,7 @@ std::vector<BenchRow> benchComposition()
     const int threads = cv::getNumThreads();
     cv::setNumThreads(1);
     std::vector<BenchRow> rows;
-    for (const auto scale : {DisplayScale::Pixels, DisplayScale::Physical})
-        for (const auto extension : {Extension::Tile, Extension::Mirror}) benchNineConditions(rows, scale, extension);
+    for (const auto scale : {DisplayScale::Pixels, DisplayScale::Physical}) benchNineConditions(rows, scale);
     benchResampling(rows);
     benchRoundTrip(rows);
     benchMean(rows);

@@ -28,10 +28,13 @@ BenchRow peerRow(const char* stage, const PeerComparison& peer, const std::optio
     return {stage, peer.peer, theirs, ratio, ratio ? "ours over theirs" : "", note};
 }
 
+bool isPythonTorch(const PeerComparison& peer) { return peer.peer.starts_with("python torch"); }
+
 void addPeers(std::vector<BenchRow>& rows)
 {
     for (const PeerComparison& peer : compareGeneratorPeers()) {
         rows.push_back(peerRow("training step, 8 of 128x128", peer, peer.oursTrainMs, peer.theirsTrainMs, peer.trainRatio));
+        if (isPythonTorch(peer)) rows.back().promise = RatioPromise{"Python torch", 1.0, peer.trainRatio};
         rows.push_back(peerRow("networks alone, 1 of 128x128", peer, peer.oursInferMs, peer.theirsInferMs, peer.inferRatio));
         if (peer.answersApart)
             rows.back().note += "; with the same parameters the outputs differ by " + protocols::shortest(*peer.answersApart);
@@ -47,6 +50,17 @@ BenchRow qualityRow(const ordered_json& quality)
             "% of mean friction, generated against measured",
             text("heights differ by %.3f mm from accurate; photographs of 256x256 px; 128x128 px take %.1f ms",
                  quality["height_deviation_from_accurate_mm"].get<double>(), quality["ms_at_128"].get<double>())};
+}
+
+/// The relief against the known one of the same place.
+BenchRow reliefRow(const ordered_json& quality)
+{
+    return {"photograph to relief",
+            quality["quality"].get<std::string>(),
+            quality["ms_per_photograph"].get<double>(),
+            quality["relief_error_percent"].get<double>(),
+            "% of Sq",
+            "known relief of the same place, waves up to 3 mm; time with friction"};
 }
 
 /// The same work by the networks of 0.5.0, in the same turns.
@@ -77,11 +91,13 @@ std::vector<BenchRow> benchGenerators(bool peers)
     const auto bench = ordered_json::parse(rendering::models::outputOfSecondProgram({"bench", "--json"}));
     std::vector<BenchRow> rows;
     for (const auto& quality : bench["qualities"]) rows.push_back(qualityRow(quality));
+    for (const auto& quality : bench["qualities"]) rows.push_back(reliefRow(quality));
     for (const auto& quality : bench["qualities"])
         if (quality["ratio_at_128_to_version_0_5_0"].get<double>() > 0) rows.push_back(earlierRow(quality));
     rows.push_back(memoryRow(bench, "peak_mb_at_128", "128x128"));
     rows.push_back(memoryRow(bench, "peak_mb_at_largest", "the largest, 2048x2048"));
     if (peers) addPeers(rows);
+    markFronts(rows);
     return rows;
 }
 

@@ -4,20 +4,23 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QSqlDatabase>
+#include <QSqlError>
+#include <QSqlQuery>
+#include <QSqlRecord>
 #include <QTemporaryDir>
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "database/keys.h"
 #include "protocols/counterbalancing.h"
-#include "protocols/files/sha256.h"
-#include "protocols/files/whole_file.h"
+#include "protocols/files/errors.h"
 #include "protocols/protocol_json.h"
 #include "rendering/composition/friction_image.h"
 #include "rendering/display/stimulus_bank.h"
 #include "study/app/gui_operator.h"
 #include "study/app/main_window.h"
+#include "study/bench/bench_study.h"
 #include "study/session/driver.h"
 #include "study/session/preparation.h"
 #include "study/session/stimuli.h"
@@ -28,33 +31,6 @@ namespace {
 
 using namespace session;
 using nlohmann::ordered_json;
-
-/// A study of constant images. The measured times do not depend on the images.
-database::StudyFolder makeStudy(const std::filesystem::path& path, const std::string& protocolJson,
-                                protocols::Design (*draw)(const protocols::Protocol&), const cv::Mat& image)
-{
-    const database::StudyFolder folder{path};
-    std::filesystem::create_directories(folder.stimuli());
-    protocols::writeWholeFile(folder.protocol(), protocolJson, protocols::Sync::Later);
-    const auto protocol = protocols::protocolFromJson(protocolJson, "bench");
-    database::StudyFacts facts;
-    for (int fabric = 1; fabric <= protocol.fabricCount; ++fabric) facts.fabrics.emplace_back("F" + std::to_string(100 + fabric));
-    const auto allocation = allocate(protocol, draw(protocol), facts.fabrics, protocols::SecretKey::ofSeed(2));
-    std::map<protocols::FileCode, std::string> hashes;
-    for (const auto& [code, entry] : allocation.key.entries)
-        hashes[code] = rendering::writeStimulus(folder.stimuli(), code, image, stationKeyOf(allocation.key.secret));
-    const auto keys = database::writeKeys(folder, allocation.key);
-    facts.name = "bench";
-    facts.protocolJson = protocolJson;
-    facts.protocolSha256 = protocols::sha256(protocolJson);
-    facts.keySha256 = keys.allocation;
-    facts.stationKeySha256 = keys.station;
-    facts.plannedBalance = facts.madeWith = "{}";
-    facts.swatches = allocation.swatches;
-    facts.signalsJson = "{}";
-    database::StudyStore::create(folder, facts, allocation.participants, hashes);
-    return folder;
-}
 
 protocols::Design balancedDesign(const protocols::Protocol& protocol) { return drawDesign(protocol, 1); }
 
@@ -185,33 +161,146 @@ WindowTimes playThroughWindow(const database::StudyFolder& folder)
     return times;
 }
 
+/// Commits the rows of recorded answers by SQL alone: statements prepared once, the same schema, indices and settings.
+class BareCommits {
+public:
+    /// `played`: a study whose answers are copied into the study `empty`.
+    BareCommits(const database::StudyFolder& empty, const database::StudyFolder& played)
+        : m_target(opened(empty, "bare-target")), m_source(opened(played, "bare-source")), m_events(m_source), m_answers(m_source)
+    {
+        QSqlQuery people(m_source);
+        run(people, "SELECT * FROM participants");
+        QSqlQuery enrol = insertionInto("participants", people);
+        while (people.next()) copyRow(people, enrol);
+        run(m_events, "SELECT * FROM events WHERE kind = 'answered' ORDER BY sequence");
+        run(m_answers, "SELECT * FROM responses ORDER BY event");
+        m_addEvent = insertionInto("events", m_events);
+        m_addAnswer = insertionInto("responses", m_answers);
+    }
+    ~BareCommits()
+    {
+        m_events.clear();
+        m_answers.clear();
+        m_addEvent.reset();
+        m_addAnswer.reset();
+        for (QSqlDatabase* database : {&m_target, &m_source}) {
+            const QString name = database->connectionName();
+            *database = QSqlDatabase();
+            QSqlDatabase::removeDatabase(name);
+        }
+    }
+    BareCommits(const BareCommits&) = delete;
+    BareCommits& operator=(const BareCommits&) = delete;
+
+    /// Commits the rows of the next answer. Milliseconds.
+    double next()
+    {
+        if (!m_events.next() || !m_answers.next())
+            throw protocols::workFailed({"no recorded answer is left", "bench session --peers", "", ""});
+        QElapsedTimer timer;
+        timer.start();
+        QSqlQuery statement(m_target);
+        run(statement, "BEGIN IMMEDIATE");
+        copyRow(m_events, *m_addEvent);
+        copyRow(m_answers, *m_addAnswer);
+        run(statement, "COMMIT");
+        return static_cast<double>(timer.nsecsElapsed()) / 1e6;
+    }
+
+private:
+    static void require(bool done, const QSqlQuery& query)
+    {
+        if (!done)
+            throw protocols::workFailed({"a statement of SQLite failed: " + query.lastError().text().toStdString(),
+                                         "bench session --peers", "", "report this"});
+    }
+    static void run(QSqlQuery& query, const QString& sql) { require(query.exec(sql), query); }
+
+    static QSqlDatabase opened(const database::StudyFolder& folder, const QString& name)
+    {
+        QSqlDatabase database = QSqlDatabase::addDatabase("QSQLITE", name);
+        database.setDatabaseName(QString::fromStdString(folder.database().string()));
+        database.open();
+        QSqlQuery query(database);
+        for (const char* pragma : {"PRAGMA journal_mode = WAL", "PRAGMA synchronous = FULL", "PRAGMA foreign_keys = ON"})
+            run(query, pragma);
+        return database;
+    }
+    QSqlQuery insertionInto(const QString& table, const QSqlQuery& source)
+    {
+        QStringList places;
+        for (int column = 0; column < source.record().count(); ++column) places << "?";
+        QSqlQuery query(m_target);
+        require(query.prepare("INSERT INTO " + table + " VALUES (" + places.join(", ") + ")"), query);
+        return query;
+    }
+    static void copyRow(const QSqlQuery& from, QSqlQuery& into)
+    {
+        for (int column = 0; column < from.record().count(); ++column) into.bindValue(column, from.value(column));
+        require(into.exec(), into);
+    }
+
+    QSqlDatabase m_target, m_source;
+    QSqlQuery m_events, m_answers;
+    std::optional<QSqlQuery> m_addEvent, m_addAnswer;
+};
+
+/// The engine's durable answer and a bare commit of the same rows, in turns.
+BenchRow durableAnswer(const database::StudyFolder& engine, const database::StudyFolder& bare,
+                       const database::StudyFolder& played)
+{
+    BareCommits commits(bare, played);
+    Session session(engine, "S01");
+    std::vector<double> ours, theirs;
+    for (int trial = 1; trial <= 600; ++trial) {
+        const auto ms = playThroughEngine(session, trial);
+        if (ms.empty()) continue;
+        ours.push_back(ms.back());
+        theirs.push_back(commits.next());
+    }
+    const double median = percentile(ours, 0.5), theirMedian = percentile(theirs, 0.5);
+    BenchRow row{"durable answer", "engine", median, {}, "", std::to_string(ours.size()) + " answers in turns, 1 sync each"};
+    row.quartiles = Quartiles{percentile(ours, 0.25), percentile(ours, 0.75)};
+    row.peers["bare SQLite"] = theirMedian;
+    row.promise = RatioPromise{"bare SQLite", 1.5, median / theirMedian};
+    return row;
+}
+
 }  // namespace
 
-std::vector<BenchRow> benchSession()
+std::vector<BenchRow> benchSession(bool peers)
 {
     const QTemporaryDir place;
     const std::filesystem::path path = place.path().toStdString();
     std::vector<BenchRow> rows;
 
-    const auto paper = makeStudy(path / "paper", std::string(protocols::paperProtocolJson()), balancedDesign,
-                                 cv::Mat(rendering::displayHeightPx, rendering::displayWidthPx, CV_8UC1, cv::Scalar(128)));
+    const auto paper =
+        makeConstantStudy(path / "paper", std::string(protocols::paperProtocolJson()), balancedDesign,
+                          cv::Mat(rendering::displayHeightPx, rendering::displayWidthPx, CV_8UC1, cv::Scalar(128)));
     const WindowTimes window = playThroughWindow(paper);
-    rows.push_back({"window with a study", "", window.untilShownMs, 0, "-", "from its creation to its first picture"});
+    rows.push_back({"window with a study", "", window.untilShownMs, {}, "", "from its creation to its first picture"});
     rows.push_back(
-        {"answer typed, stored, next drawn", "median", percentile(window.keyToDrawnMs, 0.5), 0, "-", "keys, sync and painting"});
-    rows.push_back({"answer typed, stored, next drawn", "99th", percentile(window.keyToDrawnMs, 0.99), 0, "-", ""});
-    rows.push_back({"252 answers through the window", "", window.sessionMs, 0, "-", ""});
+        {"answer typed, stored, next drawn", "median", percentile(window.keyToDrawnMs, 0.5), {}, "", "keys, sync and painting"});
+    rows.push_back({"answer typed, stored, next drawn", "99th", percentile(window.keyToDrawnMs, 0.99), {}, "", ""});
+    rows.push_back({"252 answers through the window", "", window.sessionMs, {}, "", ""});
 
     const int presentations = 63, phases = 160;
-    const auto large = makeStudy(path / "large", longProtocol(phases), plainDesign, cv::Mat(1, 1, CV_8UC1, cv::Scalar(128)));
+    const auto large =
+        makeConstantStudy(path / "large", longProtocol(phases), plainDesign, cv::Mat(1, 1, CV_8UC1, cv::Scalar(128)));
     Session session(large, "S01");
     playThroughEngine(session, presentations);
     const double before = megabytesInUse();
     const auto ms = playThroughEngine(session, phases * presentations);
     const std::string trials = std::to_string(session.driver.state().pace.size());
-    rows.push_back({"answer stored by the engine", "median", percentile(ms, 0.5), 0, "-", trials + " trials in one session"});
+    rows.push_back({"answer stored by the engine", "median", percentile(ms, 0.5), {}, "", trials + " trials in one session"});
     rows.push_back({"answer stored by the engine", "99th", percentile(ms, 0.99), megabytesInUse() - before,
                     "MB more in use after " + trials + " trials than after 63", ""});
+    if (peers) {
+        const auto empty = [&](const char* name) {
+            return makeConstantStudy(path / name, longProtocol(phases), plainDesign, cv::Mat(1, 1, CV_8UC1, cv::Scalar(128)));
+        };
+        rows.push_back(durableAnswer(empty("engine"), empty("bare"), large));
+    }
     return rows;
 }
 

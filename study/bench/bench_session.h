@@ -9,7 +9,7 @@ namespace study::bench {
 
 /// Rows for `vis2hap bench session`: the time to store an answer in the engine, from a key press until the next question is
 /// drawn, and of a whole session through the window. Also the memory that 10,000 trials take. Plays scripted participants in a
-/// temporary study. Needs a QApplication.
-std::vector<BenchRow> benchSession();
+/// temporary study. With `peers` also the same rows committed by statements of SQLite alone, in turns. Needs a QApplication.
+std::vector<BenchRow> benchSession(bool peers);
 
 }  // namespace study::bench

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <opencv2/core.hpp>
 
@@ -15,7 +14,7 @@
 #include "rendering/signals/tactile/photometric_stereo.h"
 #include "rendering/signals/tactile/slope_map_fit.h"
 #include "study/bench/bench_composition.h"
-#include "study/bench/median_time.h"
+#include "study/bench/bench_turns.h"
 
 namespace study::bench {
 
@@ -24,14 +23,6 @@ namespace {
 namespace signals = rendering::signals;
 
 constexpr double pitchMm = 0.05;
-constexpr int repeats = 21;
-
-/// Median of several runs, after one run that fills the caches. Long work is repeated less often.
-double medianMilliseconds(const std::function<void()>& work)
-{
-    return bench::medianMilliseconds(millisecondsOf(work) > 50 ? 3 : repeats, work);
-}
-
 struct KnownSurface {
     cv::Mat heightMm;  ///< CV_64FC1
     signals::Slopes slopes;
@@ -74,41 +65,56 @@ double correlation(const cv::Mat& a, const cv::Mat& b)
     return x.dot(y) / (cv::norm(x) * cv::norm(y));
 }
 
+void add(std::vector<BenchRow>& rows, const std::vector<TimedSetting>& settings)
+{
+    for (BenchRow& row : benchInTurns(settings)) rows.push_back(std::move(row));
+}
+
+signals::Slopes inSinglePrecision(const signals::Slopes& slopes)
+{
+    signals::Slopes single;
+    slopes.x.convertTo(single.x, CV_32F);
+    slopes.y.convertTo(single.y, CV_32F);
+    return single;
+}
+
 void benchIntegration(std::vector<BenchRow>& rows, int height, int width)
 {
     using signals::IntegrationQuality;
     const auto known = knownWeave(height, width);
-    signals::Slopes single;
-    known.slopes.x.convertTo(single.x, CV_32F);
-    known.slopes.y.convertTo(single.y, CV_32F);
-    for (const auto quality : {IntegrationQuality::Full, IntegrationQuality::Fast}) {
-        cv::Mat found;
-        const double time = medianMilliseconds([&] {
-            found = signals::integrate(quality == IntegrationQuality::Full ? known.slopes : single, {pitchMm, pitchMm},
-                                       signals::SlopeKind::Point, quality);
-        });
-        rows.push_back({"integration " + std::to_string(height) + "x" + std::to_string(width),
-                        quality == IntegrationQuality::Full ? "full" : "fast", time, percentOfSq(found, known.heightMm),
-                        "% of Sq", "exact slopes of a weave; 64 or 32 bits"});
-    }
+    const auto single = inSinglePrecision(known.slopes);
+    cv::Mat found;
+    const auto setting = [&](const char* name, const signals::Slopes& slopes, IntegrationQuality quality) {
+        return TimedSetting{{"integration " + std::to_string(height) + "x" + std::to_string(width),
+                             name,
+                             {},
+                             {},
+                             "% of Sq",
+                             "exact slopes of a weave; 64 or 32 bits"},
+                            [&found, &slopes, quality] {
+                                found = signals::integrate(slopes, {pitchMm, pitchMm}, signals::SlopeKind::Point, quality);
+                            },
+                            [&] { return percentOfSq(found, known.heightMm); }};
+    };
+    add(rows, {setting("full", known.slopes, IntegrationQuality::Full), setting("fast", single, IntegrationQuality::Fast)});
 }
 
 /// The transforms alone, ours and OpenCV's. An integration needs one forward and one inverse transform.
 void benchTransforms(std::vector<BenchRow>& rows)
 {
-    cv::Mat values;
+    cv::Mat values, back;
     knownWeave(480, 640).heightMm.convertTo(values, CV_32F);
-    cv::Mat back;
-    const double ours = medianMilliseconds([&] { back = signals::inverseCosineTransform(signals::cosineTransform(values)); });
-    rows.push_back({"cosine transforms 480x640", "ours", ours, cv::norm(back, values, cv::NORM_INF), "mm, largest",
-                    "pocketfft, 32 bits, forward and inverse"});
-    const double theirs = medianMilliseconds([&] {
-        cv::Mat spectrum;
-        cv::dct(values, spectrum);
-        cv::idct(spectrum, back);
-    });
-    rows.push_back({"cosine transforms 480x640", "OpenCV", theirs, cv::norm(back, values, cv::NORM_INF), "mm, largest",
-                    "cv::dct and cv::idct on the same image"});
+    const auto error = [&] { return cv::norm(back, values, cv::NORM_INF); };
+    add(rows, {{{"cosine transforms 480x640", "ours", {}, {}, "mm, largest", "pocketfft, 32 bits, forward and inverse"},
+                [&] { back = signals::inverseCosineTransform(signals::cosineTransform(values)); },
+                error},
+               {{"cosine transforms 480x640", "OpenCV", {}, {}, "mm, largest", "cv::dct and cv::idct on the same image"},
+                [&] {
+                    cv::Mat spectrum;
+                    cv::dct(values, spectrum);
+                    cv::idct(spectrum, back);
+                },
+                error}});
 }
 
 /// Three lamps 120 degrees apart. The change of colour is exact except for the rounding to 8 bits.
@@ -130,50 +136,98 @@ signals::Calibration threeLamps(cv::Matx<float, 3, 2>& colourFromSlope)
     return calibration;
 }
 
-/// A map of another kind, fitted to the light of the frame and its true slopes.
-signals::SlopeMap fittedMap(const KnownSurface& known, const cv::Mat& frame, const cv::Mat& reference,
-                            signals::MapQuality quality)
+/// A frame of a weave under the three lamps, of 8 bits.
+struct KnownFrame {
+    KnownSurface surface;
+    cv::Mat frame, reference;
+};
+
+KnownFrame frameOf(KnownSurface surface, const cv::Matx<float, 3, 2>& colourFromSlope)
 {
-    signals::Slopes slopes;
-    known.slopes.x.convertTo(slopes.x, CV_32F);
-    known.slopes.y.convertTo(slopes.y, CV_32F);
+    KnownFrame known;
+    cv::Mat both, change;
+    cv::merge(std::vector<cv::Mat>{surface.slopes.x, surface.slopes.y}, both);
+    both.convertTo(both, CV_32F);
+    cv::transform(both, change, colourFromSlope);
+    change.convertTo(known.frame, CV_8U, 255, 128);
+    known.reference = cv::Mat(known.frame.size(), CV_8UC3, cv::Scalar::all(128));
+    known.surface = std::move(surface);
+    return known;
+}
+
+/// A map of another kind, fitted to the light of the frame and its true slopes.
+signals::SlopeMap fittedMap(const KnownFrame& known, signals::MapQuality quality)
+{
     signals::SlopeSamples samples;
-    samples.add(signals::lightOf(frame, reference, signals::LightMeasure::AgainstReference), slopes,
-                cv::Mat(frame.size(), CV_8UC1, cv::Scalar(255)), 4);
+    samples.add(signals::lightOf(known.frame, known.reference, signals::LightMeasure::AgainstReference),
+                inSinglePrecision(known.surface.slopes), cv::Mat(known.frame.size(), CV_8UC1, cv::Scalar(255)), 4);
     signals::FitOptions options;
     options.quality = quality;
     options.degree = 4;  // the degree that presses of a ball are fitted with
     return signals::fitSlopeMap(samples, options);
 }
 
+/// Root mean square error of both slopes, in percent of that of the slopes themselves.
+double percentOfSlopes(const signals::Slopes& found, const signals::Slopes& known)
+{
+    const auto single = inSinglePrecision(known);
+    return 100 * std::hypot(cv::norm(found.x, single.x), cv::norm(found.y, single.y)) /
+           std::hypot(cv::norm(single.x), cv::norm(single.y));
+}
+
+/// Maps are fitted to one weave and tried on a weave that was not fitted.
+void benchCalibration(std::vector<BenchRow>& rows)
+{
+    using signals::MapQuality;
+    cv::Matx<float, 3, 2> colourFromSlope;
+    auto calibration = threeLamps(colourFromSlope);
+    const KnownFrame fitted = frameOf(knownWeave(240, 320), colourFromSlope),
+                     unseen = frameOf(knownWeave(240, 320, 0.2), colourFromSlope);
+    const auto setting = [&](const char* name, MapQuality quality, const char* note) {
+        return TimedSetting{{"calibration 240x320", name, {}, {}, "% of slopes, unseen frame", note},
+                            [&, quality] { calibration.map = fittedMap(fitted, quality); },
+                            [&] {
+                                return percentOfSlopes(signals::slopesFromFrame(unseen.frame, unseen.reference, calibration),
+                                                       unseen.surface.slopes);
+                            }};
+    };
+    // The network takes seconds, so this stage may end after one round.
+    for (BenchRow& row : benchInTurns(
+             {setting("fast", MapQuality::Fast, "linear map"), setting("balanced", MapQuality::Balanced, "polynomial map"),
+              setting("accurate", MapQuality::Accurate, "network")},
+             {21, 1500, 1}))
+        rows.push_back(std::move(row));
+}
+
 void benchPhotometricStereo(std::vector<BenchRow>& rows)
 {
     using signals::IntegrationQuality;
     using signals::MapQuality;
-    const auto known = knownWeave(240, 320);
     cv::Matx<float, 3, 2> colourFromSlope;
-    auto calibration = threeLamps(colourFromSlope);
-    cv::Mat both, change, frame;
-    cv::merge(std::vector<cv::Mat>{known.slopes.x, known.slopes.y}, both);
-    both.convertTo(both, CV_32F);
-    cv::transform(both, change, colourFromSlope);
-    change.convertTo(frame, CV_8U, 255, 128);
-    const cv::Mat reference(frame.size(), CV_8UC3, cv::Scalar::all(128));
+    const auto linear = threeLamps(colourFromSlope);
+    const KnownFrame known = frameOf(knownWeave(240, 320), colourFromSlope);
     const cv::Mat truth =
-        signals::zeroedRelief(known.heightMm, {pitchMm, pitchMm}, calibration.highPassCutoffMm, calibration.zeroPercentile);
-    const auto add = [&](const char* quality, IntegrationQuality integration, const char* note) {
-        cv::Mat found;
-        const double time =
-            medianMilliseconds([&] { found = signals::heightFromFrame(frame, reference, calibration, integration); });
-        rows.push_back({"photometric stereo 240x320", quality, time, percentOfSq(found, truth), "% of Sq",
-                        std::string("8-bit frame of a weave to height, high-passed at 3 mm; ") + note});
+        signals::zeroedRelief(known.surface.heightMm, {pitchMm, pitchMm}, linear.highPassCutoffMm, linear.zeroPercentile);
+    auto polynomial = linear, network = linear;
+    polynomial.map = fittedMap(known, MapQuality::Balanced);
+    network.map = fittedMap(known, MapQuality::Accurate);
+    cv::Mat found;
+    const auto setting = [&](const char* name, const signals::Calibration& calibration, IntegrationQuality quality,
+                             const char* note) {
+        return TimedSetting{
+            {"photometric stereo 240x320",
+             name,
+             {},
+             {},
+             "% of Sq",
+             std::string("8-bit frame of a weave to height, high-passed at 3 mm; ") + note},
+            [&, quality] { found = signals::heightFromFrame(known.frame, known.reference, calibration, quality); },
+            [&] { return percentOfSq(found, truth); }};
     };
-    add("fast", IntegrationQuality::Fast, "linear map, 32 bits");
-    add("full", IntegrationQuality::Full, "linear map, 64 bits; at most 8 ms");
-    calibration.map = fittedMap(known, frame, reference, MapQuality::Balanced);
-    add("balanced", IntegrationQuality::Full, "polynomial map; at most 8 ms");
-    calibration.map = fittedMap(known, frame, reference, MapQuality::Accurate);
-    add("accurate", IntegrationQuality::Full, "network");
+    add(rows, {setting("fast", linear, IntegrationQuality::Fast, "linear map, 32 bits"),
+               setting("full", linear, IntegrationQuality::Full, "linear map, 64 bits; at most 8 ms"),
+               setting("balanced", polynomial, IntegrationQuality::Full, "polynomial map; at most 8 ms"),
+               setting("accurate", network, IntegrationQuality::Full, "network")});
 }
 
 void benchShapeFromShading(std::vector<BenchRow>& rows)
@@ -189,21 +243,20 @@ void benchShapeFromShading(std::vector<BenchRow>& rows)
             const double light = (lz - p * lx - q * ly) / std::sqrt(1 + p * p + q * q);
             photograph.at<unsigned char>(i, j) = cv::saturate_cast<unsigned char>(200 * light);
         }
-    const cv::Mat truth = known.heightMm;
-    for (const auto quality : {ShadingQuality::Accurate, ShadingQuality::Fast}) {
-        signals::ShadingOptions options;
-        options.quality = quality;
-        cv::Mat found;
-        const double time = medianMilliseconds([&] { found = signals::shapeFromShading(photograph, options); });
-        rows.push_back({"shape from shading 512x512", quality == ShadingQuality::Accurate ? "accurate" : "fast", time,
-                        1 - std::abs(correlation(found, truth)), "1 - |r|", "Lambertian weave, light's direction estimated"});
-    }
-    signals::ShadingOptions options;
-    options.method = signals::ShadingMethod::GaussianBumps;
     cv::Mat found;
-    const double time = medianMilliseconds([&] { found = signals::shapeFromShading(photograph, options); });
-    rows.push_back({"shape from shading 512x512", "bumps", time, 1 - std::abs(correlation(found, truth)), "1 - |r|",
-                    "Gaussian bumps, the paper's reference"});
+    const auto setting = [&](const char* name, const char* note, signals::ShadingMethod method, ShadingQuality quality) {
+        signals::ShadingOptions options;
+        options.method = method;
+        options.quality = quality;
+        return TimedSetting{{"shape from shading 512x512", name, {}, {}, "1 - |r|", note},
+                            [&, options] { found = signals::shapeFromShading(photograph, options); },
+                            [&] { return 1 - std::abs(correlation(found, known.heightMm)); }};
+    };
+    const char* linear = "Lambertian weave, light's direction estimated";
+    add(rows, {setting("accurate", linear, signals::ShadingMethod::Linear, ShadingQuality::Accurate),
+               setting("fast", linear, signals::ShadingMethod::Linear, ShadingQuality::Fast),
+               setting("bumps", "Gaussian bumps, the paper's reference", signals::ShadingMethod::GaussianBumps,
+                       ShadingQuality::Accurate)});
 }
 
 std::vector<double> knownTrace()
@@ -231,27 +284,38 @@ double percentOfMean(const std::vector<double>& found, const std::vector<double>
 
 void benchSpectrogram(std::vector<BenchRow>& rows)
 {
-    using signals::InversionQuality;
     const auto trace = knownTrace();
     const auto spectrogram = signals::stft(trace);
     std::vector<double> back;
-    const double exact = medianMilliseconds([&] { back = signals::istft(signals::stft(trace)); });
-    rows.push_back({"spectrogram and back", "complex", exact, percentOfMean(back, trace), "% of mean", "480 samples"});
+    add(rows, {{{"spectrogram and back", "complex", {}, {}, "% of mean", "480 samples"},
+                [&] { back = signals::istft(signals::stft(trace)); },
+                [&] { return percentOfMean(back, trace); }}});
     const auto magnitude = signals::magnitude(spectrogram);
-    for (const auto quality : {InversionQuality::Fast, InversionQuality::Accurate}) {
-        const auto options = signals::GriffinLimOptions::of(quality);
-        signals::Inversion inversion;
-        const double time = medianMilliseconds([&] { inversion = signals::griffinLim(magnitude, options); });
-        const int tenths = static_cast<int>(std::lround(10 * percentOfMean(inversion.trace, trace)));
-        rows.push_back({"spectrogram inversion", quality == InversionQuality::Fast ? "fast" : "accurate", time,
-                        100 * inversion.spectralConvergence, "% of magnitude",
-                        std::to_string(options.iterations) +
-                            " iterations; the magnitude has no phases, so the trace deviates by " + std::to_string(tenths / 10) +
-                            "." + std::to_string(tenths % 10) + " % of its mean"});
-    }
+    signals::Inversion inversion;
+    std::vector<TimedSetting> settings;
+    for (const int iterations : {4, 8, 16, 32, 64, 100, 200, 400})
+        settings.push_back({{"spectrogram inversion",
+                             std::to_string(iterations) + " iterations",
+                             {},
+                             {},
+                             "% of magnitude",
+                             "the magnitude has no phases, so the trace itself may differ more"},
+                            [&, iterations] {
+                                signals::GriffinLimOptions options;
+                                options.iterations = iterations;
+                                inversion = signals::griffinLim(magnitude, options);
+                            },
+                            [&] { return 100 * inversion.spectralConvergence; }});
+    add(rows, settings);
 }
 
 }  // namespace
+
+double knownWeaveSqMm()
+{
+    const cv::Mat height = centred(knownWeave(480, 640).heightMm);
+    return cv::norm(height) / std::sqrt(static_cast<double>(height.total()));
+}
 
 std::vector<BenchRow> benchSignals()
 {
@@ -261,6 +325,7 @@ std::vector<BenchRow> benchSignals()
     benchIntegration(rows, 240, 320);
     benchIntegration(rows, 480, 640);
     benchTransforms(rows);
+    benchCalibration(rows);
     benchPhotometricStereo(rows);
     benchShapeFromShading(rows);
     benchSpectrogram(rows);

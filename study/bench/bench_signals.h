@@ -10,4 +10,7 @@ namespace study::bench {
 /// Takes a few seconds on one thread.
 std::vector<BenchRow> benchSignals();
 
+/// RMS height about the mean of the weave of "integration 480x640", from its formula.
+double knownWeaveSqMm();
+
 }  // namespace study::bench

@@ -12,7 +12,8 @@
 #include "stats/tests/bootstrap.h"
 #include "stats/tests/sign_flip.h"
 #include "stats/tests/t_tests.h"
-#include "study/bench/median_time.h"
+#include "study/bench/bench_models.h"
+#include "study/bench/bench_turns.h"
 #include "study/bench/peer_programs.h"
 
 namespace study::bench {
@@ -40,22 +41,38 @@ long double pairedT(const std::vector<double>& x, const std::vector<double>& y)
     return sum / n / std::sqrt(squares / (n - 1) / n);
 }
 
-/// A row, and the name of its work in the times of the peers.
-struct StatisticsRow {
-    BenchRow row;
-    std::string peerStage;
-};
+using Rows = std::vector<BenchRow>;
 
-StatisticsRow pairedTStage()
+/// Adds the times of the peers to a row, and the relative difference of their answers from ours.
+void addPeers(BenchRow& row, const PeerResults& results, const std::string& stage, double answer)
+{
+    const auto found = results.find(stage);
+    if (found == results.end()) return;
+    for (const auto& [peer, result] : found->second) {
+        row.peers[peer] = result.milliseconds;
+        if (result.answer) row.peersDiffer[peer] = std::fabs(*result.answer / answer - 1);
+    }
+}
+
+void promise(BenchRow& row, const std::string& peer, double most)
+{
+    if (!row.peers.contains(peer)) return;  // no peers were asked for
+    row.promise = RatioPromise{peer, most, {}};
+    if (row.peers.at(peer)) row.promise->ratio = *row.milliseconds / *row.peers.at(peer);
+}
+
+Rows pairedTStage(const PeerResults& peers)
 {
     const auto x = sequence(1000000, 2654435761U, 12345);
     const auto y = sequence(1000000, 3266489917U, 99);
-    double t = 0;
-    const double time = medianMilliseconds(15, [&] { t = *stats::pairedTTest(x, y).t; });
     const auto exact = pairedT(x, y);
-    return {{"paired t, 1000000 pairs", "double", time, static_cast<double>(std::fabs((t - exact) / exact)),
-             "relative, from t in 80 bits", "goal 3 ms"},
-            "paired t"};
+    double t = 0;
+    auto rows = benchInTurns({{{"paired t, 1000000 pairs", "double", {}, {}, "relative, from t in 80 bits", "goal 3 ms"},
+                               [&] { t = *stats::pairedTTest(x, y).t; },
+                               [&] { return static_cast<double>(std::fabs((t - exact) / exact)); }}});
+    addPeers(rows.front(), peers, "paired t", t);
+    promise(rows.front(), "scipy", 0.4);
+    return rows;
 }
 
 /// Differences of ratings: whole tenths about 0.3.
@@ -66,28 +83,51 @@ std::vector<double> ratingDifferences(std::size_t n)
     return differences;
 }
 
-StatisticsRow bootstrapStage()
+Rows bootstrapStage(const PeerResults& peers)
 {
     const auto x = ratingDifferences(70);
-    double low = 0;
-    const double time = medianMilliseconds(15, [&] { low = *stats::bcaBootstrapOfMean(x).ci.low; });
-    const auto many = stats::bcaBootstrapOfMean(x, {.resamples = 1000000, .seed = 2});
-    return {{"BCa bootstrap, 10000 x 70", "1 thread", time, std::fabs(low - *many.ci.low) / *many.standardError,
-             "SE, from the lower end by 1000000 resamples", "goal 3 ms"},
-            "bca"};
+    const auto many = stats::bcaBootstrapOfMean(x, {.resamples = 3000000, .seed = 2});
+    double low = 0, shippedLow = 0;
+    std::vector<TimedSetting> settings;
+    for (const std::size_t resamples : {std::size_t{1000}, std::size_t{10000}, std::size_t{100000}})
+        settings.push_back({{"BCa bootstrap of 70",
+                             std::to_string(resamples),
+                             {},
+                             {},
+                             "SE of the lower end, 20 seeds",
+                             "resamples; truth from 3000000"},
+                            [&low, &x, resamples] { low = *stats::bcaBootstrapOfMean(x, {.resamples = resamples}).ci.low; },
+                            [&x, &many, resamples] {
+                                double squares = 0;
+                                for (std::uint64_t seed = 11; seed <= 30; ++seed) {
+                                    const auto one = stats::bcaBootstrapOfMean(x, {.resamples = resamples, .seed = seed});
+                                    squares += std::pow((*one.ci.low - *many.ci.low) / *many.standardError, 2) / 20;
+                                }
+                                return std::sqrt(squares);
+                            }});
+    auto rows = benchInTurns(settings);
+    shippedLow = *stats::bcaBootstrapOfMean(x).ci.low;
+    rows[1].note = "10000 x 70, 1 thread; goal 3 ms";
+    addPeers(rows[1], peers, "bca", shippedLow);
+    promise(rows[1], "scipy", 0.1);
+    return rows;
 }
 
-StatisticsRow signFlipStage()
+Rows signFlipStage()
 {
     const auto x = ratingDifferences(70);
-    const double time = medianMilliseconds(15, [&] { stats::signFlipTest(x, {}); });
     // Thirds do not lie on a decimal grid, so the test enumerates all signs.
     auto few = ratingDifferences(16);
     const double exact = *stats::signFlipTest(few, {}).p;
     for (double& difference : few) difference /= 3;
-    return {{"sign flips, exact, 70 on tenths", "double", time, std::fabs(exact - *stats::signFlipTest(few, {}).p),
-             "p, from all 65536 signs of 16 differences", "goal 1 ms"},
-            ""};
+    return benchInTurns({{{"sign flips, exact, 70 on tenths",
+                           "double",
+                           {},
+                           std::fabs(exact - *stats::signFlipTest(few, {}).p),
+                           "p, from all 65536 signs of 16 differences",
+                           "goal 1 ms"},
+                          [&] { stats::signFlipTest(x, {}); },
+                          {}}});
 }
 
 constexpr std::size_t ssimWidth = 1280;
@@ -95,7 +135,7 @@ constexpr std::size_t ssimHeight = 800;
 // SSIM of these two images in 80-bit arithmetic, window by window.
 constexpr double trueSsim = 0.9528596586430464;
 
-std::pair<StatisticsRow, StatisticsRow> ssimStages()
+Rows ssimStage(const PeerResults& peers)
 {
     const auto a = sequence(ssimWidth * ssimHeight, 2654435761U, 12345);
     auto b = sequence(ssimWidth * ssimHeight, 3266489917U, 99);
@@ -103,15 +143,22 @@ std::pair<StatisticsRow, StatisticsRow> ssimStages()
     const std::vector<float> floatA(a.begin(), a.end());
     const std::vector<float> floatB(b.begin(), b.end());
     double found = 0, floatFound = 0;
-    const double time = medianMilliseconds(15, [&] {
-        found = *stats::ssim(stats::ImageView{a, ssimWidth, ssimHeight}, {b, ssimWidth, ssimHeight}, 1).mean;
-    });
-    const double floatTime = medianMilliseconds(15, [&] {
-        floatFound = *stats::ssim(stats::FloatImageView{floatA, ssimWidth, ssimHeight}, {floatB, ssimWidth, ssimHeight}, 1).mean;
-    });
-    return {
-        {{"SSIM 1280x800", "double", time, std::fabs(found - trueSsim), "SSIM, from 80-bit arithmetic", "goal 30 ms"}, "ssim"},
-        {{"SSIM 1280x800", "float", floatTime, std::fabs(floatFound - found), "SSIM, from double", "goal 12 ms"}, "ssim float"}};
+    auto rows = benchInTurns(
+        {{{"SSIM 1280x800", "double", {}, {}, "SSIM, from 80-bit arithmetic", "goal 30 ms"},
+          [&] {
+              found = *stats::ssim(stats::ImageView{a, ssimWidth, ssimHeight}, {b, ssimWidth, ssimHeight}, 1).mean;
+          },
+          [&] { return std::fabs(found - trueSsim); }},
+         {{"SSIM 1280x800", "float", {}, {}, "SSIM, from 80-bit arithmetic", "goal 12 ms"},
+          [&] {
+              floatFound =
+                  *stats::ssim(stats::FloatImageView{floatA, ssimWidth, ssimHeight}, {floatB, ssimWidth, ssimHeight}, 1).mean;
+          },
+          [&] { return std::fabs(floatFound - trueSsim); }}});
+    addPeers(rows[0], peers, "ssim", found);
+    addPeers(rows[1], peers, "ssim float", floatFound);
+    for (BenchRow& row : rows) promise(row, "scikit-image", 0.25);
+    return rows;
 }
 
 /// The paper's study, answered by a formula: 10 x 7 x 9, one choice and three ratings each.
@@ -141,32 +188,30 @@ reports::StudyData wholeStudy()
     return data;
 }
 
-StatisticsRow reportStage()
+Rows reportStage()
 {
     const auto data = wholeStudy();
     std::size_t size = 0;
-    const double time = medianMilliseconds(5, [&] {
-        const reports::StudyAnalysis analysis = reports::analyse(data);
-        size = reports::resultsJson(analysis).size() + reports::statisticsJson(analysis).size();
-    });
-    return {{"the whole default report", "", time, 0, "-",
-             "all tests and models of " + std::to_string(data.responses.size()) + " answers in " + std::to_string(size) +
-                 " parts; goal 100 ms"},
-            "report"};
+    auto rows = benchInTurns({{{"the whole default report", "", {}, 0, "-", ""},
+                               [&] {
+                                   const reports::StudyAnalysis analysis = reports::analyse(data);
+                                   size = reports::resultsJson(analysis).size() + reports::statisticsJson(analysis).size();
+                               },
+                               {}}});
+    rows.front().note = "all tests and models of " + std::to_string(data.responses.size()) + " answers in " +
+                        std::to_string(size) + " parts; goal 100 ms";
+    return rows;
 }
 
 }  // namespace
 
 std::vector<BenchRow> benchStatistics(bool peers)
 {
-    const auto [ssimDouble, ssimFloat] = ssimStages();
-    const PeerTimes times = peers ? peerTimes() : PeerTimes();
+    const PeerResults results = peers ? statisticsPeers() : PeerResults();
     std::vector<BenchRow> rows;
-    for (const auto& [row, peerStage] :
-         {pairedTStage(), bootstrapStage(), signFlipStage(), ssimDouble, ssimFloat, reportStage()}) {
-        rows.push_back(row);
-        if (const auto found = times.find(peerStage); found != times.end()) rows.back().peers = found->second;
-    }
+    for (const Rows& stage :
+         {pairedTStage(results), bootstrapStage(results), signFlipStage(), ssimStage(results), benchModels(), reportStage()})
+        rows.insert(rows.end(), stage.begin(), stage.end());
     return rows;
 }
 

@@ -19,8 +19,6 @@
 #include "rendering/models/process/second_program.h"
 #include "study/bench/peer_programs.h"
 
-extern char** environ;
-
 namespace study::bench {
 
 namespace {
@@ -70,7 +68,8 @@ Partner::Partner(std::vector<std::string> command, const std::string& libraries)
     if (!libraries.empty()) surroundings.push_back("LD_LIBRARY_PATH=" + libraries);
     std::vector<char*> variables, words;
     for (std::string& text : surroundings) variables.push_back(text.data());
-    for (char** variable = environ; *variable != nullptr; ++variable) variables.push_back(*variable);
+    std::vector<std::string> others = peerEnvironment();
+    for (std::string& text : others) variables.push_back(text.data());
     variables.push_back(nullptr);
     for (std::string& word : command) words.push_back(word.data());
     words.push_back(nullptr);

@@ -19,8 +19,44 @@ namespace {
 
 constexpr const char* python = "/usr/bin/python3";
 
-/// Standard output of a program; empty where it cannot be started or fails.
-std::string outputOf(const std::vector<std::string>& command)
+/// Stages with their peers, before any has answered.
+PeerResults unanswered(const std::vector<std::pair<std::string, std::vector<std::string>>>& stages)
+{
+    PeerResults results;
+    for (const auto& [stage, peers] : stages)
+        for (const std::string& peer : peers) results[stage][peer] = {};
+    return results;
+}
+
+std::optional<double> numberAt(const nlohmann::json& object, const char* field)
+{
+    const auto found = object.find(field);
+    return found != object.end() && found->is_number() ? std::optional(found->get<double>()) : std::nullopt;
+}
+
+/// Adds {"peer": {"stage": {"ms": X, "answer": Y}}}; null where a package is not installed.
+void add(PeerResults& results, const std::string& output)
+{
+    const auto found = nlohmann::json::parse(output, nullptr, false);
+    if (!found.is_object()) return;
+    for (const auto& [peer, stages] : found.items())
+        for (const auto& [stage, measured] : stages.items())
+            if (measured.is_object()) results[stage][peer] = {numberAt(measured, "ms"), numberAt(measured, "answer")};
+}
+
+}  // namespace
+
+std::vector<std::string> peerEnvironment()
+{
+    std::vector<std::string> variables;
+    for (char** variable = environ; *variable != nullptr; ++variable) {
+        const std::string text = *variable;
+        if (!text.starts_with("OPENBLAS_CORETYPE=") && !text.starts_with("OPENBLAS_L2_SIZE=")) variables.push_back(text);
+    }
+    return variables;
+}
+
+std::string outputOfPeer(const std::vector<std::string>& command)
 {
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0) return {};
@@ -31,8 +67,12 @@ std::string outputOf(const std::vector<std::string>& command)
     std::vector<char*> argv;
     for (const std::string& argument : command) argv.push_back(const_cast<char*>(argument.c_str()));
     argv.push_back(nullptr);
+    std::vector<std::string> surroundings = peerEnvironment();
+    std::vector<char*> variables;
+    for (std::string& text : surroundings) variables.push_back(text.data());
+    variables.push_back(nullptr);
     pid_t child = 0;
-    const int failure = posix_spawnp(&child, argv.front(), &actions, nullptr, argv.data(), environ);
+    const int failure = posix_spawnp(&child, argv.front(), &actions, nullptr, argv.data(), variables.data());
     posix_spawn_file_actions_destroy(&actions);
     close(ends[1]);
     std::string text;
@@ -47,17 +87,6 @@ std::string outputOf(const std::vector<std::string>& command)
     return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? text : std::string();
 }
 
-void add(PeerTimes& times, const std::string& output)
-{
-    const auto found = nlohmann::json::parse(output, nullptr, false);
-    if (!found.is_object()) return;
-    for (const auto& [peer, stages] : found.items())
-        for (const auto& [stage, milliseconds] : stages.items())
-            if (milliseconds.is_number()) times[stage][peer] = milliseconds.get<double>();
-}
-
-}  // namespace
-
 std::filesystem::path peerScript(const std::string& name)
 {
     const auto beside = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "peers" / name;
@@ -68,22 +97,22 @@ std::filesystem::path peerScript(const std::string& name)
                                        "copy it from the sources of the program, or leave --peers out"});
 }
 
-PeerTimes peerTimes()
+PeerResults statisticsPeers()
 {
-    PeerTimes times;
-    for (const char* stage : {"paired t", "bca"}) times[stage] = {{"scipy", std::nullopt}, {"R", std::nullopt}};
-    for (const char* stage : {"ssim", "ssim float"}) times[stage] = {{"scikit-image", std::nullopt}};
-    add(times, outputOf({python, "-B", peerScript("statistics_peer.py")}));
-    add(times, outputOf({"Rscript", peerScript("statistics_peer.R")}));
-    return times;
+    PeerResults results = unanswered({{"paired t", {"scipy", "R"}},
+                                      {"bca", {"scipy", "R"}},
+                                      {"ssim", {"scikit-image", "OpenCV"}},
+                                      {"ssim float", {"scikit-image", "OpenCV"}}});
+    add(results, outputOfPeer({python, "-B", peerScript("statistics_peer.py")}));
+    add(results, outputOfPeer({"Rscript", peerScript("statistics_peer.R")}));
+    return results;
 }
 
-PeerTimes signalPeerTimes()
+PeerResults signalPeers()
 {
-    PeerTimes times;
-    for (const char* stage : {"cosine transforms 480x640", "integration 480x640"}) times[stage] = {{"scipy", std::nullopt}};
-    add(times, outputOf({python, "-B", peerScript("signals_peer.py")}));
-    return times;
+    PeerResults results = unanswered({{"cosine transforms 480x640", {"scipy"}}, {"integration 480x640", {"scipy"}}});
+    add(results, outputOfPeer({python, "-B", peerScript("signals_peer.py")}));
+    return results;
 }
 
 }  // namespace study::bench

@@ -14,7 +14,7 @@
 #include "rendering/signals/tactile/press_folder.h"
 #include "rendering/signals/tactile/surface_calibration.h"
 #include "study/commands/command_line.h"
-#include "study/commands/json_output.h"
+#include "study/commands/parts/json_output.h"
 #include "study/commands/parts/number_checks.h"
 #include "study/looking/picture_decoder.h"
 #include "study/measuring/calibration_report.h"

@@ -5,6 +5,8 @@
 #include <functional>
 #include <string>
 
+#include "study/commands/parts/version_text.h"
+
 namespace CLI {
 class App;
 }
@@ -46,6 +48,7 @@ void addRescue(CLI::App& app, Action& action);
 void addNumbers(CLI::App& app, Action& action);  ///< describe, compare, metrics
 void addAnalyse(CLI::App& app, Action& action);
 void addPower(CLI::App& app, Action& action);
+void addMerge(CLI::App& app, Action& action);
 void addBench(CLI::App& app, Action& action);
 void addDisplay(CLI::App& app, Action& action);
 void addStroke(CLI::App& app, Action& action);
@@ -55,9 +58,6 @@ void addPreregister(CLI::App& study, Action& action);
 void addProof(CLI::App& study, Action& action);  ///< study data-sheet, signing-key, sign
 /// The window: `vis2hap [STUDY]`, when no command is named.
 void addApp(CLI::App& app, Action& action);
-
-/// The text that `--version` prints and that studies store.
-std::string versionText();
 
 /// The commit of the sources when the build was configured; empty outside a repository.
 std::string commitText();

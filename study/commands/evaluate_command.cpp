@@ -13,9 +13,10 @@
 #include "rendering/models/exchange.h"
 #include "stats/kernels/threads.h"
 #include "study/commands/command_line.h"
-#include "study/commands/json_output.h"
+#include "study/commands/parts/explanation.h"
+#include "study/commands/parts/json_output.h"
 #include "study/commands/parts/number_checks.h"
-#include "study/commands/progress.h"
+#include "study/commands/parts/progress.h"
 #include "study/evaluation/evaluation_json.h"
 #include "study/evaluation/evaluation_text.h"
 #include "study/evaluation/photograph_changes.h"
@@ -95,7 +96,7 @@ int checkPictures(const EvaluateCall& call)
     return 0;
 }
 
-int evaluate(const EvaluateCall& call)
+int evaluate(const EvaluateCall& call, StageTimes times)
 {
     if (call.clothCheck) return checkPictures(call);
     const auto dataset = rendering::fabrics::readDataset(call.dataset);
@@ -110,8 +111,11 @@ int evaluate(const EvaluateCall& call)
     request.threads = std::min(stats::threadCount(0), mostThreads);
     if (call.changes) {
         StagesShown stages;
-        const auto changes = evaluation::evaluateChanges(
-            dataset, request, [&](const std::string& stage, int done, int total) { stages.show(stage, done, total); });
+        const auto show = [&](const std::string& stage, int done, int total) {
+            times.begin(stage);
+            stages.show(stage, done, total);
+        };
+        const auto changes = evaluation::evaluateChanges(dataset, request, show);
         if (call.json) writeJson(call.json, evaluation::changesJson(changes));
         if (!call.json || !call.json->empty()) std::fputs(evaluation::changesText(changes).c_str(), stdout);
         return 0;
@@ -119,8 +123,11 @@ int evaluate(const EvaluateCall& call)
     std::optional<evaluation::SurfaceReport> surfaces;
     if (evaluation::hasSurfaces(dataset)) {
         StagesShown stages;
-        surfaces = evaluation::evaluateSurfaces(
-            dataset, request, [&](const std::string& stage, int done, int total) { stages.show(stage, done, total); });
+        const auto show = [&](const std::string& stage, int done, int total) {
+            times.begin(stage);
+            stages.show(stage, done, total);
+        };
+        surfaces = evaluation::evaluateSurfaces(dataset, request, show);
         const bool isAll = !hasMeasurements(dataset);
         if (call.json && isAll) writeJson(call.json, evaluation::surfacesJson(*surfaces));
         if (!call.json || !call.json->empty()) std::fputs(evaluation::surfacesText(*surfaces).c_str(), stdout);
@@ -128,8 +135,11 @@ int evaluate(const EvaluateCall& call)
     }
     if (!hasMeasurements(dataset)) {
         StagesShown stages;
-        const auto weaves = evaluation::evaluateWeaves(
-            dataset, request, [&](const std::string& stage, int done, int total) { stages.show(stage, done, total); });
+        const auto show = [&](const std::string& stage, int done, int total) {
+            times.begin(stage);
+            stages.show(stage, done, total);
+        };
+        const auto weaves = evaluation::evaluateWeaves(dataset, request, show);
         if (call.json) writeJson(call.json, evaluation::weavesJson(weaves));
         if (!call.json || !call.json->empty()) std::fputs(evaluation::weavesText(weaves).c_str(), stdout);
         return 0;
@@ -137,15 +147,21 @@ int evaluate(const EvaluateCall& call)
     evaluation::Evaluation result;
     {
         StagesShown stages;
-        result = evaluation::evaluate(dataset, request,
-                                      [&](const std::string& stage, int done, int total) { stages.show(stage, done, total); });
+        const auto show = [&](const std::string& stage, int done, int total) {
+            times.begin(stage);
+            stages.show(stage, done, total);
+        };
+        result = evaluation::evaluate(dataset, request, show);
     }
     if (call.json) {
         auto json = evaluation::evaluationJson(result);
         if (surfaces) json["surfaces"] = evaluation::surfacesJson(*surfaces).at("surfaces");
         writeJson(call.json, json);
     }
-    if (!call.json || !call.json->empty()) std::fputs(evaluation::evaluationText(result).c_str(), stdout);
+    if (!call.json || !call.json->empty()) {
+        std::fputs(evaluation::evaluationText(result).c_str(), stdout);
+        times.end();  // JSON on standard output stays alone
+    }
     return 0;
 }
 
@@ -176,7 +192,9 @@ void addEvaluate(CLI::App& app, Action& action)
     command->add_flag("--changes", call->changes,
                       "only say how much dye, light, focus and noise of a photograph change what is generated from it");
     addJsonOption(*command, call->json);
-    command->callback([call, &action] { action.work = [call] { return evaluate(*call); }; });
+    command->callback([call, command, &action] {
+        action.work = [call, command] { return evaluate(*call, StageTimes(isExplained(*command))); };
+    });
 }
 
 }  // namespace study::commands

@@ -3,10 +3,13 @@
 #include "study/commands/export_command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <variant>
 
 #include "database/evidence/acts.h"
 #include "database/preregistrations.h"
@@ -20,7 +23,7 @@
 #include "reports/formats/table_formats.h"
 #include "reports/text/plain_words.h"
 #include "study/commands/command_line.h"
-#include "study/commands/json_output.h"
+#include "study/commands/parts/json_output.h"
 #include "study/commands/passphrase_option.h"
 #include "study/commands/recorded_act.h"
 #include "study/players/session_script.h"
@@ -46,41 +49,89 @@ struct Export {
     fs::path out;                   ///< a draft, which is synced as a whole
 };
 
-/// One answer of an unblinded study. A value that does not exist is null.
-ordered_json rowOf(const Export& job, const CurrentAnswer& answer)
+constexpr std::size_t bytesAtOnce = std::size_t{1} << 20;
+
+/// A value of an answer; none where it does not exist.
+using ExportedValue = std::variant<std::monostate, std::int64_t, double, std::string, std::vector<std::string>>;
+
+template <class T>
+ExportedValue valueIfThere(const std::optional<T>& value)
+{
+    return value ? ExportedValue(*value) : ExportedValue();
+}
+
+struct NamedValue {
+    const char* name;
+    ExportedValue value;
+};
+
+void addInstruction(std::vector<NamedValue>& row, const records::Naming::Entry& entry, const CurrentAnswer& answer)
+{
+    row.push_back({"instruction", entry.instruction.empty() ? ExportedValue() : ExportedValue(entry.instruction.value)});
+    row.push_back({"deadline_seconds", entry.deadlineMs ? ExportedValue(*entry.deadlineMs / 1000.0) : ExportedValue()});
+    const auto late = isLate(entry, answer);
+    row.push_back({"late", late ? ExportedValue(std::int64_t{*late}) : ExportedValue()});
+}
+
+/// One answer of an unblinded study, in the order of export.json.
+std::vector<NamedValue> rowOf(const Export& job, const CurrentAnswer& answer)
 {
     const auto& record = answer.record;
     const auto& entry = job.naming->of(answer.participant, record.trial);
-    ordered_json alternatives = ordered_json::array();
+    std::vector<std::string> alternatives;
     for (const auto& fabric : record.alternatives) alternatives.push_back(fabric.value);
-    ordered_json row{{"participant", answer.participant.value},
-                     {"trial", record.trial.value},
-                     {"question", record.question.value},
-                     {"fabric", entry.fabric.value},
-                     {"condition", entry.condition},
-                     {"alternatives", alternatives}};
-    row["answer"] = record.answer ? ordered_json(*record.answer) : ordered_json();
     const auto* question = questionWith(job.protocol, record.question);
     const auto right =
         record.answer && question ? isRight(question->kind, record.alternatives, entry.fabric, *record.answer) : std::nullopt;
-    row["correct"] = right ? ordered_json(*right ? 1 : 0) : ordered_json();
-    row["rating"] = record.rating ? ordered_json(record.rating->inScaleUnits()) : ordered_json();
-    row["seconds"] = answer.seconds;
-    row["response_seconds"] = answer.responseSeconds ? ordered_json(*answer.responseSeconds) : ordered_json();
-    row["ready_at"] = record.readyAtNs;
-    row["touched_at"] = record.touchedAtNs ? ordered_json(*record.touchedAtNs) : ordered_json();
-    row["touched_by"] = record.touchedAtNs ? ordered_json(record.touchedBy) : ordered_json();
-    row["touch_ended_at"] = record.touchEndedAtNs ? ordered_json(*record.touchEndedAtNs) : ordered_json();
-    row["answer_begun_at"] = record.answerBegunAtNs ? ordered_json(*record.answerBegunAtNs) : ordered_json();
-    row["answer_begun_by"] = record.answerBegunAtNs ? ordered_json(record.answerBegunBy) : ordered_json();
-    row["answered_at"] = record.answeredAtNs;
-    row["stored_at"] = answer.storedAtNs;
-    row["corrections"] = answer.corrections;
-    row["voided"] = answer.voided ? 1 : 0;
-    row["wall_time"] = answer.wallTime;
-    row["note"] = record.note;
-    row["entries"] = record.entries ? ordered_json(*record.entries) : ordered_json();
+    const auto ifTouched = [&](const std::string& by) { return record.touchedAtNs ? ExportedValue(by) : ExportedValue(); };
+    const auto ifBegun = [&](const std::string& by) { return record.answerBegunAtNs ? ExportedValue(by) : ExportedValue(); };
+    std::vector<NamedValue> row{{"participant", answer.participant.value},
+                                {"trial", std::int64_t{record.trial.value}},
+                                {"question", record.question.value},
+                                {"fabric", entry.fabric.value},
+                                {"condition", entry.condition},
+                                {"alternatives", std::move(alternatives)},
+                                {"answer", valueIfThere(record.answer)},
+                                {"correct", right ? ExportedValue(std::int64_t{*right}) : ExportedValue()},
+                                {"rating", record.rating ? ExportedValue(record.rating->inScaleUnits()) : ExportedValue()},
+                                {"seconds", answer.seconds},
+                                {"response_seconds", valueIfThere(answer.responseSeconds)},
+                                {"ready_at", record.readyAtNs},
+                                {"touched_at", valueIfThere(record.touchedAtNs)},
+                                {"touched_by", ifTouched(record.touchedBy)},
+                                {"touch_ended_at", valueIfThere(record.touchEndedAtNs)},
+                                {"answer_begun_at", valueIfThere(record.answerBegunAtNs)},
+                                {"answer_begun_by", ifBegun(record.answerBegunBy)},
+                                {"answered_at", record.answeredAtNs},
+                                {"stored_at", answer.storedAtNs},
+                                {"corrections", std::int64_t{answer.corrections}},
+                                {"voided", std::int64_t{answer.voided}},
+                                {"wall_time", answer.wallTime},
+                                {"note", record.note},
+                                {"entries", record.entries ? ExportedValue(std::int64_t{*record.entries}) : ExportedValue()}};
+    if (hasInstructions(job.protocol)) addInstruction(row, entry, answer);
     return row;
+}
+
+ordered_json jsonRowOf(const std::vector<NamedValue>& row)
+{
+    ordered_json json = ordered_json::object();
+    for (const auto& [name, value] : row)
+        std::visit(protocols::Overloaded{[&, key = name](std::monostate) { json[key] = nullptr; },
+                                         [&, key = name](const auto& known) { json[key] = known; }},
+                   value);
+    return json;
+}
+
+/// The text of a CSV cell, not yet quoted.
+std::string cell(const ExportedValue& value)
+{
+    return std::visit(protocols::Overloaded{[](std::monostate) { return std::string(); },
+                                            [](std::int64_t number) { return std::to_string(number); },
+                                            [](double number) { return protocols::shortest(number); },
+                                            [](const std::string& text) { return text; },
+                                            [](const std::vector<std::string>& texts) { return ordered_json(texts).dump(); }},
+                      value);
 }
 
 /// The text of a CSV cell, not yet quoted.
@@ -148,11 +199,30 @@ void write(const Export& job, const char* name, const std::string& text)
     protocols::writeWholeFile(job.out / name, text, protocols::Sync::Later);
 }
 
+/// The answers one by one: a large study is never held as a whole.
+void writeAnswersCsv(const Export& job, const protocols::TakeBytes& take)
+{
+    std::vector<std::string> columns(protocols::answerColumns().begin(), protocols::answerColumns().end());
+    if (hasInstructions(job.protocol)) columns.insert(columns.end(), {"instruction", "deadline_seconds", "late"});
+    take(protocols::csvRow(columns));
+    std::vector<std::string> cells(columns.size());
+    std::string rows;
+    job.store.eachAnswer([&](const CurrentAnswer& answer) {
+        for (const auto& [name, value] : rowOf(job, answer))
+            if (const auto column = std::ranges::find(columns, name); column != columns.end())
+                cells[static_cast<std::size_t>(column - columns.begin())] = cell(value);
+        rows += protocols::csvRow(cells);
+        if (rows.size() < bytesAtOnce) return;
+        take(rows);
+        rows.clear();
+    });
+    take(rows);
+}
+
 void writeCsv(const Export& job)
 {
-    ordered_json rows = ordered_json::array();
-    for (const auto& answer : job.store.answers()) rows.push_back(rowOf(job, answer));
-    write(job, "answers.csv", csvOf(rows, {protocols::answerColumns().begin(), protocols::answerColumns().end()}));
+    protocols::writeInPieces(
+        job.out / "answers.csv", [&](const protocols::TakeBytes& take) { writeAnswersCsv(job, take); }, protocols::Sync::Later);
     write(job, "participants.csv", csvOf(participantRows(job), {"slot", "participant", "kind", "state", "protocol_version"}));
 }
 
@@ -177,12 +247,30 @@ ordered_json headOf(const Export& job)
             {"log_head", textOf(job.store.head())}};
 }
 
+/// The text of a whole object with a row for each answer, without holding the rows.
+void writeAnswersJson(const Export& job, const protocols::TakeBytes& take)
+{
+    std::string text = headOf(job).dump(1);
+    text.resize(text.size() - 2);  // the line end and the brace
+    text += ",\n \"answers\": [";
+    bool isFirst = true;
+    job.store.eachAnswer([&](const CurrentAnswer& answer) {
+        text += std::exchange(isFirst, false) ? "\n" : ",\n";
+        for (const char c : "  " + jsonRowOf(rowOf(job, answer)).dump(1)) {
+            text += c;
+            if (c == '\n') text += "  ";
+        }
+        if (text.size() < bytesAtOnce) return;
+        take(text);
+        text.clear();
+    });
+    take(text + (isFirst ? "]\n}\n" : "\n ]\n}\n"));
+}
+
 void writeJsonExport(const Export& job)
 {
-    ordered_json json = headOf(job);
-    json["answers"] = ordered_json::array();
-    for (const auto& answer : job.store.answers()) json["answers"].push_back(rowOf(job, answer));
-    write(job, "export.json", json.dump(1) + "\n");
+    protocols::writeInPieces(
+        job.out / "export.json", [&](const protocols::TakeBytes& take) { writeAnswersJson(job, take); }, protocols::Sync::Later);
 }
 
 /// Progress, balance and flags; with the key also aggregates under K-labels.
@@ -213,7 +301,7 @@ int exportStudy(const ExportCall& call)
     const auto& [study, out, format, participant, withLog, withSamples, passphrase] = call;
     const auto store = records::openStudy(study);
     writeExport(store, out, {format, withLog, withSamples}, passphraseFrom(passphrase));
-    std::printf("%s: %s as %s%s\n", out.c_str(), reports::counted(store.answers().size(), "answer").c_str(), format.c_str(),
+    std::printf("%s: %s as %s%s\n", out.c_str(), reports::counted(store.answerCount(), "answer").c_str(), format.c_str(),
                 store.unblinding() ? "" : ", blinded (no condition, no fabric)");
     std::printf("  log head %s\n", textOf(store.head()).c_str());
     if (withLog) std::printf("  log.csv holds the log, acts.csv what was exported and saved; log.txt says how to check both\n");

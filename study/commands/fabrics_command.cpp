@@ -10,7 +10,7 @@
 #include "rendering/fabrics/drawn/drawn_friction.h"
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
 #include "study/commands/command_line.h"
-#include "study/commands/progress.h"
+#include "study/commands/parts/progress.h"
 
 namespace study::commands {
 

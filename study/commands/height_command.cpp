@@ -12,7 +12,7 @@
 #include "protocols/files/whole_file.h"
 #include "rendering/images/image_io.h"
 #include "study/commands/command_line.h"
-#include "study/commands/json_output.h"
+#include "study/commands/parts/json_output.h"
 #include "study/commands/parts/number_checks.h"
 #include "study/looking/picture_decoder.h"
 #include "study/measuring/height_reconstruction.h"

@@ -15,9 +15,9 @@
 #include "rendering/signals/spectrogram_file.h"
 #include "rendering/signals/tactile/calibration.h"
 #include "study/commands/command_line.h"
-#include "study/commands/json_output.h"
+#include "study/commands/parts/json_output.h"
 #include "study/commands/parts/number_checks.h"
-#include "study/commands/progress.h"
+#include "study/commands/parts/progress.h"
 #include "study/looking/picture_decoder.h"
 
 namespace study::commands {

@@ -6,9 +6,10 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
+#include "rendering/cache/result_cache.h"
 #include "study/commands/command_line.h"
 #include "study/commands/export_command.h"
-#include "study/commands/json_output.h"
+#include "study/commands/parts/json_output.h"
 #include "study/commands/passphrase_option.h"
 #include "study/commands/recorded_act.h"
 #include "study/leaks/leak_text.h"
@@ -53,7 +54,7 @@ int leakCheck(const std::string& study, const PassphraseOption& passphrase, cons
 {
     const auto store = records::openStudy(study);
     const auto key = readKeyForAggregates(store, passphraseFrom(passphrase));
-    const auto report = leaks::leakReport(store, key, exportersOf(store));
+    const auto report = leaks::leakReport(store, key, exportersOf(store), rendering::cache::usualFolder().value_or(""));
     recordAct(store, "leak-check");
     if (target)
         writeJson(target, leaks::jsonOf(report));

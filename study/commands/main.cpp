@@ -18,6 +18,7 @@
 #include "protocols/files/open_files.h"
 #include "protocols/files/safe_text.h"
 #include "study/commands/command_line.h"
+#include "study/commands/parts/explanation.h"
 
 namespace {
 
@@ -115,10 +116,13 @@ int run(int argc, char** argv)
     study::commands::addNumbers(app, action);
     study::commands::addAnalyse(app, action);
     study::commands::addPower(app, action);
+    study::commands::addMerge(app, action);
     study::commands::addBench(app, action);
     study::commands::addDisplay(app, action);
     study::commands::addStroke(app, action);
     study::commands::addView(app, action);
+    study::commands::Explanation explanation;
+    explanation.addOptions(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {
@@ -135,7 +139,9 @@ int run(int argc, char** argv)
     const auto application = surroundingsFor(action.surroundings, programNameAlone, argv);
     std::setlocale(LC_NUMERIC, "C");  // Qt has set the user's locale, in which C functions may read 5.4 as 5
     if (action.handlesStudy) keepToOneself();
+    explanation.begin(app);
     const int code = action.work();
+    explanation.end();
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
         throw protocols::environmentFault({"the output cannot be written", "standard output",
                                            "a terminal, a pipe or a disk with room", "write into a file on another disk"});

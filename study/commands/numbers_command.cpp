@@ -11,8 +11,9 @@
 #include "study/analyse/csv_column.h"
 #include "study/analyse/similarity.h"
 #include "study/commands/command_line.h"
-#include "study/commands/json_output.h"
+#include "study/commands/parts/json_output.h"
 #include "study/commands/parts/number_checks.h"
+#include "study/commands/parts/pair_options.h"
 #include "study/looking/open_study.h"
 
 namespace study::commands {
@@ -44,6 +45,9 @@ void output(const JsonTarget& target, const ordered_json& json)
             std::printf("%s does not exist: %s\n", field.c_str(), reason.get<std::string>().c_str());
 }
 
+/// Standard output is for the numbers.
+void noteOnForm(const std::string& sentence) { std::fprintf(stderr, "%s\n", sentence.c_str()); }
+
 struct DescribeCall {
     std::string csv, column;
     JsonTarget target;
@@ -51,7 +55,7 @@ struct DescribeCall {
 
 int describe(const DescribeCall& call)
 {
-    output(call.target, analyse::describeColumn(analyse::readColumn(call.csv, call.column)));
+    output(call.target, analyse::describeColumn(analyse::readColumn(call.csv, call.column, noteOnForm)));
     return 0;
 }
 
@@ -60,22 +64,11 @@ struct CompareCall {
     JsonTarget target;
 };
 
-std::pair<double, double> boundsFrom(const std::string& text)
-{
-    const auto comma = text.find(',');
-    const auto low = comma == std::string::npos ? std::nullopt : protocols::numberIn(text.substr(0, comma));
-    const auto high = comma == std::string::npos ? std::nullopt : protocols::numberIn(text.substr(comma + 1));
-    if (!low || !high || !(*low < *high))
-        throw protocols::badInput({"\"" + text + "\" does not give two bounds", "--bounds",
-                                   "LOW,HIGH with LOW below HIGH, e.g. --bounds=-0.5,0.5", "correct the bounds"});
-    return {*low, *high};
-}
-
 int compare(const CompareCall& call)
 {
     analyse::ColumnComparison comparison{columnTests.at(call.test), tails.at(call.alternative), {}};
-    const auto a = analyse::readColumn(call.csv, call.a), b = analyse::readColumn(call.csv, call.b);
-    if (comparison.test == ColumnTest::Equivalence) comparison.bounds = boundsFrom(call.bounds);
+    const auto a = analyse::readColumn(call.csv, call.a, noteOnForm), b = analyse::readColumn(call.csv, call.b);
+    if (comparison.test == ColumnTest::Equivalence) comparison.bounds = numbersInOrder(call.bounds, "--bounds", "-0.5,0.5");
     output(call.target, analyse::compareColumns(comparison, a, b));
     return 0;
 }

@@ -7,7 +7,7 @@
 #include "database/preregistrations.h"
 #include "reports/data/registration.h"
 #include "study/commands/command_line.h"
-#include "study/commands/json_output.h"
+#include "study/commands/parts/json_output.h"
 #include "study/commands/text_checks.h"
 #include "study/making/preregistration.h"
 #include "study/session/clock.h"

@@ -16,8 +16,10 @@
 #include "rendering/images/image_io.h"
 #include "rendering/models/exchange.h"
 #include "study/commands/command_line.h"
-#include "study/commands/json_output.h"
-#include "study/commands/progress.h"
+#include "study/commands/parts/cache_option.h"
+#include "study/commands/parts/explanation.h"
+#include "study/commands/parts/json_output.h"
+#include "study/commands/parts/progress.h"
 #include "study/looking/render_sheet.h"
 
 namespace study::commands {
@@ -29,7 +31,8 @@ namespace fs = std::filesystem;
 struct RenderCall {
     std::string dataset, fabric = "all", condition = "all", out, model, quality = "balanced", scale = "pixels";
     std::optional<int> sample;
-    bool explain = false, evenStrange = false;
+    bool evenStrange = false;
+    std::shared_ptr<bool> noCache = std::make_shared<bool>(false);
     std::string extension = "tile", percentiles, shading = "linear", lightFrom = "above";
     int bits = 8;
     bool dither = false;
@@ -93,8 +96,23 @@ rendering::JoinedRender savedJson(const fs::path& out, const std::string& json)
                             : rendering::JoinedRender{json, {}};
 }
 
-int render(const RenderCall& call)
+/// How often each signal was computed, and what the cache gave.
+std::string foundText(const rendering::RenderedFabrics& rendering)
 {
+    std::string text;
+    for (const auto& [signal, times] : rendering.computed) {
+        const auto time = rendering.milliseconds.find(signal);
+        text += "  computed " + rendering::nameOf(signal) + ": " + std::to_string(times) + " times" +
+                (time == rendering.milliseconds.end() ? "" : ", " + protocols::fixed(time->second, 1) + " ms") + "\n";
+    }
+    for (const auto& condition : rendering.conditions)
+        text += "  composed " + condition.condition.value + ": " + protocols::fixed(condition.milliseconds, 1) + " ms\n";
+    return text + "  ranges of maps that the cache knew: " + std::to_string(rendering.keptRanges) + "\n";
+}
+
+int render(const RenderCall& call, StageTimes stages)
+{
+    stages.begin("reading the data set");
     const auto dataset = rendering::fabrics::readDataset(call.dataset);
     rendering::RenderRequest request;
     request.conditions = protocols::conditionList(call.condition);
@@ -109,7 +127,8 @@ int render(const RenderCall& call)
     request.shading.lightFromBelow = call.lightFrom == "below";
     request.generation.model = call.model;
     request.generation.quality = rendering::models::qualityNamed(call.quality);
-    if (call.explain) std::fputs(rendering::explain(request.conditions).c_str(), stdout);
+    request.cache = cacheUnless(*call.noCache);
+    stages.print(rendering::explain(request.conditions));
     // The sheet is drawn first, so that a fault leaves nothing behind.
     std::optional<looking::ContactSheet> sheet;
     if (!call.sheet.empty()) {
@@ -117,10 +136,12 @@ int render(const RenderCall& call)
         sheet = looking::contactSheetOf(dataset, request,
                                         [&](int done, int total, const std::string& what) { progress.show(done, total, what); });
     }
+    stages.begin("signals and images");
     Progress progress("friction images");
     const auto rendering =
         renderFabrics(dataset, request, [&](int done, int total, const std::string& what) { progress.show(done, total, what); });
     if (!call.evenStrange) refuseOtherThings(rendering);
+    stages.begin("checking and writing");
     const auto saved = savedJson(call.out, renderJson(dataset, request, rendering));
     writeRendering(call.out, rendering, saved.json);
     if (sheet) looking::writeContactSheet(call.sheet, *sheet);
@@ -134,9 +155,8 @@ int render(const RenderCall& call)
     std::printf(
         "%s: friction images of %zu fabrics x %zu conditions; render.json has the ranges over %zu fabrics; traces run along x\n",
         call.out.c_str(), request.fabrics.size(), request.conditions.size(), dataset.fabrics.size());
-    if (call.explain)
-        for (const auto& [signal, times] : rendering.computed)
-            std::printf("computed %s: %d times\n", rendering::nameOf(signal).c_str(), times);
+    stages.end();
+    stages.print(foundText(rendering));
     return 0;
 }
 
@@ -183,10 +203,10 @@ void addRender(CLI::App& app, Action& action)
         "--sheet", call->sheet,
         "PNG to write with one row per fabric: photograph, measured and generated height and friction, friction images");
     command->add_flag("--even-strange", call->evenStrange, "generate from photographs that do not look like cloth, too");
-    command->add_flag("--explain", call->explain, "print which signals each condition computes");
-    command->callback([call, &action] {
+    addCacheOption(*command, call->noCache);
+    command->callback([call, command, &action] {
         if (!call->sheet.empty()) action.surroundings = Surroundings::Offscreen;
-        action.work = [call] { return render(*call); };
+        action.work = [call, command] { return render(*call, StageTimes(isExplained(*command))); };
     });
 }
 

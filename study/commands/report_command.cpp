@@ -1,5 +1,6 @@
 // vis2hap report STUDY --out DIR, and report --from ANSWERS.csv --out DIR
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -7,12 +8,15 @@
 #include "protocols/files/sha256.h"
 #include "protocols/protocol_json.h"
 #include "reports/data/answers_csv.h"
+#include "reports/documents/report_documents.h"
 #include "reports/tables/overview_tables.h"
 #include "reports/write_report.h"
 #include "study/commands/command_line.h"
-#include "study/commands/json_output.h"
+#include "study/commands/parts/explanation.h"
+#include "study/commands/parts/json_output.h"
+#include "study/commands/parts/pair_options.h"
+#include "study/commands/parts/progress.h"
 #include "study/commands/passphrase_option.h"
-#include "study/commands/progress.h"
 #include "study/commands/recorded_act.h"
 #include "study/records/blinded_report.h"
 #include "study/records/stored_study.h"
@@ -24,25 +28,58 @@ namespace {
 constexpr std::size_t resimulatedStudies = 2000;
 
 struct ReportCall {
-    std::string study, from, out, protocol;
+    std::string study, from, out, protocol, encoding, bounds, scale;
+    std::vector<std::string> map, planned;
     int alternatives = 3;
     bool quick = false;
     bool resimulate = false;
     bool everyPair = false;
+    bool pageOnly = false;
     PassphraseOption passphrase;
 };
+
+protocols::RatingScale scaleFrom(const std::string& text)
+{
+    const auto [low, high] = numbersInOrder(text, "--scale", "0,10");
+    protocols::RatingScale scale;
+    scale.min.value = static_cast<int>(std::lround(10 * low));
+    scale.max.value = static_cast<int>(std::lround(10 * high));
+    return scale;
+}
+
+/// Options that describe a file of answers do not apply to a study, which has its protocol.
+void requireFile(const ReportCall& call)
+{
+    const bool isDescribed = !call.protocol.empty() || !call.encoding.empty() || !call.bounds.empty() || !call.scale.empty() ||
+                             !call.map.empty() || !call.planned.empty();
+    if (isDescribed && call.from.empty())
+        throw protocols::badInput({"--protocol, --map, --bounds, --planned, --scale and --encoding describe a file of answers",
+                                   call.study, "--from ANSWERS.csv", "leave these options out"});
+}
+
+reports::AnswersCsvOptions fileOptionsOf(const ReportCall& call)
+{
+    reports::AnswersCsvOptions options;
+    options.alternatives = call.alternatives;
+    options.rows.encoding = call.encoding;
+    for (const std::string& pair : call.map) options.rows.names.push_back(wordsAround(pair, '=', "--map", "correct=hit"));
+    for (const std::string& pair : call.planned)
+        options.planned.push_back(wordsAround(pair, ',', "--planned", "\"h_g&f_g,h&f\""));
+    if (!call.bounds.empty()) options.equivalenceBounds = numbersInOrder(call.bounds, "--bounds", "-0.5,0.5");
+    if (!call.scale.empty()) options.scale = scaleFrom(call.scale);
+    options.note = [](const std::string& sentence) { std::fprintf(stderr, "%s\n", sentence.c_str()); };
+    if (!call.protocol.empty()) {
+        options.protocol = protocols::readProtocol(call.protocol);
+        options.protocolSha256 = protocols::sha256OfFile(call.protocol);
+    }
+    return options;
+}
 
 /// Empty for a blinded study whose passphrase nobody gives.
 std::optional<reports::StudyData> dataFor(const ReportCall& call)
 {
     if (call.from.empty()) return records::studyData(records::openStudy(call.study), passphraseFrom(call.passphrase));
-    reports::AnswersCsvOptions options;
-    options.alternatives = call.alternatives;
-    if (!call.protocol.empty()) {
-        options.protocol = protocols::readProtocol(call.protocol);
-        options.protocolSha256 = protocols::sha256OfFile(call.protocol);
-    }
-    return reports::readAnswersCsv(call.from, options);
+    return reports::readAnswersCsv(call.from, fileOptionsOf(call));
 }
 
 reports::ReportOrigin originOf(const ReportCall& call)
@@ -52,11 +89,12 @@ reports::ReportOrigin originOf(const ReportCall& call)
     return {textOf(store.head()), store.facts().madeWith};
 }
 
-int report(const ReportCall& call)
+int report(const ReportCall& call, StageTimes times)
 {
     if (call.study.empty() == call.from.empty())
         throw protocols::badInput(
             {"there is nothing to report on", "", "either a STUDY or --from ANSWERS.csv", "see `vis2hap report --help`"});
+    requireFile(call);
     std::optional<reports::StudyData> data = dataFor(call);
     if (!data) {
         const auto store = records::openStudy(call.study);
@@ -68,10 +106,16 @@ int report(const ReportCall& call)
     data->everyPair = call.everyPair;
     Progress progress("analysing");
     reports::AnalysisOptions options{call.quick ? reports::Depth::Quick : reports::Depth::Whole,
-                                     call.resimulate ? resimulatedStudies : 0,
-                                     [&](int done, int total, const std::string& step) { progress.show(done, total, step); }};
+                                     call.resimulate ? resimulatedStudies : 0, [&](int done, int total, const std::string& step) {
+                                         times.begin(step);
+                                         progress.show(done, total, step);
+                                     }};
     const reports::StudyAnalysis analysis = reports::analyse(std::move(*data), options);
-    reports::writeReport(analysis, call.out, originOf(call));
+    const auto note = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
+    times.begin("writing tables, figures and pages");
+    reports::writeReport(analysis, call.out, originOf(call),
+                         call.pageOnly ? reports::WriteDocuments() : reports::allDocuments(note));
+    times.end();
     std::printf("%s\n%s/index.html\n", reports::overviewText(analysis).c_str(), call.out.c_str());
     if (!call.study.empty()) recordAct(records::openStudy(call.study), "report", call.out);
     return 0;
@@ -90,15 +134,24 @@ void addReport(CLI::App& app, Action& action)
     command->add_option("--alternatives", call->alternatives, "with --from: fabrics to choose among in Q1")
         ->check(CLI::Range(2, 100))
         ->capture_default_str();
+    command->add_option("--map", call->map, "with --from: MEANING=COLUMN, where a column has another name, e.g. correct=hit")
+        ->allow_extra_args(false);
+    command->add_option("--bounds", call->bounds, "with --from: bounds of equivalence, LOW,HIGH (default: -0.5,0.5)");
+    command->add_option("--planned", call->planned, "with --from: a planned contrast A,B; the first is the primary one")
+        ->allow_extra_args(false);
+    command->add_option("--scale", call->scale, "with --from: ends of the rating scale, LOW,HIGH (default: 0,10)");
+    command->add_option("--encoding", call->encoding, "with --from: encoding of the file (default: found in the file)");
     command->add_flag("--pairs", call->everyPair, "compare all pairs of conditions, also where there are more than 1000");
     command->add_flag("--resimulate", call->resimulate,
                       "count false claims in 2000 simulated studies like this one (takes longer)");
     command->add_flag("--quick", call->quick, "leave out what only stands beside the claims; the report says so");
+    command->add_flag("--page-only", call->pageOnly, "leave out report.pdf, report.tex, report.docx and figures/*.pdf");
     addPassphraseOption(*command, call->passphrase);
-    command->callback([call, &action] {
-        action.surroundings = Surroundings::Core;
+    command->callback([call, command, &action] {
+        // Documents need fonts; the page does not.
+        action.surroundings = call->pageOnly ? Surroundings::Core : Surroundings::Offscreen;
         action.handlesStudy = true;
-        action.work = [call] { return report(*call); };
+        action.work = [call, command] { return report(*call, StageTimes(isExplained(*command))); };
     });
 }
 

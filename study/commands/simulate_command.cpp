@@ -1,22 +1,24 @@
-// vis2hap simulate STUDY: simulated participants feel the friction images and answer through the same session engine
-// as human participants.
+// vis2hap simulate STUDY [--in-memory --out DIR] [--mishaps]: simulated participants feel the friction images and answer through
+// the same session engine as human participants, into the study or in memory. With --shard a part of those in memory.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "database/keys.h"
 #include "protocols/files/errors.h"
-#include "protocols/files/sha256.h"
-#include "rendering/display/display.h"
 #include "reports/text/plain_words.h"
 #include "study/commands/command_line.h"
+#include "study/commands/parts/progress.h"
+#include "study/commands/parts/shard_option.h"
 #include "study/commands/passphrase_option.h"
-#include "study/commands/progress.h"
 #include "study/players/expected_touch.h"
-#include "study/players/simulated_participant.h"
-#include "study/records/stored_study.h"
 #include "study/session/stimuli.h"
+#include "study/simulation/simulate_through_store.h"
+#include "study/simulation/simulation_analysis.h"
+#include "study/simulation/simulation_files.h"
+#include "study/simulation/simulation_shard.h"
 
 namespace study::commands {
 
@@ -27,10 +29,12 @@ using database::SlotState;
 using database::StudyStore;
 
 struct SimulateCall {
-    std::string study, dataset;
+    std::string study, dataset, out;
+    bool inMemory = false, mishaps = false;
     std::optional<int> participants;
     std::uint64_t seed = 1;
     PassphraseOption passphrase;
+    ShardOption shard;
 };
 
 /// The participants of started sessions, then new ones for `wanted` free slots, or for all free slots.
@@ -52,38 +56,135 @@ std::vector<protocols::ParticipantId> participantsToPlay(const StudyStore& store
     return participants;
 }
 
-int simulate(const SimulateCall& call)
+/// What the study's images feel like, and what a participant expects of its fabrics.
+players::Percepts perceptsOf(const StudyStore& store, const protocols::AllocationKey& key, rendering::StimulusBank& bank,
+                             const std::string& dataset)
+{
+    const auto& facts = store.facts();
+    players::Percepts percepts;
+    percepts.stationKey = stationKeyOf(key.secret);
+    percepts.fabrics = players::expectedTouch(facts, dataset.empty() ? facts.datasetPath : dataset);
+    for (const auto& [code, entry] : key.entries) percepts.stimuli[code] = players::feel(bank.imageOf(code));
+    return percepts;
+}
+
+players::MishapRates mishapsOf(const SimulateCall& call) { return call.mishaps ? players::usualMishaps : players::MishapRates{}; }
+
+int simulateIntoStudy(const SimulateCall& call)
 {
     StudyStore store({call.study}, StudyStore::Access::Write);
-    const auto facts = store.facts();
-    const auto protocol = records::protocolOf(facts);
     const auto participants = participantsToPlay(store, call.participants);
     const auto key = readAllocationKeyForTestDriver(store, ParticipantKind::Simulated, passphraseFrom(call.passphrase));
     auto bank = session::stimuliOf(store);
-
-    players::Percepts percepts;
-    percepts.stationKey = stationKeyOf(key.secret);
-    percepts.fabrics = players::expectedTouch(facts, call.dataset.empty() ? facts.datasetPath : call.dataset);
-    for (const auto& [code, entry] : key.entries) percepts.stimuli[code] = players::feel(bank.imageOf(code));
-
-    const auto display = rendering::openDisplay("none");
-    Progress progress("simulated participants");
-    int played = 0;
-    for (const auto& id : participants) {
-        session::VirtualClock clock;
-        session::Driver driver(store, id, ParticipantKind::Simulated, bank, *display, clock,
-                               session::operatedBy({}, versionText()));
-        players::DriverHands hands(driver);
-        players::SimulatedParticipant participant(percepts, call.seed, id.value);
-        players::playSimulated(participant, driver.plan(), hands, clock);
-        progress.show(++played, static_cast<int>(participants.size()), id.value);
+    const auto percepts = perceptsOf(store, key, bank, call.dataset);
+    {
+        Progress progress("simulated participants");
+        simulation::simulateThroughStore(
+            store, bank, percepts, participants, {call.seed, mishapsOf(call), session::operatedBy({}, versionText())},
+            [&](std::size_t done) {
+                progress.show(static_cast<int>(done), static_cast<int>(participants.size()), participants[done - 1].value);
+            });
     }
-    std::printf("%s: %d simulated participants answered\n", call.study.c_str(), played);
+    std::printf("%s: %zu simulated participants answered\n", call.study.c_str(), participants.size());
     std::printf("  log head %s\n", textOf(store.head()).c_str());
     return 0;
 }
 
+/// "10,000 simulated participants ..., 2,520,000 valid answers"
+void sayWhatWasSimulated(const std::string& study, bool hasMishaps, const std::string& out,
+                         const reports::StudyAnalysis& analysis, const std::vector<simulation::SimulatedAnswers>& answers)
+{
+    std::size_t corrections = 0, refusals = 0;
+    for (const auto& one : answers) {
+        corrections += static_cast<std::size_t>(one.corrections);
+        refusals += static_cast<std::size_t>(one.refusals);
+    }
+    const auto& data = analysis.data;
+    std::printf("%s: %zu simulated participants in memory, %zu valid answers; nothing was stored in the study\n", study.c_str(),
+                answers.size(), analysis.completeness.present);
+    if (hasMishaps)
+        std::printf("  mishaps: %zu withdrawals, %zu voided presentations, %zu corrections, %zu refused steps\n",
+                    data.withdrawn.size(), data.voided, corrections, refusals);
+    std::printf("  %s holds results.json and tables; mixed models and what rests on them are left out\n", out.c_str());
+}
+
+constexpr const char* simulateName = "simulate";
+
+int simulateOnlyInMemory(const SimulateCall& call)
+{
+    const bool isShard = call.shard.isGiven();
+    if (isShard && !call.out.empty())
+        throw protocols::badInput({"--out was given together with --shard", simulateName, "a shard's own file, by --shard-file",
+                                   "leave --out out, and give it to `vis2hap merge`"});
+    const stats::Share share = shareOf(call.shard, simulateName, {});
+    if (!isShard && call.out.empty())
+        throw protocols::badInput({"a simulation in memory needs a place for its tables", "--in-memory", "--out DIR", "add it"});
+    if (!isShard) simulation::requireReplaceableSimulation(call.out);
+    const StudyStore store({call.study}, StudyStore::Access::Read);
+    const auto key = readAllocationKeyForTestDriver(store, ParticipantKind::Simulated, passphraseFrom(call.passphrase));
+    auto bank = session::stimuliOf(store);
+    const auto study = simulation::memoryStudyOf(store, key, perceptsOf(store, key, bank, call.dataset));
+    simulation::SimulationRequest request{.seed = call.seed, .mishaps = mishapsOf(call)};
+    request.count = call.participants.value_or(static_cast<int>(study.places.size()));
+    const simulation::SimulationRequest own = simulation::shareOf(request, share);
+    std::vector<simulation::SimulatedAnswers> answers;
+    {
+        Progress progress("simulated participants");
+        answers = simulateInMemory(study, own, [&](std::size_t done) { progress.show(static_cast<int>(done), own.count); });
+    }
+    if (isShard) {
+        writeShard(call.shard, simulateName, sharedOptions(store, request, call.mishaps),
+                   {{"study_folder", call.study}, {"answers", answersJson(answers)}});
+        return 0;
+    }
+    const auto analysis = analysisOf(study, answers);
+    simulation::writeSimulation(analysis, store.facts().madeWith, call.out);
+    sayWhatWasSimulated(call.study, call.mishaps, call.out, analysis, answers);
+    return 0;
+}
+
+int simulate(const SimulateCall& call)
+{
+    if (call.inMemory) return simulateOnlyInMemory(call);
+    if (call.shard.isGiven())
+        throw protocols::badInput({"--shard belongs to a simulation in memory", "--shard " + call.shard.number,
+                                   "--in-memory: one study takes the answers of one process", "add --in-memory"});
+    if (!call.out.empty())
+        throw protocols::badInput({"--out belongs to a simulation in memory", "--out " + call.out,
+                                   "--in-memory, or no --out: the answers go into the study",
+                                   "add --in-memory, or run `vis2hap report` after the simulation"});
+    return simulateIntoStudy(call);
+}
+
 }  // namespace
+
+void mergeSimulate(const shards::ShardedRun& run, const MergeOutput& output)
+{
+    if (output.json || output.out.empty())
+        throw protocols::badInput({"a simulation in memory needs a place for its tables", "merge", "--out DIR, without --json",
+                                   "name a folder with --out"});
+    simulation::requireReplaceableSimulation(output.out);
+    const auto shared = simulation::sharedSimulationFrom(run.options(), run.files.front().string());
+    simulation::SimulationRequest whole;
+    whole.count = shared.participants;
+    std::vector<simulation::SimulatedAnswers> answers;
+    std::string folder;
+    try {
+        for (std::size_t i = 0; i < run.shards.size(); ++i) {
+            const auto own = simulation::shareOf(whole, run.shards[i].share);
+            for (auto& one :
+                 simulation::answersFrom(run.shards[i].values.at("answers"), shared, own.first, own.count, run.files[i].string()))
+                answers.push_back(std::move(one));
+        }
+        folder = run.shards.front().values.at("study_folder").get<std::string>();
+    } catch (const nlohmann::ordered_json::exception&) {
+        throw protocols::badInput({"the shards hold no answers", run.files.front().string(),
+                                   "shards as `vis2hap simulate --in-memory` writes them", "run the shards again"});
+    }
+    const auto analysis = analysisOf(shared.study, answers);
+    simulation::writeSimulation(analysis, shared.madeWith, output.out);
+    sayWhatWasSimulated(folder, shared.hasMishaps, output.out, analysis, answers);
+}
 
 void addSimulate(CLI::App& app, Action& action)
 {
@@ -91,9 +192,15 @@ void addSimulate(CLI::App& app, Action& action)
     auto call = std::make_shared<SimulateCall>();
     command->add_option("STUDY", call->study, "the study")->required();
     command->add_option("--participants", call->participants, "number of participants (default: all free slots)")
-        ->check(CLI::Range(1, 10000));
+        ->check(CLI::Range(1, 10'000'000));
     command->add_option("--seed", call->seed, "seed of the participants and their noise")->capture_default_str();
     command->add_option("--dataset", call->dataset, "folder of the data set, if it was moved");
+    command->add_flag("--in-memory", call->inMemory,
+                      "store nothing in the study: write tables into --out; any number of participants");
+    command->add_option("--out", call->out, "folder for the results of --in-memory");
+    command->add_flag("--mishaps", call->mishaps,
+                      "let presentations be voided, answers corrected, steps refused, and participants withdraw");
+    addShardOptions(*command, call->shard);
     addPassphraseOption(*command, call->passphrase);
     command->callback([call, &action] {
         action.surroundings = Surroundings::Core;

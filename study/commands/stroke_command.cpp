@@ -9,7 +9,7 @@
 #include "rendering/display/stroke.h"
 #include "rendering/images/image_io.h"
 #include "study/commands/command_line.h"
-#include "study/commands/json_output.h"
+#include "study/commands/parts/json_output.h"
 #include "study/looking/open_study.h"
 
 namespace study::commands {

@@ -13,9 +13,11 @@
 #include "protocols/protocol_json.h"
 #include "protocols/records/balance.h"
 #include "study/commands/command_line.h"
-#include "study/commands/json_output.h"
+#include "study/commands/parts/cache_option.h"
+#include "study/commands/parts/explanation.h"
+#include "study/commands/parts/json_output.h"
+#include "study/commands/parts/progress.h"
 #include "study/commands/passphrase_option.h"
-#include "study/commands/progress.h"
 #include "study/commands/text_checks.h"
 #include "study/making/new_study.h"
 #include "study/making/study_sheets.h"
@@ -36,18 +38,20 @@ std::string listOf(const std::vector<database::FamiliarisationItem>& items)
     return text;
 }
 
-making::MadeStudy madeWithProgress(const making::NewStudy& request)
+making::MadeStudy madeWithProgress(const making::NewStudy& request, StageTimes& stages)
 {
     Progress images("friction images");
     StagesShown comparison;
-    return making::makeStudy(request,
-                             {[&](int done, int total, const std::string& what) { images.show(done, total, what); },
-                              [&](const std::string& stage, int done, int total) { comparison.show(stage, done, total); }});
+    return making::makeStudy(
+        request, {[&](int done, int total, const std::string& what) { images.show(done, total, what); },
+                  [&](const std::string& stage, int done, int total) { comparison.show(stage, done, total); },
+                  [&](const std::string& text) { stages.print(text); }, [&](const std::string& name) { stages.begin(name); }});
 }
 
-int makeNew(const making::NewStudy& request)
+int makeNew(const making::NewStudy& request, StageTimes& stages)
 {
-    const auto made = madeWithProgress(request);
+    const auto made = madeWithProgress(request, stages);
+    stages.end();
     const auto protocol = records::protocolOf(made.facts);
     for (const auto& warning : made.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
     std::printf("%s: %s\n", request.study.c_str(), made.facts.name.c_str());
@@ -133,7 +137,7 @@ void addNew(CLI::App& study, Action& action)
     auto* command = study.add_subcommand("new", "make a study from a data set and a protocol");
     auto call = std::make_shared<making::NewStudy>();
     auto passphrase = std::make_shared<PassphraseOption>();
-    auto hasNone = std::make_shared<bool>(false);
+    auto hasNone = std::make_shared<bool>(false), noCache = std::make_shared<bool>(false);
     call->programVersion = versionText();
     call->programCommit = commitText();
     command->add_option("STUDY", call->study, "folder to make")->required();
@@ -152,15 +156,18 @@ void addNew(CLI::App& study, Action& action)
     command->add_option("--images", call->images,
                         "folder to keep the friction images in under their names, and to reuse them from");
     command->add_flag("--replace-simulated", call->replaceSimulated, "replace a study in which no human took part");
+    addCacheOption(*command, noCache);
     addPassphraseOption(*command, *passphrase);
     command->add_flag("--no-passphrase", *hasNone,
                       "for simulated studies and tests: leave the allocation key open in the folder; the report says so");
-    command->callback([call, passphrase, hasNone, &action] {
+    command->callback([call, command, passphrase, hasNone, noCache, &action] {
         action.surroundings = Surroundings::Core;
         action.handlesStudy = true;
-        action.work = [call, passphrase, hasNone] {
+        action.work = [call, command, passphrase, hasNone, noCache] {
+            call->cache = cacheUnless(*noCache);
             if (!*hasNone) call->passphrase = newPassphrase(*passphrase);
-            return makeNew(*call);
+            StageTimes stages(isExplained(*command));
+            return makeNew(*call, stages);
         };
     });
 }

@@ -4,6 +4,7 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
+#include "reports/documents/report_documents.h"
 #include "reports/write_report.h"
 #include "study/commands/export_command.h"
 #include "study/commands/parts/study_backup.h"
@@ -96,7 +97,7 @@ app::ToolOutcome reported(const ToolCall& call)
                                                call.progress(total > 0 ? 1.0 * done / total : 0.0, step);
                                            }};
     reports::writeReport(reports::analyse(std::move(*data), options), call.out,
-                         {textOf(call.store.head()), call.store.facts().madeWith});
+                         {textOf(call.store.head()), call.store.facts().madeWith}, reports::allDocuments());
     return recorded(call, "report", "Open index.html in a browser.\n");
 }
 

@@ -2,6 +2,7 @@
 // model to the data set of a lab.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -17,7 +18,8 @@
 #include "rendering/models/fair_control.h"
 #include "rendering/models/process/second_program.h"
 #include "study/commands/command_line.h"
-#include "study/commands/progress.h"
+#include "study/commands/leave_one_out_command.h"
+#include "study/commands/parts/progress.h"
 
 namespace study::commands {
 
@@ -57,13 +59,19 @@ std::vector<PassedOption> passedOptions()
         {"--towards", "with --drawn and --from: no training; write weights on the way from that model to this one", ""},
         {"--way", "with --towards: share of the way, 0 to 1 (default 0.5)", ""},
         {"--scans", "with --drawn or --from: a data set of `vis2hap import scans`", ""},
-        {"--scan-share", "with --scans: share of scanned cloth beside drawn cloth (default 0.3)", ""}};
+        {"--scan-share", "with --scans: share of scanned cloth beside drawn cloth (default 0.3)", ""},
+        {"--processes", "with --drawn: number of processes, on one or several machines, that train one model (default 1)", ""},
+        {"--rank", "with --processes: number of this process, from 0; rank 0 writes the model", ""},
+        {"--master", "with --processes: HOST:PORT at which rank 0 waits for the others", ""},
+        {"--wait", "with --processes: longest wait for the other processes, s (default 600)", ""}};
 }
 
 struct TrainCall {
     std::string dataset, out, steps, minutes, controlOf;
     std::vector<PassedOption> passed = passedOptions();
-    bool clothCheck = false, drawn = false, reference = false, l1Only = false, resume = false;
+    bool clothCheck = false, drawn = false, reference = false, l1Only = false, resume = false, leaveOneOut = false;
+    ShardOption shard;
+    JsonTarget json;
 };
 
 /// Options that a control takes from its model, so that both are trained alike.
@@ -85,6 +93,16 @@ std::vector<std::string> optionsOfControl(const TrainCall& call)
 const std::string& valueOf(const TrainCall& call, std::string_view name)
 {
     return std::find_if(call.passed.begin(), call.passed.end(), [&](const PassedOption& one) { return one.name == name; })->value;
+}
+
+/// Number of threads; 0 where none is named.
+unsigned threadsNamed(const std::string& text)
+{
+    unsigned number = 0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (!text.empty() && (read.ec != std::errc() || read.ptr != text.data() + text.size() || number > 1024))
+        throw protocols::badInput({"--threads is \"" + text + "\"", "train", "a whole number", "correct the option"});
+    return number;
 }
 
 bool adapts(const TrainCall& call) { return !call.drawn && !valueOf(call, "--from").empty(); }
@@ -122,6 +140,11 @@ std::vector<std::string> argumentsOf(const TrainCall& call)
         throw protocols::badInput({call.drawn ? "both DATASET and --drawn were given" : "neither DATASET nor --drawn was given",
                                    "train", "a data set, or --drawn for fabrics that are drawn without end",
                                    "give one of them; scans join drawn fabrics by --scans DATASET"});
+    if (!call.drawn)
+        for (const char* name : {"--processes", "--rank", "--master", "--wait"})
+            if (!valueOf(call, name).empty())
+                throw protocols::badInput({std::string(name) + " was given together with DATASET", "train",
+                                           "a training with --drawn, or one process", "leave the option out"});
     if (adapts(call)) refuseOptionsOfNewNetworks(call);
     std::vector<std::string> arguments{call.drawn || adapts(call) ? "train-cloth" : "train"};
     if (adapts(call))
@@ -141,6 +164,30 @@ std::vector<std::string> argumentsOf(const TrainCall& call)
     if (!call.controlOf.empty())
         for (std::string& argument : optionsOfControl(call)) arguments.push_back(std::move(argument));
     return arguments;
+}
+
+/// A training without each fabric. All trainings of a table have the same number of steps.
+int trainWithoutEach(const TrainCall& call)
+{
+    for (const auto& [wanted, name] : {std::pair{call.drawn, "--drawn"},
+                                       {adapts(call), "--from"},
+                                       {!call.controlOf.empty(), "--control-of"},
+                                       {!call.minutes.empty(), "--minutes"},
+                                       {!valueOf(call, "--hold-out").empty(), "--hold-out"}})
+        if (wanted)
+            throw protocols::badInput({std::string(name) + " was given together with --leave-one-out", "train",
+                                       "train DATASET --leave-one-out --out FOLDER, with --steps", "leave the option out"});
+    LeaveOneOutCall each{call.dataset, outOf(call), {}, 0, call.resume, call.shard, call.json};
+    TrainCall common = call;
+    common.resume = false;
+    for (PassedOption& one : common.passed)
+        if (std::string_view(one.name) == "--threads") {
+            each.threads = threadsNamed(one.value);
+            one.value.clear();
+        }
+    const std::vector<std::string> words = argumentsOf(common);
+    each.arguments.assign(words.begin() + 4, words.end());  // Behind train DATASET --out FOLDER.
+    return leaveOneOut(each);
 }
 
 int fitCheck(const TrainCall& call)
@@ -192,12 +239,23 @@ void addTrain(CLI::App& app, Action& action)
     for (const char* taken : {"--minutes", "--seed", "--hold-out", "--split", "--split-seed", "--batch", "--crop", "--channels",
                               "--learning-rate", "--patience"})
         controlOf->excludes(command->get_option(taken));
+    command->add_flag(
+        "--leave-one-out", call->leaveOneOut,
+        "train without each fabric in turn, test each model on this fabric, and print a table; --out names a folder");
+    addShardOptions(*command, call->shard);
+    addJsonOption(*command, call->json);
     command->add_flag("--resume", call->resume, "continue from the last checkpoint");
     command->add_flag("--cloth-check", call->clothCheck,
                       "fit the check that a photograph shows cloth, to drawn cloth and drawn other pictures");
     command->callback([call, &action] {
         action.work = [call] {
-            return call->clothCheck ? fitCheck(*call) : rendering::models::runSecondProgram(argumentsOf(*call));
+            if (call->clothCheck) return fitCheck(*call);
+            if (call->leaveOneOut) return trainWithoutEach(*call);
+            if (call->shard.isGiven() || call->json)
+                throw protocols::badInput({"one training has no shards and no table", "train",
+                                           "--leave-one-out, which trains without each fabric in turn",
+                                           "leave --shard and --json out, or add --leave-one-out"});
+            return rendering::models::runSecondProgram(argumentsOf(*call));
         };
     });
 }

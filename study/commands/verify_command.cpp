@@ -10,7 +10,7 @@
 #include "protocols/files/whole_file.h"
 #include "protocols/secrets/signing.h"
 #include "study/commands/command_line.h"
-#include "study/commands/json_output.h"
+#include "study/commands/parts/json_output.h"
 #include "study/commands/passphrase_option.h"
 #include "study/commands/recorded_act.h"
 #include "study/commands/text_checks.h"

@@ -7,7 +7,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 #include "study/commands/command_line.h"
-#include "study/commands/json_output.h"
+#include "study/commands/parts/json_output.h"
 #include "study/commands/parts/number_checks.h"
 #include "study/looking/picture_decoder.h"
 #include "study/looking/read_signal.h"

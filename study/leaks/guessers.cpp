@@ -18,15 +18,15 @@ std::vector<Guess> guessesByTrays(const SeenStudy& study, const Truth& truth)
     for (std::size_t phase = 0; phase < study.protocol.phases.size(); ++phase) {
         SeenTrays trays;
         std::vector<std::vector<std::size_t>> items;
-        int slot = 0;
+        const SeenTrial* before = nullptr;
         for (std::size_t i = 0; i < study.trials.size(); ++i) {
             const auto& trial = study.trials[i];
             if (trial.phase != static_cast<int>(phase) || !study.isChoice(trial)) continue;
-            if (trial.slot != slot) {
-                slot = trial.slot;
+            if (before == nullptr || !trial.isInListOf(*before)) {
                 trays.emplace_back();
                 items.emplace_back();
             }
+            before = &trial;
             auto& tray = trays.back().emplace_back();
             items.back().push_back(i);
             for (const auto& fabric : trial.tray)

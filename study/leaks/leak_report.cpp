@@ -6,6 +6,7 @@
 #include "database/station_key.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/temporary_folder.h"
+#include "study/leaks/cache_marks.h"
 #include "study/leaks/readable_files.h"
 #include "study/leaks/value_guessers.h"
 
@@ -121,7 +122,7 @@ bool LeakReport::learnsNothing() const
 }
 
 LeakReport leakReport(const database::StudyStore& store, const std::optional<protocols::AllocationKey>& key,
-                      const std::vector<Exporter>& exporters)
+                      const std::vector<Exporter>& exporters, const fs::path& cache)
 {
     const auto& folder = store.folder();
     LeakReport report;
@@ -140,6 +141,13 @@ LeakReport leakReport(const database::StudyStore& store, const std::optional<pro
         report.findings.push_back("allocation-key.json lies open: whoever reads it knows everything");
     for (const auto& line : differencesOfStimuli(folder.stimuli())) report.findings.push_back(line);
     for (const auto& line : guessedSecrets(store, seen)) report.findings.push_back(line);
+    const bool hasCache = !cache.empty() && fs::is_directory(cache);
+    if (hasCache) {
+        for (const auto& line : openModes(cache)) report.modes.push_back(line);
+        auto codes = codesOf(seen);
+        for (const auto& entry : fs::directory_iterator(folder.stimuli())) codes.insert(entry.path().stem().string());
+        for (const auto& line : codesInCache(cache, codes)) report.findings.push_back(line);
+    }
     const std::set<fs::path> left{"study.db", "study.db-wal",     "study.db-shm",          "allocation-key.json",
                                   ".lock",    "station-key.json", "allocation-key.sealed", "stimuli"};
     for (auto& table : tablesOfFolder(folder.folder, codesOf(seen), left)) tables.push_back(std::move(table));
@@ -152,7 +160,8 @@ LeakReport leakReport(const database::StudyStore& store, const std::optional<pro
     report.stationKey = withStationKey(store, seen, truth);
     if (!truth) return report;
     for (auto guesses : {guessesByValues(seen, features, *truth), guessesByTrays(seen, *truth),
-                         guessesByFiles(marksOfStimuli(folder.stimuli()), *truth)})
+                         guessesByFiles(marksOfStimuli(folder.stimuli()), *truth),
+                         guessesByFiles(hasCache ? marksOfCache(cache, folder.stimuli()) : std::vector<FileMark>{}, *truth)})
         report.guesses.insert(report.guesses.end(), guesses.begin(), guesses.end());
     std::vector<Guess*> all;
     for (Guess& guess : report.guesses) all.push_back(&guess);

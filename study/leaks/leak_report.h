@@ -52,7 +52,8 @@ struct LeakReport {
 
 /// `key`: the truth; none: nobody gave the passphrase. Throws as StudyStore does. The test counts trials as independent. In a
 /// study of a dozen presentations they are not: it has few running orders, and a wrong one can be the true one by luck.
+/// `cache`: the folder of kept signals, which is attacked too; empty or missing: there is none.
 LeakReport leakReport(const database::StudyStore& store, const std::optional<protocols::AllocationKey>& key,
-                      const std::vector<Exporter>& exporters);
+                      const std::vector<Exporter>& exporters, const std::filesystem::path& cache = {});
 
 }  // namespace study::leaks

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
+#include <tuple>
 
 #include "protocols/counterbalancing.h"
 #include "protocols/files/errors.h"
@@ -253,14 +254,15 @@ private:
     void addOrder()
     {
         auto forward = none(), backward = none();
-        std::map<std::pair<int, int>, int> counts;
-        for (const auto& trial : m_study.trials) ++counts[{trial.slot, trial.phase}];
-        std::map<std::pair<int, int>, int> done;
+        using List = std::tuple<int, int, std::string>;
+        const auto listOf = [](const SeenTrial& trial) { return List{trial.slot, trial.phase, trial.instruction}; };
+        std::map<List, int> counts, done;
+        for (const auto& trial : m_study.trials) ++counts[listOf(trial)];
         for (std::size_t i = 0; i < m_study.trials.size(); ++i) {
-            const std::pair<int, int> list{m_study.trials[i].slot, m_study.trials[i].phase};
-            const std::string slot = std::to_string(list.first) + "/";
+            const List list = listOf(m_study.trials[i]);
+            const std::string slot = std::to_string(m_study.trials[i].slot) + "/";
             forward[i] = slot + std::to_string(++done[list]);
-            backward[i] = slot + std::to_string(list.second == 0 ? done[list] : counts[list] + 1 - done[list]);
+            backward[i] = slot + std::to_string(m_study.trials[i].phase == 0 ? done[list] : counts[list] + 1 - done[list]);
         }
         add("place in the phase", std::move(forward));
         add("place in the phase, reversed", std::move(backward));
@@ -409,7 +411,7 @@ SeenStudy seenStudy(const std::vector<TextTable>& database, std::size_t most)
             throw notAStudy("a trial has the phase " + cell("phase"));
         study.trials.push_back({static_cast<int>(whole(cell("slot"))), static_cast<int>(whole(cell("number"))),
                                 static_cast<int>(phase), participants[cell("slot")], cell("presentation_code"),
-                                trayOf(cell("alternatives"))});
+                                trayOf(cell("alternatives")), cell("instruction")});
     });
     if (study.trials.empty()) throw notAStudy("the study has no trials");
     std::ranges::sort(study.trials, {}, [](const SeenTrial& trial) { return Place{trial.slot, trial.number}; });

@@ -20,6 +20,12 @@ struct SeenTrial {
     std::string participant;  ///< empty while nobody has the slot
     std::string code;         ///< of the presentation
     std::vector<std::string> tray;
+    std::string instruction = {};  ///< id; its list of trials is drawn on its own
+
+    bool isInListOf(const SeenTrial& other) const
+    {
+        return slot == other.slot && phase == other.phase && instruction == other.instruction;
+    }
 };
 
 struct SeenStudy {

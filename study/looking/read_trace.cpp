@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/foreign/foreign_table.h"
 #include "protocols/files/number_text.h"
 #include "study/looking/place_in_dataset.h"
 
@@ -96,7 +96,7 @@ void takePlaces(SeenTrace& trace, const protocols::CsvTable& table, std::optiona
 
 SeenSignal readTrace(const fs::path& file, const ReadingOptions& options)
 {
-    const protocols::CsvTable table = protocols::readCsvTable(file);
+    const protocols::CsvTable table = protocols::readForeignTable(file).table;
     const auto place = placeInDataset(file);
     std::optional<double> speed = options.speedMmPerS;
     if (!speed && place) speed = place->dataset.friction.speedMmPerS;

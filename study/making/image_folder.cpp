@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 constexpr const char* manifestName = "images.json";
-constexpr int signalsSchema = 2;  ///< changes with the fields of the comparison of signals, which is kept beside the images
+constexpr int signalsSchema = 3;  ///< changes with the fields of the comparison of signals, which is kept beside the images
 
 fs::path imagePath(const fs::path& folder, const protocols::FabricId& fabric, const protocols::ConditionId& condition)
 {

@@ -7,6 +7,7 @@
 #include "database/sqlite_connection.h"
 #include "protocols/files/sha256.h"
 #include "protocols/secrets/sealing.h"
+#include "rendering/composition/render_json.h"
 
 namespace study::making {
 
@@ -30,7 +31,9 @@ std::string madeWith(const NewStudy& request, const std::string& weightsSha256, 
     made["settings"] = {{"seed", request.seed},
                         {"key_seed_given", request.keySeed.has_value()},  // the seed itself would open the key
                         {"allow_training_samples", request.allowTrainingSamples},
-                        {"even_strange", request.evenStrange}};
+                        {"even_strange", request.evenStrange},
+                        // Of conditions whose id carries no quality.
+                        {"quality", rendering::settingsOf(rendering::RenderRequest().generation.quality)}};
     for (const auto& [key, bytes] : prompts) made["prompts_sha256"][key] = protocols::sha256(bytes);
     return made.dump();
 }

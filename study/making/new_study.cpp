@@ -13,6 +13,7 @@
 #include "rendering/display/stimulus_bank.h"
 #include "study/analyse/power/planned_power.h"
 #include "study/making/made_with.h"
+#include "study/making/planned_work.h"
 #include "study/making/prompt_files.h"
 #include "study/making/study_images.h"
 #include "study/making/study_material.h"
@@ -56,7 +57,7 @@ database::StudyFacts factsOf(const NewStudy& request, const StudyMaterial& mater
     facts.protocolSha256 = protocols::sha256(material.protocolJson);
     facts.designSeed = request.seed;
     facts.datasetPath = fs::absolute(request.dataset).lexically_normal().string();
-    facts.datasetSha256 = hashOf(material.dataset);
+    facts.datasetSha256 = hashOfDataset(request, material.dataset);
     facts.datasetProcedural = material.dataset.procedural;
     facts.modelSha256 = material.model ? material.model->summary.sha256 : "";
     facts.stamps = material.stamps;
@@ -140,17 +141,26 @@ std::optional<protocols::BalanceCertificate> balanceWithEvenSlots(protocols::Pro
 
 MadeStudy makeStudy(const NewStudy& request, const StudyProgress& progress)
 {
+    const auto begin = [&](const char* stage) {
+        if (progress.stage) progress.stage(stage);
+    };
     requireFreePlace(request);
+    begin("reading the protocol, drawing samples");
     const StudyMaterial material = materialFor(request);
+    if (progress.planned) progress.planned(plannedWork(material));
+    begin("the hash of the data set");
     const auto prompts = readPrompts(material.protocol, request.protocol);
     MadeStudy made;
     made.facts = factsOf(request, material, prompts);
+    begin("signals and friction images");
     const StudyImages images = imagesFor(request, material, made.facts, progress);
     noteImages(images, made);
     if (std::string warning = analyse::boundsWarning(material.protocol); !warning.empty())
         made.warnings.push_back(std::move(warning));
+    begin("images for familiarisation");
     const FamiliarisationImages familiarisation = familiarisationFor(request, material);
 
+    begin("running orders");
     const auto secret = request.keySeed ? protocols::SecretKey::ofSeed(*request.keySeed) : protocols::SecretKey::drawn();
     const auto designSeed = designSeedOf(secret, request.seed);
     const auto design = protocols::drawDesign(material.protocol, designSeed);
@@ -160,6 +170,7 @@ MadeStudy makeStudy(const NewStudy& request, const StudyProgress& progress)
     const auto allocation =
         allocate(material.protocol, design, material.fabrics, secret, static_cast<int>(familiarisation.names.size()));
     noteAllocation(allocation, familiarisation, made.facts);
+    begin("sealing and writing");
     writeStudy(request, allocation, images, familiarisation, prompts, made.facts);
     return made;
 }

@@ -5,12 +5,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "database/study_store.h"
 #include "protocols/records/balance.h"
+#include "rendering/cache/result_cache.h"
 
 namespace study::making {
 
@@ -30,6 +32,8 @@ struct NewStudy {
     std::string programCommit;      ///< of the sources; empty where the build does not know it
     std::filesystem::path images;   ///< folder for the friction images under their names; reused if their inputs are the same
     bool replaceSimulated = false;  ///< replaces a study in which no human took part
+    /// Keeps signals, ranges and their comparison for other studies; null: everything is computed.
+    std::shared_ptr<rendering::cache::ResultCache> cache = nullptr;
 };
 
 struct MadeStudy {
@@ -47,6 +51,9 @@ using StepProgress = std::function<void(int done, int total, const std::string& 
 struct StudyProgress {
     StepProgress images = {};
     std::function<void(const std::string& stage, int done, int total)> comparison = {};
+    /// For `--explain`: the plan of the whole study as counts (planned_work.h), and the name of each stage before it begins.
+    std::function<void(const std::string& text)> planned = {};
+    std::function<void(const std::string& name)> stage = {};
 };
 
 /// Throws badInput: the folder exists, the protocol does not fit the data set, a signal is missing, the model was trained on

@@ -110,6 +110,21 @@ ordered_json powerJson(const StudyPlan& plan)
     return rows;
 }
 
+/// By the questions of the phase; a phase without instructions is left out.
+ordered_json instructionsJson(const protocols::Protocol& protocol)
+{
+    ordered_json rows = ordered_json::array();
+    for (const auto& phase : protocol.phases)
+        for (const auto& instruction : phase.instructions) {
+            ordered_json row{{"questions", ordered_json::array()}, {"id", instruction.id.value}, {"text", instruction.text}};
+            for (const auto& question : phase.questions) row["questions"].push_back(question.id.value);
+            if (instruction.aim != protocols::SpeedAim::None) row["aim"] = nameOf(instruction.aim);
+            if (instruction.deadlineSeconds) row["deadline_seconds"] = *instruction.deadlineSeconds;
+            rows.push_back(std::move(row));
+        }
+    return rows;
+}
+
 ordered_json studyJson(const StudyPlan& plan)
 {
     const auto& facts = plan.facts;
@@ -138,6 +153,7 @@ ordered_json plannedPart(const StudyPlan& plan)
     part["fabrics"] = fabricsJson(plan);
     part["conditions"] = namesOf(protocol.conditions);
     part["questions"] = questionsJson(protocol);
+    if (hasInstructions(protocol)) part["instructions"] = instructionsJson(protocol);
     part["planned"] = contrastsJson(plan);
     part["family"] = plan.contrasts.empty() ? "all_pairs" : "planned";
     part["generalisations"] = {reports::nameOf(stats::Generalisation::TheseFabrics),

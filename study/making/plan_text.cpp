@@ -134,10 +134,25 @@ std::string measures(const StudyPlan& plan)
     return text + "The response time runs from the first touch to the answer. It is described, without a hypothesis.\n";
 }
 
+/// Empty where the phase gives no instruction.
+std::string instructionsText(const protocols::Phase& phase)
+{
+    if (phase.instructions.empty()) return "";
+    std::string text = " Instructions (" + std::to_string(phase.instructions.size()) + "):";
+    for (const auto& instruction : phase.instructions)
+        text +=
+            (&instruction == &phase.instructions.front() ? " " : "; ") + instruction.id.value + ", \"" + instruction.text + "\"";
+    return text +
+           " All presentations are repeated under each instruction. The order of the instructions is balanced over "
+           "participants. Answers after a deadline are marked and analysed.";
+}
+
 std::string design(const StudyPlan& plan)
 {
     const auto& protocol = plan.protocol;
-    std::string text = "Within participants: every participant meets every fabric under every condition once in each phase.\n";
+    std::string text =
+        std::string("Within participants: every participant meets every fabric under every condition once in each phase") +
+        (hasInstructions(protocol) ? " and under each of its instructions" : "") + ".\n";
     std::string names;
     for (const auto& condition : protocol.conditions) names += (names.empty() ? "" : ", ") + condition.value;
     text += "Conditions (" + std::to_string(protocol.conditions.size()) + "): " + names + ".\n";
@@ -152,7 +167,7 @@ std::string design(const StudyPlan& plan)
                 (protocol.phases[i].catchTrials == 0 ? ""
                                                      : " and " + counted(protocol.phases[i].catchTrials, "catch trial") +
                                                            " with blank glass, which no analysis uses") +
-                "; questions " + reports::listed(ids) + ".\n";
+                "; questions " + reports::listed(ids) + "." + instructionsText(protocol.phases[i]) + "\n";
     }
     return text + counted(protocol.answersPerParticipant(), "answer") +
            " per participant. The order of presentations is balanced and drawn by seed. The experimenter and the participant "

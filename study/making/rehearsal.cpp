@@ -7,6 +7,7 @@
 #include "database/station_key.h"
 #include "database/study_store.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/folder_draft.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/temporary_folder.h"
 #include "protocols/files/whole_file.h"
@@ -29,15 +30,15 @@ struct RehearsalFolder {
     fs::path study = temporary.path() / "rehearsal";
 };
 
-/// A few trials of each phase, phases in their order.
+/// A few trials of each phase under each of its instructions, phases in their order.
 std::vector<BlindedTrial> fewOf(const std::vector<BlindedTrial>& all)
 {
     std::random_device device;
     protocols::Random random((std::uint64_t{device()} << 32) | device());
-    std::map<int, std::vector<BlindedTrial>> byPhase;
-    for (const BlindedTrial& trial : all) byPhase[trial.phase].push_back(trial);
+    std::map<std::pair<int, protocols::InstructionId>, std::vector<BlindedTrial>> lists;
+    for (const BlindedTrial& trial : all) lists[{trial.phase, trial.instruction}].push_back(trial);
     std::vector<BlindedTrial> few;
-    for (auto& [phase, trials] : byPhase) {
+    for (auto& [list, trials] : lists) {
         random.shuffle(trials);
         trials.resize(std::min(trials.size(), presentationsOfAPhase));
         for (BlindedTrial& trial : trials) {

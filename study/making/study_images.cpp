@@ -5,10 +5,14 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/random.h"
+#include "rendering/cache/cache_key.h"
 #include "rendering/composition/image_warnings.h"
 #include "rendering/composition/photograph_warnings.h"
 #include "rendering/composition/render_json.h"
+#include "rendering/models/kept_generation.h"
+#include "reports/json/prices_json.h"
 #include "study/making/image_folder.h"
+#include "study/making/rendering_prices.h"
 #include "study/making/sample_choice.h"
 #include "study/making/signal_controls.h"
 #include "study/making/signal_quality.h"
@@ -19,6 +23,7 @@ namespace study::making {
 namespace {
 
 using records::imageWarningsField;
+using records::pricesField;
 
 using rendering::Signal;
 using rendering::fabrics::Dataset;
@@ -31,14 +36,40 @@ std::string sentence(std::string line)
     return line + ".";
 }
 
-/// Generated against measured signals, beside the controls.
-std::string comparedSignals(const NewStudy& request, const StudyMaterial& material, const database::StudyFacts& facts,
-                            const rendering::RenderedFabrics& rendering, const StudyProgress& progress)
+/// Everything that the comparison follows from: the files of the data set, the samples, the weights and the programs.
+std::string keyOfComparison(const NewStudy& request, const StudyMaterial& material, const std::string& imagesKey,
+                            const database::StudyFacts& facts)
 {
+    rendering::cache::CacheKey key(*request.cache, "comparison of signals");
+    key.add("images", imagesKey).add("dataset", facts.datasetSha256).add("seed", request.seed);
+    if (material.model)
+        key.add("generators", rendering::models::identityOfGenerators(*request.cache, material.render.generation));
+    if (!material.control.empty())
+        key.addFile("control", material.control).addFile("card", rendering::models::cardOf(material.control));
+    return key.hex();
+}
+
+/// False where a fault prevented the controls: the next study tries again.
+bool isWhole(const nlohmann::ordered_json& json)
+{
+    return !json.contains("why") || !json["why"].contains("controls") ||
+           !json["why"]["controls"].get<std::string>().starts_with("the controls could not be computed");
+}
+
+/// Generated against measured signals, beside the controls. The cache gives the comparison of the same images.
+nlohmann::ordered_json comparedSignals(const NewStudy& request, const StudyMaterial& material, const std::string& imagesKey,
+                                       const database::StudyFacts& facts, const rendering::RenderedFabrics& rendering,
+                                       const StudyProgress& progress)
+{
+    const std::string key = request.cache ? keyOfComparison(request, material, imagesKey, facts) : "";
+    if (request.cache)
+        if (const auto kept = request.cache->find(key))
+            if (auto json = nlohmann::ordered_json::parse(*kept, nullptr, false); json.is_object()) return json;
     auto json = signalQuality(rendering.signals);
     addControls(json, {material, rendering, facts.datasetSha256, request.seed}, progress.comparison);
     if (const auto lines = describe(imageFaults(rendering), rendering); !lines.empty()) json[imageWarningsField] = lines;
-    return json.dump();
+    if (request.cache && isWhole(json)) request.cache->keep(key, json.dump());
+    return json;
 }
 
 std::vector<std::string> warningsIn(const std::string& signalsJson)
@@ -46,13 +77,37 @@ std::vector<std::string> warningsIn(const std::string& signalsJson)
     return nlohmann::json::parse(signalsJson).value(imageWarningsField, std::vector<std::string>{});
 }
 
+/// The study's renderings and, where conditions carry a quality, what each costs and gives up.
+struct PricedRendering {
+    rendering::RenderedFabrics rendering;
+    std::vector<reports::RenderingPrice> prices;
+};
+
+PricedRendering pricedRendering(const StudyMaterial& material, const StepProgress& progress)
+{
+    rendering::RenderRequest request = material.render;
+    const auto references = accurateReferences(request.conditions);
+    // A price is what the computation takes, so nothing of it may come from the cache.
+    if (std::ranges::any_of(request.conditions, [](const auto& id) { return protocols::qualityOf(id).has_value(); }))
+        request.cache = nullptr;
+    request.conditions.insert(request.conditions.end(), references.begin(), references.end());
+    PricedRendering priced{renderFabrics(material.dataset, request, progress), {}};
+    priced.prices = renderingPrices(material.render.conditions, priced.rendering);
+    // The references are not shown, so warnings and files do not name them.
+    priced.rendering.conditions.resize(material.render.conditions.size());
+    return priced;
+}
+
 StudyImages rendered(const NewStudy& request, const StudyMaterial& material, const std::string& key,
                      const database::StudyFacts& facts, const StudyProgress& progress)
 {
-    auto rendering = renderFabrics(material.dataset, material.render, progress.images);
+    auto [rendering, prices] = pricedRendering(material, progress.images);
     if (!request.evenStrange) refuseOtherThings(rendering);
     StudyImages images;
-    images.signalsJson = comparedSignals(request, material, facts, rendering, progress);
+    if (progress.stage) progress.stage("comparison of signals");
+    auto json = comparedSignals(request, material, key, facts, rendering, progress);
+    for (const auto& price : prices) json[pricesField].push_back(priceJson(price));
+    images.signalsJson = json.dump();
     for (const auto& line : strangePhotographs(rendering)) images.stamps.push_back(sentence(line));
     for (const auto& line : uncertainFriction(rendering)) images.stamps.push_back(sentence(line));
     images.warnings = warningsIn(images.signalsJson);
@@ -94,6 +149,7 @@ FamiliarisationImages familiarisationFor(const NewStudy& request, const StudyMat
     // The last condition of the protocol is the richest. One image of each fabric is enough for familiarisation.
     render.conditions = {material.protocol.conditions.back()};
     render.generation.model = request.model;
+    render.cache = request.cache;
     const auto signals = rendering::signalsFor(std::span<const protocols::ConditionId>(render.conditions));
     for (const auto& fabric : dataset.fabrics)
         if (std::find(material.fabrics.begin(), material.fabrics.end(), fabric.id) == material.fabrics.end() &&

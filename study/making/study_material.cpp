@@ -7,6 +7,7 @@
 #include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
 #include "protocols/random.h"
+#include "rendering/fabrics/dataset_hash.h"
 #include "study/making/sample_choice.h"
 
 namespace study::making {
@@ -84,7 +85,14 @@ StudyMaterial materialFor(const NewStudy& request)
     material.render.conditions = material.protocol.conditions;
     material.render.samples = chosen.samples;
     material.render.generation.model = request.model;
+    material.render.cache = request.cache;
     return material;
+}
+
+std::string hashOfDataset(const NewStudy& request, const Dataset& dataset)
+{
+    if (!request.cache) return hashOf(dataset);
+    return hashOf(dataset, [&](const std::filesystem::path& file) { return request.cache->hashOfFile(file); });
 }
 
 }  // namespace study::making

@@ -28,4 +28,7 @@ struct StudyMaterial {
 /// the model was trained on.
 StudyMaterial materialFor(const NewStudy& request);
 
+/// SHA-256 over the data set; the request's cache remembers the hashes of its files.
+std::string hashOfDataset(const NewStudy& request, const rendering::fabrics::Dataset& dataset);
+
 }  // namespace study::making

@@ -144,6 +144,36 @@ std::string sessionPage(const database::StudyFacts& facts, const PrintedHead& pr
     return page(facts.name + ": sittings", body + "</table>\n", printed);
 }
 
+/// The sentences, and their order for each slot.
+std::string instructionsPage(const database::StudyStore& store, const protocols::Protocol& protocol, const std::string& study,
+                             const PrintedHead& printed)
+{
+    std::string body =
+        "<p>The app shows each sentence at the beginning of its block. Read it aloud.</p>\n<table><tr>"
+        "<th>questions</th><th>instruction</th><th>sentence</th></tr>\n";
+    for (const auto& phase : protocol.phases)
+        for (const auto& instruction : phase.instructions) {
+            std::string questions;
+            for (const auto& question : phase.questions) questions += (questions.empty() ? "" : ", ") + question.id.value;
+            body += "<tr><td>" + protocols::escapedMarkup(questions) + "</td><td>" + instruction.id.value + "</td><td>" +
+                    protocols::escapedMarkup(instruction.text) + "</td></tr>\n";
+        }
+    body += "</table>\n<h2>Order</h2>\n<table><tr><th>slot</th><th>instructions</th></tr>\n";
+    for (const auto& slot : store.slots()) {
+        std::string order;
+        protocols::InstructionId before;
+        int phase = -1;
+        for (const auto& trial : store.trials(slot.number)) {
+            if (trial.phase == phase && trial.instruction == before) continue;
+            phase = trial.phase;
+            before = trial.instruction;
+            if (!before.empty()) order += (order.empty() ? "" : ", ") + before.value;
+        }
+        body += "<tr><td>" + std::to_string(slot.number) + "</td><td>" + order + "</td></tr>\n";
+    }
+    return page(study + ": instructions of the blocks", body + "</table>\n", printed);
+}
+
 }  // namespace
 
 void writeSheets(const database::StudyStore& store, const std::filesystem::path& out)
@@ -161,6 +191,7 @@ void writeSheets(const database::StudyStore& store, const std::filesystem::path&
     write("session.html", sessionPage(facts, printed));
     write("preparation.html", preparationPage(facts, sets, printed));
     if (const auto* scale = memorisedScaleOf(protocol)) write("scale-card.html", scaleCard(facts, *scale, printed));
+    if (hasInstructions(protocol)) write("instructions.html", instructionsPage(store, protocol, facts.name, printed));
     draft.putInPlace();
 }
 

@@ -67,9 +67,13 @@ SimulatedParticipant::Judgement simulatedAnswer(SimulatedParticipant& participan
     using Judgement = SimulatedParticipant::Judgement;
     constexpr double secondsOfSilence = 1.0;
     return std::visit(
-        Overloaded{[&](const protocols::ForcedChoice&) { return participant.match(trial); },
+        Overloaded{[&](const protocols::ForcedChoice&) {
+                       return trial.instruction.empty() ? participant.match(trial) : participant.matchInstructed(trial);
+                   },
                    [&](const protocols::Rating& rating) { return participant.rate(trial, question.id, rating.scale); },
-                   [&](const protocols::SameDifferent&) { return participant.compare(trial); },
+                   [&](const protocols::SameDifferent&) {
+                       return trial.instruction.empty() ? participant.compare(trial) : participant.compareInstructed(trial);
+                   },
                    [](const protocols::FreeText&) {
                        return Judgement{session::Words{}, secondsOfSilence};
                    }},

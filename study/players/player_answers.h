@@ -27,7 +27,8 @@ session::GivenAnswer scriptedAnswer(const ScriptedResponse& scripted, const prot
 /// The answer in the form of a script: a rating as a number in scale units, any other answer as text.
 ScriptedResponse scriptedFormOf(const session::GivenAnswer& answer);
 
-/// The answer of the simulated participant; empty words if the question asks for free text.
+/// The answer of the simulated participant; empty words if the question asks for free text. Choices follow the instruction of the
+/// trial's block; ratings take their usual time.
 SimulatedParticipant::Judgement simulatedAnswer(SimulatedParticipant& participant, const protocols::BlindedTrial& trial,
                                                 const protocols::Question& question);
 

@@ -131,6 +131,7 @@ ScriptedPlace placeFrom(const Entry& entry)
         place.trial = protocols::TrialNumber{entry.whole("trial", 1)};
         return place;
     }
+    if (entry.has("instruction")) place.instruction = protocols::InstructionId(entry.text("instruction"));
     place.fabric = protocols::FabricId(entry.text("fabric"));
     const std::string condition = entry.text("condition");
     if (condition == protocols::catchTrialId().value) {
@@ -138,7 +139,7 @@ ScriptedPlace placeFrom(const Entry& entry)
         return place;
     }
     try {
-        place.condition = protocols::conditionNamed(condition).conditionId();
+        place.condition = protocols::conditionIdFrom(condition);
     } catch (const protocols::Error& unknown) {
         throw entry.fault("condition", unknown.what(), "");
     }
@@ -213,6 +214,15 @@ protocols::Error fault(const std::string& what, const std::string& where, const 
     return protocols::badInput({what, where, expected, nextStep});
 }
 
+/// Whether the phase of the question gives the instruction that the answer names.
+bool isInstructed(const protocols::Protocol& protocol, const ScriptedAnswer& answer)
+{
+    return std::ranges::any_of(protocol.phases, [&](const protocols::Phase& phase) {
+        return std::ranges::any_of(phase.questions, [&](const auto& asked) { return asked.id == answer.question; }) &&
+               instructionWith(phase.instructions, answer.place.instruction) != nullptr;
+    });
+}
+
 void checkQuestions(const Script& script, const protocols::Protocol& protocol)
 {
     std::set<protocols::QuestionId> known;
@@ -221,6 +231,11 @@ void checkQuestions(const Script& script, const protocols::Protocol& protocol)
     for (const auto& answer : script.answers)
         if (!known.contains(answer.question))
             throw fault("the protocol has no question " + answer.question.value, script.where, "the questions of the protocol");
+    for (const auto& answer : script.answers)
+        if (!answer.place.instruction.empty() && !isInstructed(protocol, answer))
+            throw fault(
+                "the answers to " + answer.question.value + " have no instruction \"" + answer.place.instruction.value + "\"",
+                script.where, "an instruction of the question's phase in the protocol");
 }
 
 void checkDoubled(const Script& script)
@@ -228,8 +243,10 @@ void checkDoubled(const Script& script)
     std::set<std::tuple<protocols::QuestionId, ScriptedPlace>> seen;
     for (const auto& answer : script.answers) {
         if (seen.emplace(answer.question, answer.place).second) continue;
-        const std::string place = answer.place.trial ? "trial " + std::to_string(answer.place.trial->value)
-                                                     : answer.place.condition.value + ", " + answer.place.fabric.value;
+        const std::string place = answer.place.trial
+                                      ? "trial " + std::to_string(answer.place.trial->value)
+                                      : answer.place.condition.value + ", " + answer.place.fabric.value +
+                                            (answer.place.instruction.empty() ? "" : ", ") + answer.place.instruction.value;
         throw fault("there are two answers to " + answer.question.value + " for " + place, script.where,
                     "one answer for each question and rendering");
     }
@@ -248,7 +265,11 @@ const ScriptedAnswer* Script::answerTo(const protocols::QuestionId& question, co
     if (const auto* ofAttempt = find(place)) return ofAttempt;
     ScriptedPlace ofAny = place;
     ofAny.attempt.reset();
-    return find(ofAny);
+    if (const auto* ofAnyAttempt = find(ofAny)) return ofAnyAttempt;
+    if (place.instruction.empty()) return nullptr;
+    ofAny.instruction = {};
+    ofAny.attempt = place.attempt;
+    return answerTo(question, ofAny);
 }
 
 Script scriptFromJson(std::string_view text, const std::string& where, const protocols::Protocol& protocol)

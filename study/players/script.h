@@ -22,6 +22,7 @@ struct ScriptedPlace {
     protocols::ConditionId condition;             ///< "catch" for the blank glass of a catch trial
     protocols::FabricId fabric;
     std::optional<int> attempt = std::nullopt;  ///< counts presentations of the same trial from 1; later ones follow a void
+    protocols::InstructionId instruction = {};  ///< of the block; empty: the answer holds under every instruction
     auto operator<=>(const ScriptedPlace&) const = default;
 };
 
@@ -66,7 +67,7 @@ struct Script {
     std::vector<ScriptedAnswer> answers;
     std::vector<ScriptedEvent> events;
 
-    /// The answer for this attempt, else the answer for any attempt, else null.
+    /// The answer for this attempt and instruction, else for any attempt, else for any instruction; else null.
     const ScriptedAnswer* answerTo(const protocols::QuestionId& question, const ScriptedPlace& place) const;
 };
 

@@ -245,7 +245,8 @@ void Player::answer(const Presenting& presenting)
     const State& state = m_hands.state();
     const int attempt = attemptAt(state, state.position);
     const auto* scripted = m_script.answerTo(question.id, {trial.number, {}, {}, attempt});
-    if (!scripted) scripted = m_script.answerTo(question.id, {std::nullopt, entry.condition, entry.fabric, attempt});
+    if (!scripted)
+        scripted = m_script.answerTo(question.id, {std::nullopt, entry.condition, entry.fabric, attempt, trial.instruction});
     if (!scripted)
         throw protocols::badInput({"no answer", m_script.where + ": " + placeName(presenting.index, question.id),
                                    "an answer to every question and rendering of the protocol",

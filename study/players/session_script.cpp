@@ -86,6 +86,7 @@ private:
             const auto& shown = m_naming->of(m_participant, trial.number);
             entry["condition"] = shown.condition;
             entry["fabric"] = shown.fabric.value;
+            if (!trial.instruction.empty()) entry["instruction"] = trial.instruction.value;
         }
         if (m_hasVoids) entry["attempt"] = attemptAt(m_state, m_state.position);
         entry["answer"] = jsonOf(answered.response);

@@ -1,19 +1,18 @@
 #include "study/players/simulated_participant.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-
-#include "protocols/files/errors.h"
-#include "study/players/player_answers.h"
-#include "study/session/preparation.h"
-#include "study/session/session_record.h"
 
 namespace study::players {
 
 using namespace session;
 
 namespace {
+
+/// A distance at which nothing is felt to be the same, just-noticeable differences.
+constexpr double farthest = 1e3;
 
 /// Q2 asks for slipperiness, Q3 for texture, every other rating (Q4, realism) for both.
 double slipperinessWeightOf(const protocols::QuestionId& question, const PerceptualModel& model)
@@ -25,19 +24,27 @@ double slipperinessWeightOf(const protocols::QuestionId& question, const Percept
 
 }  // namespace
 
+protocols::FileCode Percepts::codeOf(const protocols::BlindedTrial& trial) const
+{
+    return codesAreOpen ? protocols::FileCode(trial.sealedCode.value) : protocols::opened(trial.sealedCode, stationKey);
+}
+
 SimulatedParticipant::SimulatedParticipant(const Percepts& percepts, std::uint64_t seed, const std::string& participant,
-                                           PerceptualModel model)
+                                           PerceptualModel model, SpeedAccuracySetting setting)
     : m_percepts(percepts),
       m_model(model),
       m_random(protocols::Random::stream(seed, "simulated participant " + participant)),
-      m_shift(m_model.personShift * m_random.normal())
+      m_shift(m_model.personShift * m_random.normal()),
+      m_setting(setting),
+      m_race(protocols::Random::stream(seed, "speed and accuracy of simulated participant " + participant))
 {
+    m_setting.bound *= std::exp(m_setting.personSpread * m_race.normal());
 }
 
 double SimulatedParticipant::distance(const protocols::BlindedTrial& trial, const protocols::FabricId& fabric,
                                       double weight) const
 {
-    const auto& felt = m_percepts.stimuli.at(protocols::opened(trial.sealedCode, m_percepts.stationKey));
+    const auto& felt = m_percepts.stimuli.at(m_percepts.codeOf(trial));
     const auto& expected = m_percepts.fabrics.at(fabric);
     const double slipperiness = slipperinessDistance(felt, expected);
     const double texture = textureDistance(felt, expected);
@@ -83,39 +90,30 @@ SimulatedParticipant::Judgement SimulatedParticipant::compare(const protocols::B
     return {Sameness{lapses ? m_random.below(2) == 1 : same}, 4.0 * std::exp(0.3 * m_random.normal())};
 }
 
-void playSimulated(SimulatedParticipant& participant, const Plan& plan, Hands& hands, VirtualClock& clock,
-                   const std::function<void(int)>& progress)
+Decision SimulatedParticipant::decide(const protocols::BlindedTrial& trial, std::span<const double> drifts)
 {
-    const auto act = [&](const EventBody& event) {
-        if (const auto refusal = hands.perform(event))
-            throw protocols::workFailed({"the session refuses \"" + kindOf(event) + "\": " + refusal->reason,
-                                         "simulated participant", "", "report this fault with the study folder"});
-    };
-    const auto answer = [&](const Presenting& presenting) {
-        const auto& trial = plan.trials[presenting.index];
-        const auto& question = plan.protocol.phases[trial.phase].questions[presenting.question];
-        if (presenting.question == 0 && !presenting.touchedAtNs) {
-            clock.advanceSeconds(0.8);
-            act(Touched{});
-        }
-        const auto judgement = simulatedAnswer(participant, trial, question);
-        clock.advanceSeconds(judgement.seconds);
-        act(Answered{judgement.response, {.begunAgoNs = 0, .begunBy = BegunBy::Script}});
-    };
-    while (true) {
-        const Stage stage = hands.state().stage;
-        if (std::holds_alternative<Finished>(stage) || std::holds_alternative<Withdrawn>(stage)) return;
-        clock.advanceSeconds(std::max(1.0, plan.protocol.deadTimeSeconds));
-        if (hands.state().paused)
-            act(Resumed{});
-        else if (const auto preparation = nextOfPreparation(plan.protocol, stage))
-            act(*preparation);
-        else if (std::holds_alternative<PlacingTray>(stage))
-            act(trayReadyOf(plan.protocol, plan.trials[std::get<PlacingTray>(stage).index].alternatives, plan.fabricNames));
-        else
-            answer(std::get<Presenting>(stage));
-        if (progress) progress(hands.state().answersStored);
-    }
+    std::optional<double> deadlineSeconds;
+    if (trial.deadlineMs) deadlineSeconds = *trial.deadlineMs / 1000.0;
+    Decision decision = race(drifts, boundUnder(m_setting, trial.aim), m_setting.nonDecisionSeconds, deadlineSeconds, m_race);
+    if (m_race.uniform() < m_model.lapseRate) decision.winner = static_cast<std::size_t>(m_race.below(drifts.size()));
+    return decision;
+}
+
+SimulatedParticipant::Judgement SimulatedParticipant::matchInstructed(const protocols::BlindedTrial& trial)
+{
+    std::vector<double> drifts;
+    for (const auto& fabric : trial.alternatives)
+        drifts.push_back(driftAt(m_setting, distance(trial, fabric, m_model.slipperinessWeight)));
+    const Decision decision = decide(trial, drifts);
+    return {trial.alternatives[decision.winner], decision.seconds};
+}
+
+SimulatedParticipant::Judgement SimulatedParticipant::compareInstructed(const protocols::BlindedTrial& trial)
+{
+    const double same = driftAt(m_setting, distance(trial, trial.alternatives.front(), m_model.slipperinessWeight));
+    const std::array drifts{same, std::max(driftAt(m_setting, farthest), m_setting.gain - same)};
+    const Decision decision = decide(trial, drifts);
+    return {Sameness{decision.winner == 0}, decision.seconds};
 }
 
 }  // namespace study::players

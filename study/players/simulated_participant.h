@@ -12,16 +12,16 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "protocols/allocation.h"
 #include "protocols/random.h"
-#include "study/players/hands.h"
+#include "study/players/evidence_accumulation.h"
 #include "study/players/percept.h"
-#include "study/session/clock.h"
+#include "study/session/given_answer.h"
 
 namespace study::players {
 
@@ -39,12 +39,16 @@ struct Percepts {
     std::map<protocols::FileCode, Percept> stimuli;
     std::map<protocols::FabricId, Percept> fabrics;
     protocols::SecretKey stationKey;  ///< leads from a trial to its stimulus
+    bool codesAreOpen = false;        ///< the trials are those of a simulation in memory, which name their stimuli openly
+
+    /// The stimulus of the trial. Throws workFailed where the station key does not open its code.
+    protocols::FileCode codeOf(const protocols::BlindedTrial& trial) const;
 };
 
 class SimulatedParticipant {
 public:
-    SimulatedParticipant(const Percepts& percepts, std::uint64_t seed, const std::string& participant,
-                         PerceptualModel model = {});
+    SimulatedParticipant(const Percepts& percepts, std::uint64_t seed, const std::string& participant, PerceptualModel model = {},
+                         SpeedAccuracySetting setting = {});
 
     struct Judgement {
         session::GivenAnswer response;
@@ -57,18 +61,21 @@ public:
                    const protocols::RatingScale& scale);
     /// Whether stimulus and fabric are near enough to be the same.
     Judgement compare(const protocols::BlindedTrial& trial);
+    /// match() where the block of the trial instructs: a race of the pieces on the tray (evidence_accumulation.h).
+    Judgement matchInstructed(const protocols::BlindedTrial& trial);
+    /// compare() where the block of the trial instructs: a race of "same" and "different".
+    Judgement compareInstructed(const protocols::BlindedTrial& trial);
 
 private:
+    Decision decide(const protocols::BlindedTrial& trial, std::span<const double> drifts);
     double distance(const protocols::BlindedTrial& trial, const protocols::FabricId& fabric, double slipperinessWeight) const;
 
     const Percepts& m_percepts;
     PerceptualModel m_model;
     protocols::Random m_random;
     double m_shift;
+    SpeedAccuracySetting m_setting;  ///< of this person
+    protocols::Random m_race;        ///< apart, so that answers without an instruction do not depend on it
 };
-
-/// Plays the session with this participant to its end.
-void playSimulated(SimulatedParticipant& participant, const session::Plan& plan, Hands& hands, session::VirtualClock& clock,
-                   const std::function<void(int)>& progress = {});
 
 }  // namespace study::players

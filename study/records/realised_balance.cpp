@@ -43,7 +43,7 @@ Numbers numbersOf(const protocols::AllocationKey& key)
     return numbers;
 }
 
-DesignTrial designTrialOf(const protocols::BlindedTrial& trial, const Numbers& numbers)
+DesignTrial designTrialOf(const protocols::BlindedTrial& trial, const Numbers& numbers, const protocols::Protocol& protocol)
 {
     const auto& entry = numbers.key.entryOf(trial);
     const auto label = numbers.labels.find(entry.label);
@@ -58,6 +58,11 @@ DesignTrial designTrialOf(const protocols::BlindedTrial& trial, const Numbers& n
                 {"trial " + std::to_string(trial.number.value) + " has the unknown fabric " + fabric.value, "study.db",
                  "a fabric of the study", "run vis2hap verify on the study"});
         design.alternatives.push_back(known->second);
+    }
+    if (!trial.instruction.empty()) {
+        const auto& instructions = protocol.phases.at(static_cast<std::size_t>(trial.phase)).instructions;
+        const auto found = std::ranges::find(instructions, trial.instruction, &protocols::BlockInstruction::id);
+        if (found != instructions.end()) design.instruction = static_cast<int>(found - instructions.begin());
     }
     return design;
 }
@@ -98,7 +103,7 @@ protocols::BalanceCertificate realisedBalance(const database::StudyStore& store,
                                                  std::to_string(number) + ", which is not in the list",
                                              store.folder().database().string(), "1 to " + std::to_string(list.size()),
                                              "run vis2hap verify on the study"});
-            trials.push_back(designTrialOf(list[static_cast<std::size_t>(number) - 1], numbers));
+            trials.push_back(designTrialOf(list[static_cast<std::size_t>(number) - 1], numbers, protocol));
         }
     }
     return design.participants.empty() ? protocols::BalanceCertificate{} : balanceOf(design, protocol);

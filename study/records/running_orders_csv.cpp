@@ -31,7 +31,9 @@ std::string runningOrdersCsv(const database::StudyStore& store)
 {
     const auto facts = store.facts();
     const auto protocol = protocolOf(facts);
-    std::string text = "slot,trial,questions,presentation_code,tray,minutes,sitting\n";
+    const bool instructs = hasInstructions(protocol);
+    std::string text = std::string("slot,trial,questions,presentation_code,tray,minutes,sitting") +
+                       (instructs ? ",instruction,deadline_seconds\n" : "\n");
     for (const auto& slot : store.slots())
         for (const auto& trial : store.trials(slot.number)) {
             std::vector<std::string> questions, tray;
@@ -41,7 +43,10 @@ std::string runningOrdersCsv(const database::StudyStore& store)
             const int sitting = 1 + static_cast<int>(minutes / protocol.sittingMinutes);
             text += std::to_string(slot.number) + "," + std::to_string(trial.number.value) + "," + csvCell(spaced(questions)) +
                     "," + trial.presentationCode.value + "," + csvCell(spaced(tray)) + "," + shortest(minutes) + "," +
-                    std::to_string(sitting) + "\n";
+                    std::to_string(sitting);
+            if (instructs)
+                text += "," + trial.instruction.value + "," + (trial.deadlineMs ? shortest(*trial.deadlineMs / 1000.0) : "");
+            text += "\n";
         }
     return text;
 }

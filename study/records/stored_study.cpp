@@ -11,6 +11,7 @@
 #include "protocols/condition.h"
 #include "protocols/protocol_json.h"
 #include "reports/cells/finger_motion.h"
+#include "reports/json/prices_json.h"
 #include "reports/json/signals_json.h"
 #include "reports/text/plain_words.h"
 #include "study/records/participants_sentence.h"
@@ -20,11 +21,32 @@ namespace study::records {
 
 namespace {
 
+std::vector<reports::InstructionInfo> instructionsOf(const protocols::Phase& phase)
+{
+    std::vector<reports::InstructionInfo> instructions;
+    for (const auto& instruction : phase.instructions)
+        instructions.push_back({instruction.id.value, instruction.text, instruction.deadlineSeconds});
+    return instructions;
+}
+
+/// Answers of one participant to one question, without catch trials.
+std::size_t answersOf(const protocols::Protocol& protocol)
+{
+    std::size_t answers = 0;
+    for (const auto& phase : protocol.phases)
+        answers += phase.questions.size() * static_cast<std::size_t>(protocol.presentationsPerPhase() * phase.runs());
+    return answers;
+}
+
 void describeProtocol(const protocols::Protocol& protocol, reports::StudyData& data)
 {
     data.boundsStated = true;
     for (const auto& phase : protocol.phases)
-        for (const auto& question : phase.questions) data.questions.push_back({question.id.value, question.text, question.kind});
+        data.answersPerCell = std::max(data.answersPerCell, static_cast<std::size_t>(phase.runs()));
+    for (const auto& phase : protocol.phases)
+        for (const auto& question : phase.questions)
+            data.questions.push_back(
+                {question.id.value, question.text, question.kind, instructionsOf(phase), static_cast<std::size_t>(phase.runs())});
 }
 
 void describeParticipants(const database::StudyStore& store, reports::StudyData& data)
@@ -65,8 +87,12 @@ reports::StudyResponse responseOf(const database::CurrentAnswer& answer, const N
             .seconds = times == reports::TimesTaken::ToBeginning ? answer.responseSeconds : answer.seconds,
             .entries = answer.record.entries,
             .touchedBy = answer.record.touchedBy,
+            // A cell holds one answer under each instruction.
+            .repetition = entry.instruction.value,
             .trial = place,
-            .sitting = answer.sitting};
+            .sitting = answer.sitting,
+            .instruction = entry.instruction.value,
+            .late = isLate(entry, answer)};
 }
 
 /// The place of each presentation among those that its participant answered, from 1, in the order of time. A presentation that
@@ -139,10 +165,11 @@ void readOperatorTaps(const database::StudyStore& store, reports::StudyData& dat
                                      run.medianMs, run.q1Ms, run.q3Ms});
 }
 
-/// The compared signals, and the warnings about images as sentences of the page.
+/// The compared signals, the prices of the renderings, and the warnings about images as sentences of the page.
 void readSignals(const std::string& text, reports::StudyData& data)
 {
     auto json = nlohmann::ordered_json::parse(text, nullptr, false);
+    if (json.is_object() && json.contains(pricesField)) data.prices = reports::pricesFromJson(json[pricesField]);
     if (!json.is_object() || !json.contains(imageWarningsField)) {
         data.signals = reports::signalsFromJson(text);
         return;
@@ -165,8 +192,7 @@ reports::StudyData describedStudy(const database::StudyStore& store, const datab
     data.blinded = !store.unblinding().has_value();  // decides whether the plan may name conditions
     describePlan(store, data);
     describeParticipants(store, data);
-    data.expectedResponses =
-        store.slots().size() * static_cast<std::size_t>(protocol.presentationsPerPhase()) * data.questions.size();
+    data.expectedResponses = store.slots().size() * answersOf(protocol);
     return data;
 }
 
@@ -206,6 +232,12 @@ std::vector<std::string> stampsOf(const database::StudyStore& store, const datab
     return stamps;
 }
 
+std::optional<bool> isLate(const Naming::Entry& entry, const database::CurrentAnswer& answer)
+{
+    if (!entry.deadlineMs || !answer.responseSeconds) return std::nullopt;
+    return *answer.responseSeconds * 1000 > *entry.deadlineMs;
+}
+
 std::optional<Naming> namingOf(const database::StudyStore& store, const protocols::Protocol& protocol,
                                const database::Passphrase& passphrase)
 {
@@ -217,8 +249,8 @@ std::optional<Naming> namingOf(const database::StudyStore& store, const protocol
     for (const auto& enrolment : store.enrolments())
         for (const auto& trial : store.trials(enrolment.slot)) {
             const auto& entry = key->entryOf(trial);
-            naming.entries[{enrolment.participant, trial.number}] = {entry.fabric,
-                                                                     permission ? entry.condition.value : entry.label.value};
+            naming.entries[{enrolment.participant, trial.number}] = {
+                entry.fabric, permission ? entry.condition.value : entry.label.value, trial.instruction, trial.deadlineMs};
         }
     for (std::size_t k = 0; k < protocol.conditions.size(); ++k)
         naming.conditions.push_back(permission ? protocol.conditions[k].value : "K" + std::to_string(k + 1));
@@ -261,11 +293,11 @@ reports::StudyData sealedStudyData(const database::StudyStore& store, const std:
     for (int place = 1; place <= places; ++place) data.fabrics.push_back("presentation " + std::to_string(place));
     Naming sealed;
     for (const auto& enrolment : store.enrolments()) {
-        std::map<int, int> placeInPhase;
+        std::map<std::pair<int, protocols::InstructionId>, int> placeInList;
         for (const auto& trial : store.trials(enrolment.slot))
-            if (const int place = ++placeInPhase[trial.phase]; place <= places)
+            if (const int place = ++placeInList[{trial.phase, trial.instruction}]; place <= places)
                 sealed.entries[{enrolment.participant, trial.number}] = {
-                    protocols::FabricId("presentation " + std::to_string(place)), "sealed"};
+                    protocols::FabricId("presentation " + std::to_string(place)), "sealed", trial.instruction, trial.deadlineMs};
     }
     readAnswers(answers, protocol, sealed, data);
     // All presentations lie in one cell here, so that each is a repetition of its own.

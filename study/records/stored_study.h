@@ -22,6 +22,8 @@ struct Naming {
     struct Entry {
         protocols::FabricId fabric;
         std::string condition;
+        protocols::InstructionId instruction = {};  ///< of the block; empty where the phase gives none
+        std::optional<int> deadlineMs = {};
     };
     bool blinded = true;
     std::map<std::pair<protocols::ParticipantId, protocols::TrialNumber>, Entry> entries;
@@ -36,11 +38,16 @@ struct Naming {
 std::optional<Naming> namingOf(const database::StudyStore& store, const protocols::Protocol& protocol,
                                const database::Passphrase& passphrase);
 
+/// Whether the answer began after the deadline of its block. None without a deadline or without a response time.
+std::optional<bool> isLate(const Naming::Entry& entry, const database::CurrentAnswer& answer);
+
 protocols::Protocol protocolOf(const database::StudyFacts& facts);
 
 /// Field of StudyFacts::signalsJson with sentences about images that cannot show what the study compares. They name conditions
 /// and fabrics together, so only reports of an unblinded study show them.
 inline constexpr const char* imageWarningsField = "image_warnings";
+/// Field of StudyFacts::signalsJson with the prices of the renderings (reports::pricesFromJson).
+inline constexpr const char* pricesField = "prices";
 
 /// The sentences that every report must show: those of the study's facts and, where it is so, that images lay open.
 std::vector<std::string> stampsOf(const database::StudyStore& store, const database::StudyFacts& facts);

@@ -1,4 +1,4 @@
-#include "study/commands/progress.h"
+#include "study/commands/parts/progress.h"
 
 #include <unistd.h>
 

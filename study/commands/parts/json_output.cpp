@@ -1,4 +1,4 @@
-#include "study/commands/json_output.h"
+#include "study/commands/parts/json_output.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>

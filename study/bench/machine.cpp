@@ -1,0 +1,32 @@
+#include "study/bench/machine.h"
+
+#include <fstream>
+#include <thread>
+
+namespace study::bench {
+
+namespace {
+
+/// "Debian GNU/Linux 12" of PRETTY_NAME="Debian GNU/Linux 12 (bookworm)"; empty where the system states none.
+std::string systemName()
+{
+    std::ifstream release("/etc/os-release");
+    const std::string field = "PRETTY_NAME=\"";
+    for (std::string line; std::getline(release, line);)
+        if (line.starts_with(field)) {
+            const std::string name = line.substr(field.size(), line.find('"', field.size()) - field.size());
+            return name.substr(0, name.find(" ("));
+        }
+    return {};
+}
+
+}  // namespace
+
+std::string machineInWords()
+{
+    const unsigned cores = std::thread::hardware_concurrency();
+    const std::string system = systemName();
+    return std::to_string(cores) + (cores == 1 ? " core" : " cores") + (system.empty() ? "" : ", " + system);
+}
+
+}  // namespace study::bench

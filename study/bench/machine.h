@@ -1,0 +1,11 @@
+// What the numbers of a bench were measured on, in neutral words.
+#pragma once
+
+#include <string>
+
+namespace study::bench {
+
+/// "2 cores, Debian GNU/Linux 12". No name of the machine, its owner or its processor.
+std::string machineInWords();
+
+}  // namespace study::bench

@@ -1,0 +1,95 @@
+#include "study/leaks/cache_marks.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
+
+namespace study::leaks {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t readFromBeginning = std::size_t{1} << 16;
+
+struct CacheEntry {
+    struct stat status {};
+    double changed() const { return secondsOf(status.st_ctim); }
+    double used() const { return secondsOf(status.st_mtim); }
+
+private:
+    static double secondsOf(const timespec& time)
+    {
+        return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) / 1e9;
+    }
+};
+
+std::vector<CacheEntry> entriesOf(const fs::path& cache)
+{
+    std::vector<CacheEntry> entries;
+    std::error_code ignored;
+    for (const auto& file : fs::directory_iterator(cache, ignored)) {
+        CacheEntry entry;
+        if (::stat(file.path().c_str(), &entry.status) == 0 && S_ISREG(entry.status.st_mode)) entries.push_back(entry);
+    }
+    return entries;
+}
+
+std::vector<std::string> codesOfStimuli(const fs::path& stimuli)
+{
+    std::vector<std::string> codes;
+    std::error_code ignored;
+    for (const auto& file : fs::directory_iterator(stimuli, ignored)) codes.push_back(file.path().stem().string());
+    std::ranges::sort(codes);
+    return codes;
+}
+
+}  // namespace
+
+std::vector<FileMark> marksOfCache(const fs::path& cache, const fs::path& stimuli)
+{
+    const auto codes = codesOfStimuli(stimuli);
+    auto entries = entriesOf(cache);
+    if (codes.empty() || entries.size() < codes.size()) return {};
+    std::vector<FileMark> marks;
+    const std::pair<const char*, double (CacheEntry::*)() const> orders[] = {{"last change", &CacheEntry::changed},
+                                                                             {"last use", &CacheEntry::used}};
+    for (const auto& [order, timeOf] : orders) {
+        std::ranges::sort(entries, {}, [time = timeOf](const CacheEntry& entry) { return (entry.*time)(); });
+        const std::size_t first = entries.size() - codes.size();
+        FileMark size{std::string("size of the cache's entry at the same place by ") + order, {}},
+            step{std::string("time after the entry before it, by ") + order, {}};
+        for (std::size_t i = 0; i < codes.size(); ++i) {
+            const CacheEntry& entry = entries[first + i];
+            size.values[codes[i]] = static_cast<double>(entry.status.st_size);
+            step.values[codes[i]] = first + i == 0 ? 0 : (entry.*timeOf)() - (entries[first + i - 1].*timeOf)();
+        }
+        marks.push_back(std::move(size));
+        marks.push_back(std::move(step));
+    }
+    return marks;
+}
+
+std::vector<std::string> codesInCache(const fs::path& cache, const std::set<std::string>& codes)
+{
+    std::vector<std::string> lines;
+    std::error_code ignored;
+    for (const auto& file : fs::directory_iterator(cache, ignored)) {
+        std::string text = file.path().filename().string() + "\n";
+        try {
+            text += protocols::beginningOf(file.path(), readFromBeginning);
+        } catch (const protocols::Error&) {
+            continue;  // removed meanwhile, or no file
+        }
+        const bool names = std::ranges::any_of(codes, [&](const auto& code) { return text.find(code) != std::string::npos; });
+        if (names) lines.push_back("the cache of signals names a code of the study: " + file.path().filename().string());
+    }
+    std::ranges::sort(lines);
+    return lines;
+}
+
+}  // namespace study::leaks

@@ -1,0 +1,164 @@
+#include "study/simulation/simulate_in_memory.h"
+
+#include <algorithm>
+#include <map>
+
+#include "protocols/files/errors.h"
+#include "stats/kernels/threads.h"
+#include "study/simulation/memory_session.h"
+
+namespace study::simulation {
+
+namespace {
+
+using database::CurrentAnswer;
+using players::Judge;
+using players::Mishaps;
+using players::SimulatedParticipant;
+
+/// Where an answer stands among the numbers of a participant.
+class AnswerPlaces {
+public:
+    explicit AnswerPlaces(const MemoryStudy& study)
+        : m_fabricCount(study.fabrics.size()), m_conditionCount(study.protocol.conditions.size())
+    {
+        for (const auto& phase : study.protocol.phases)
+            for (const auto& question : phase.questions) {
+                const std::size_t place = m_questions.size();
+                m_questions[question.id] = {place, &question.kind};
+            }
+        std::map<protocols::FabricId, std::size_t> fabrics;
+        for (std::size_t i = 0; i < study.fabrics.size(); ++i) fabrics[study.fabrics[i]] = i;
+        std::map<protocols::ConditionId, std::size_t> conditions;
+        for (std::size_t i = 0; i < study.protocol.conditions.size(); ++i) conditions[study.protocol.conditions[i]] = i;
+        for (const auto& [code, entry] : study.images)
+            if (const auto condition = conditions.find(entry.condition); condition != conditions.end())
+                m_images[code.value] = {condition->second * m_fabricCount + fabrics.at(entry.fabric), &entry.fabric};
+    }
+
+    std::size_t count() const { return m_questions.size() * m_conditionCount * m_fabricCount; }
+
+    struct Place {
+        std::size_t at = 0;
+        const protocols::AnswerKind* kind = nullptr;
+        const protocols::FabricId* truth = nullptr;
+    };
+    /// None for an answer to blank glass.
+    std::optional<Place> of(const CurrentAnswer& answer, const std::vector<protocols::BlindedTrial>& list) const
+    {
+        const auto& trial = list[static_cast<std::size_t>(answer.record.trial.value) - 1];
+        const auto image = m_images.find(trial.sealedCode.value);
+        if (image == m_images.end()) return std::nullopt;
+        const auto& [question, kind] = m_questions.at(answer.record.question);
+        return Place{question * m_conditionCount * m_fabricCount + image->second.first, kind, image->second.second};
+    }
+
+private:
+    std::size_t m_fabricCount, m_conditionCount;
+    std::map<protocols::QuestionId, std::pair<std::size_t, const protocols::AnswerKind*>> m_questions;
+    std::map<std::string, std::pair<std::size_t, const protocols::FabricId*>> m_images;  ///< by open file code
+};
+
+std::int16_t numberOf(const database::AnswerRecord& record, const AnswerPlaces::Place& place)
+{
+    if (record.rating) return static_cast<std::int16_t>(record.rating->value);
+    const auto right = isRight(*place.kind, record.alternatives, *place.truth, record.answer.value_or(""));
+    return right ? std::int16_t(*right) : SimulatedAnswers::none;
+}
+
+SimulatedAnswers numbersOf(const SimulatedSession& session, int number, const AnswerPlaces& places)
+{
+    SimulatedAnswers numbers;
+    numbers.number = number;
+    numbers.hasWithdrawn = session.hasWithdrawn;
+    numbers.voided = session.voided;
+    numbers.refusals = session.refusals;
+    numbers.values.assign(places.count(), SimulatedAnswers::none);
+    numbers.seconds.assign(places.count(), std::numeric_limits<double>::quiet_NaN());
+    for (const CurrentAnswer& answer : session.answers) {
+        if (answer.voided) continue;
+        const auto place = places.of(answer, session.list);
+        if (!place) continue;
+        numbers.values[place->at] = numberOf(answer.record, *place);
+        if (answer.responseSeconds) numbers.seconds[place->at] = *answer.responseSeconds;
+        numbers.corrections += answer.corrections;
+    }
+    return numbers;
+}
+
+/// Judge and mishaps of one session in `plan`, which brings the protocol and gets the participant's list.
+SimulatedSession played(const MemoryStudy& study, const SimulationRequest& request, int number, std::size_t place,
+                        session::Plan& plan)
+{
+    SimulatedSession session{.participant = simulatedId(number), .place = place};
+    plan.trials = listOf(study, place, request.seed);
+    plan.fabricNames = pieceNamesOf(study, place);
+    session::VirtualClock clock;
+    MemorySession memory(plan, session.participant, clock);
+    SimulatedParticipant usual(study.percepts, request.seed, session.participant.value);
+    const Judge judge = request.judge ? request.judge(session.participant) : judgeOf(usual);
+    Mishaps mishaps(request.mishaps, request.seed, session.participant, plan.protocol.answersPerParticipant());
+    playSession(judge, mishaps, plan, memory, clock);
+    session.answers = memory.answers();
+    session.hasWithdrawn = std::holds_alternative<session::Withdrawn>(memory.state().stage);
+    session.voided = memory.voidedPresentations();
+    session.refusals = memory.refusals();
+    session.list = std::move(plan.trials);
+    return session;
+}
+
+void requirePlaces(const MemoryStudy& study)
+{
+    if (study.places.empty() || study.places.front().empty())
+        throw protocols::workFailed({"the study has no places", study.name, "at least one running order", "run vis2hap verify"});
+}
+
+}  // namespace
+
+protocols::ParticipantId simulatedId(int number)
+{
+    return protocols::ParticipantId((number < 10 ? "SIM0" : "SIM") + std::to_string(number));
+}
+
+std::vector<std::size_t> placesOf(const MemoryStudy& study, const SimulationRequest& request)
+{
+    const int answers = study.protocol.answersPerParticipant();
+    std::vector<std::size_t> places;
+    std::size_t place = 0;
+    for (int number = 1; number < request.first + request.count; ++number) {
+        if (number >= request.first) places.push_back(place);
+        if (!withdrawalOf(request.mishaps, request.seed, simulatedId(number), answers)) ++place;
+    }
+    return places;
+}
+
+SimulatedSession simulateSession(const MemoryStudy& study, const SimulationRequest& request, int number, std::size_t place)
+{
+    requirePlaces(study);
+    session::Plan plan = planWithoutList(study);
+    return played(study, request, number, place, plan);
+}
+
+std::vector<SimulatedAnswers> simulateInMemory(const MemoryStudy& study, const SimulationRequest& request,
+                                               const std::function<void(std::size_t done)>& progress)
+{
+    requirePlaces(study);
+    constexpr std::size_t atOnce = 20;  // participants that share a copy of the protocol
+    const auto places = placesOf(study, request);
+    const AnswerPlaces answerPlaces(study);
+    std::vector<SimulatedAnswers> all(places.size());
+    const std::size_t parts = (places.size() + atOnce - 1) / atOnce;
+    const auto playPart = [&](std::size_t part) {
+        session::Plan plan = planWithoutList(study);
+        for (std::size_t i = part * atOnce; i < std::min(places.size(), (part + 1) * atOnce); ++i) {
+            const int number = request.first + static_cast<int>(i);
+            all[i] = numbersOf(played(study, request, number, places[i], plan), number, answerPlaces);
+        }
+    };
+    stats::onThreads(parts, stats::threadCount(request.threads), playPart, [&](std::size_t done) {
+        if (progress) progress(std::min(places.size(), done * atOnce));
+    });
+    return all;
+}
+
+}  // namespace study::simulation

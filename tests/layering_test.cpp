@@ -20,10 +20,12 @@ const QList<Room>& rooms()
 {
     static const QList<Room> table{
         {"protocols/files/", "the ground floor: errors, whole files, CSV, strict JSON, SHA-256", {}},
+        {"protocols/files/foreign/", "tables of other programs: encoding, separator, decimal mark", {"protocols/files/"}},
+        {"protocols/texts/", "the texts that are built into the program", {}},
         {"protocols/secrets/", "secrets and seals: derived keys, authenticated encryption, passphrases", {"protocols/files/"}},
         {"protocols/",
          "the words of a study: ids, conditions, protocols, the seeded generator, running orders, keys",
-         {"protocols/files/", "protocols/secrets/"}},
+         {"protocols/files/", "protocols/secrets/", "protocols/texts/"}},
         {"protocols/records/", "what is kept of an allocation: the texts of the keys, the balance", {"protocols/"}},
         {"stats/kernels/", "sums, moments, ranks, tail probabilities, matrices; the value that may be undefined", {}},
         {"stats/metrics/", "measures of images and traces", {"stats/kernels/"}},
@@ -37,6 +39,7 @@ const QList<Room>& rooms()
          "power, simulated studies, measured sizes",
          {"stats/kernels/", "stats/tests/", "stats/models/", "stats/claims/"}},
         {"rendering/images/", "image and height-map files", {"protocols/files/"}},
+        {"rendering/cache/", "results that later runs use again, by the hash of their inputs", {"protocols/files/"}},
         {"rendering/fabrics/", "data sets: reader, checker, splits", {"rendering/images/", "protocols/"}},
         {"rendering/fabrics/procedural/",
          "procedural fabrics, simulated sensor and friction rig",
@@ -58,8 +61,8 @@ const QList<Room>& rooms()
          {"rendering/signals/", "rendering/fabrics/", "rendering/images/", "protocols/"}},
         {"rendering/models/",
          "what asks for generated signals, without libtorch",
-         {"rendering/models/process/", "rendering/models/tensors/", "rendering/signals/", "rendering/fabrics/",
-          "rendering/images/", "protocols/"}},
+         {"rendering/models/process/", "rendering/models/tensors/", "rendering/cache/", "rendering/signals/",
+          "rendering/fabrics/", "rendering/images/", "protocols/"}},
         {"rendering/models/cloth/",
          "whether a photograph shows cloth",
          {"rendering/models/model_card.h", "rendering/fabrics/", "stats/kernels/", "protocols/"}},
@@ -77,8 +80,9 @@ const QList<Room>& rooms()
          {"rendering/models/", "rendering/signals/", "rendering/fabrics/", "rendering/images/", "protocols/"}},
         {"rendering/composition/",
          "conditions to signals to friction images",
-         {"rendering/models/generation.h", "rendering/models/cloth/", "rendering/signals/", "rendering/fabrics/",
-          "rendering/images/", "protocols/"}},
+         {"rendering/models/generation.h", "rendering/models/kept_generation.h", "rendering/models/preset.h",
+          "rendering/models/preset_trade.h", "rendering/models/cloth/", "rendering/cache/", "rendering/signals/",
+          "rendering/fabrics/", "rendering/images/", "protocols/"}},
         {"rendering/display/",
          "displays, their drivers, the stimulus bank, the simulated finger",
          {"rendering/composition/friction_image.h", "rendering/images/", "protocols/"}},
@@ -109,6 +113,11 @@ const QList<Room>& rooms()
         {"reports/figures/",
          "the figures",
          {"reports/charts/", "reports/analysis/", "reports/data/", "reports/text/", "stats/kernels/value.h", "protocols/"}},
+        {"reports/documents/",
+         "further forms of a report: PDF, LaTeX, text document",
+         {"reports/page/", "reports/formats/", "reports/tables/", "reports/figures/", "reports/text/", "reports/write_report.h",
+          "protocols/"},
+         true},
         {"reports/page/",
          "the page: sections, findings, methods",
          {"reports/formats/", "reports/tables/", "reports/figures/", "reports/analysis/", "reports/cells/", "reports/data/",
@@ -170,10 +179,14 @@ const QList<Room>& rooms()
          true},
         {"study/measuring/", "heights and calibrations from tactile frames", {"rendering/", "protocols/"}},
         {"study/evaluation/", "generated against measured signals", {"rendering/", "stats/", "protocols/"}},
+        {"study/evaluation/left_out/",
+         "models that did not see one fabric each, and what they reach on it",
+         {"study/evaluation/", "rendering/", "stats/", "protocols/"}},
         {"study/analyse/",
          "the statistics by name, for scripts",
          {"rendering/images/", "rendering/signals/", "stats/", "protocols/"}},
         {"study/analyse/power/", "what a planned study can detect", {"study/analyse/", "stats/", "protocols/"}},
+        {"study/shards/", "what one of several processes computed of a run", {"stats/kernels/share.h", "protocols/files/"}},
         {"study/leaks/", "attacks on a blinded study: what each role could learn", {"database/", "stats/", "protocols/"}, true},
         {"study/records/",
          "a stored study as reports, status and export see it",
@@ -185,18 +198,25 @@ const QList<Room>& rooms()
          true},
         {"study/making/",
          "a new study from protocol and data set, and its registered plan",
-         {"study/records/", "study/analyse/", "study/evaluation/", "study/participant/sound/", "study/session/clock.h",
-          "reports/", "database/", "rendering/", "stats/", "protocols/"},
+         {"study/records/", "study/analyse/", "study/evaluation/", "study/participant/sound/", "study/players/percept.h",
+          "study/session/clock.h", "reports/", "database/", "rendering/", "stats/", "protocols/"},
          true},
         {"study/players/",
          "scripted and simulated participants",
          {"study/records/", "study/session/", "database/", "rendering/", "protocols/"},
          true},
+        {"study/simulation/",
+         "studies of simulated participants, in memory or through the store",
+         {"study/players/", "study/session/", "reports/", "database/", "rendering/", "stats/", "protocols/"},
+         true},
         {"study/bench/",
          "speed beside error",
-         {"study/app/", "study/session/", "study/looking/", "study/measuring/", "reports/", "database/", "rendering/", "stats/",
-          "protocols/"},
+         {"study/app/", "study/session/", "study/simulation/", "study/looking/", "study/measuring/", "reports/", "database/",
+          "rendering/", "stats/", "protocols/"},
          true},
+        {"study/bench/extremes/",
+         "extreme inputs beside their known results",
+         {"study/bench/", "reports/", "database/", "rendering/", "stats/", "protocols/"}},
         {"study/commands/",
          "one file a command",
          {"study/", "reports/", "database/", "rendering/", "stats/", "protocols/"},
@@ -384,7 +404,7 @@ private Q_SLOTS:
         QTest::newRow("looking without keys") << "study/looking/a.cpp"
                                               << "#include \"database/keys.h\"\n";
         QTest::newRow("evaluation without commands") << "study/evaluation/a.cpp"
-                                                     << "#include \"study/commands/progress.h\"\n";
+                                                     << "#include \"study/commands/parts/progress.h\"\n";
         QTest::newRow("evaluation without Qt") << "study/evaluation/a.cpp"
                                                << "#include <QString>\n";
         QTest::newRow("app without signals") << "study/app/a.cpp"
@@ -396,7 +416,7 @@ private Q_SLOTS:
         QTest::newRow("JSON of reports at its border only") << "reports/tables/a.cpp"
                                                             << "#include <nlohmann/json.hpp>\n";
         QTest::newRow("analysis without tables") << "reports/analysis/a.cpp"
-                                                 << "#include \"reports/tables/report_table.h\"\n";
+                                                 << "#include \"reports/formats/report_table.h\"\n";
         QTest::newRow("room that is not in the table") << "extras/a.cpp"
                                                        << "";
     }

@@ -481,12 +481,13 @@ private Q_SLOTS:
             columns,
             std::string("participant, trial, question, presentation_code, alternatives, answer, rating, ready_at, touched_at, "
                         "answered_at, stored_at, seconds, corrections, voided, wall_time, note, touch_ended_at, "
-                        "answer_begun_at, answer_begun_by, entries, response_seconds"));
+                        "answer_begun_at, answer_begun_by, entries, response_seconds, instruction, deadline_seconds, late"));
         const auto trial = store.trials(1).front();
-        const std::string expected =
-            "S01|1|Q1|" + trial.presentationCode.value + "|[\"" + trial.alternatives[0].value + "\",\"" +
-            trial.alternatives[1].value + "\",\"" + trial.alternatives[2].value + "\"]|" + trial.alternatives[0].value +
-            "||5000000000|8000000000|10000000000|10000000100|2.0|0|0|2026-01-01T10:00:00.000Z||9000000000|9500000000|entry|2|1.5";
+        const std::string expected = "S01|1|Q1|" + trial.presentationCode.value + "|[\"" + trial.alternatives[0].value + "\",\"" +
+                                     trial.alternatives[1].value + "\",\"" + trial.alternatives[2].value + "\"]|" +
+                                     trial.alternatives[0].value +
+                                     "||5000000000|8000000000|10000000000|10000000100|2.0|0|0|2026-01-01T10:00:00.000Z||"
+                                     "9000000000|9500000000|entry|2|1.5|||";
         QCOMPARE(raw.rows("SELECT * FROM answers"), std::vector<std::string>{expected});
     }
 

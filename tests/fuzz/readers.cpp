@@ -37,6 +37,7 @@
 #include "tests/fuzz/number_readers.h"
 #include "tests/fuzz/page_readers.h"
 #include "tests/fuzz/settings_readers.h"
+#include "tests/fuzz/shard_readers.h"
 #include "tests/fuzz/study_readers.h"
 #include "tests/support/true_map_bytes.h"
 
@@ -308,7 +309,7 @@ std::vector<Reader> allReaders(const fs::path& folder)
 {
     std::vector<Reader> readers = textReaders();
     for (auto& more : {imageReaders(folder), modelReaders(folder), recordReaders(folder), numberReaders(folder), pageReaders(),
-                       settingsReaders(folder), studyReaders(folder)})
+                       settingsReaders(folder), shardReaders(folder), studyReaders(folder)})
         readers.insert(readers.end(), more.begin(), more.end());
     return readers;
 }

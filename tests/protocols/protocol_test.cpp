@@ -139,6 +139,13 @@ private Q_SLOTS:
         QCOMPARE(readProtocol(file), paper());
     }
 
+    void shippedProtocolComparesQualities()
+    {
+        const Protocol protocol = readProtocol(std::filesystem::path(VIS2HAP_SOURCE_DIR) / "protocols/examples/quality.json");
+        QVERIFY(std::ranges::count(protocol.conditions, ConditionId("h_g@fast")) == 1);
+        QCOMPARE(protocol.primary, std::optional(PlannedContrast{ConditionId("h_g@fast"), ConditionId("h_g@accurate")}));
+    }
+
     void smallProtocolTakesDefaults()
     {
         const Protocol protocol = protocolFromJson(smallProtocol().toStdString(), "small.json");
@@ -174,6 +181,10 @@ private Q_SLOTS:
         row("huge number", "\"participants\": 2", "\"participants\": 99999999999999999999", "participants");
         row("unknown condition", "v_grey", "v_gray",
             "conditions[0]: unknown condition 'v_gray', expected one of v_grey, v_shape");
+        row("unknown quality", "v_grey", "h_g@slow",
+            "conditions[0]: unknown quality 'slow' in 'h_g@slow', expected fast, balanced or accurate after the @");
+        row("quality without a choice", "v_grey", "v_grey@fast",
+            "conditions[0]: 'v_grey@fast' has a quality, which changes nothing of v_grey, expected 'v_grey'");
         row("doubled condition", "v_grey", "h_g&f_g", "conditions[1]: 'h_g&f_g' is named twice");
         row("too many alternatives", "\"alternatives\": 3", "\"alternatives\": 4", "phases[0].alternatives: 4 of 3 fabrics");
         row("swaps of one piece", "\"max\": 10}", "\"max\": 10}, \"few_swaps\": true",

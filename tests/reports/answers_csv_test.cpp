@@ -84,7 +84,11 @@ private Q_SLOTS:
         QTest::newRow("short row") << head + "P1,F1,a,1\n" << QStringList{"line 2", "4 cells"};
         QTest::newRow("no name") << head + ",F1,a,1,5\n" << QStringList{"line 2", "participant"};
         QTest::newRow("open quote") << head + "\"P1,F1,a,1,5\n" << QStringList{"line 2", "quote"};
-        QTest::newRow("unknown column") << QString("participant,fabric,condition,Q2,age\n") << QStringList{"age"};
+        QTest::newRow("misspelt column") << QString("participant,fabric,condition,Q2,Q2_second\nP1,F1,a,5,3\n")
+                                         << QStringList{"Q2_second", "_seconds"};
+        QTest::newRow("doubled answer of a long table")
+            << QString("participant,fabric,condition,question,rating\nP1,F1,a,Q2,5\nP1,F1,a,Q2,6\n")
+            << QStringList{"line 3", "twice", "--map repetition=COLUMN"};
         QTest::newRow("doubled column") << QString("participant,fabric,condition,Q2,Q2\n") << QStringList{"Q2", "twice"};
         QTest::newRow("missing column") << QString("participant,fabric,Q2\nP1,F1,5\n") << QStringList{"condition"};
         QTest::newRow("no question") << QString("participant,fabric,condition\nP1,F1,a\n") << QStringList{"no question"};
@@ -124,6 +128,55 @@ private Q_SLOTS:
         QCOMPARE(data.questions[1].text, std::string("How?"));
         QVERIFY_EXCEPTION_THROWN(reports::readAnswersCsv(written(folder, header + "P1,F1,a,1,10.5\n"), {protocol, "", 3}),
                                  protocols::Error);
+    }
+
+    void extraColumnsAreNamedAndNotAnalysed()
+    {
+        QTemporaryDir folder;
+        QStringList notes;
+        reports::AnswersCsvOptions options;
+        options.note = [&](const std::string& sentence) { notes << QString::fromStdString(sentence); };
+        const auto data = reports::readAnswersCsv(
+            written(
+                folder,
+                "participant;fabric;condition;age;Q1_correct;Q2;weather\nP1;F1;a;24;WAHR;5,5;rain\nP1;F1;b;24;FALSCH;6;sun\n"),
+            options);
+        QCOMPARE(data.responses.size(), std::size_t{4});
+        QVERIFY(std::get<reports::ChosenAnswer>(data.responses[0].content).correct);
+        QVERIFY(!std::get<reports::ChosenAnswer>(data.responses[2].content).correct);
+        QCOMPARE(std::get<reports::RatedAnswer>(data.responses[1].content).rating, 5.5);
+        QCOMPARE(notes.size(), 2);
+        QVERIFY2(notes[0].endsWith("read with semicolons, decimal commas, UTF-8"), qPrintable(notes[0]));
+        QVERIFY2(notes[1].endsWith("not analysed: age and weather"), qPrintable(notes[1]));
+    }
+
+    /// One row an answer, with the names of another lab.
+    void longTablesAreRead()
+    {
+        QTemporaryDir folder;
+        reports::AnswersCsvOptions options;
+        options.rows.names = {{"participant", "subject"}, {"condition", "render"}, {"correct", "hit"}};
+        options.equivalenceBounds = {-1, 1};
+        options.planned = {{"a", "b"}};
+        const auto data = reports::readAnswersCsv(written(folder,
+                                                          "subject,fabric,render,question,hit,rating,answer,seconds,trial\n"
+                                                          "S1,F1,a,match,TRUE,,F1,3.5,2\n"
+                                                          "S1,F1,a,realism,,7.5,,4,3\n"
+                                                          "S1,F1,b,match,false,,F2,2,1\n"
+                                                          "S1,F1,b,realism,,6,,5,4\n"),
+                                                  options);
+        QCOMPARE(data.questions.size(), std::size_t{2});
+        QCOMPARE(data.questions[0].id, std::string("match"));
+        QVERIFY(std::get<reports::ChosenAnswer>(data.responses[0].content).correct);
+        QCOMPARE(*std::get<reports::ChosenAnswer>(data.responses[0].content).answer, std::string("F1"));
+        QCOMPARE(std::get<reports::RatedAnswer>(data.responses[1].content).rating, 7.5);
+        QVERIFY(data.responses[1].seconds == 4.0 && data.responses[1].trial == 3);
+        QCOMPARE(data.planned.size(), std::size_t{1});
+        QCOMPARE(data.equivalenceBounds.second, 1.0);
+        options.planned = {{"a", "c"}};
+        QVERIFY_EXCEPTION_THROWN(
+            reports::readAnswersCsv(written(folder, "subject,fabric,render,hit\nS1,F1,a,1\nS1,F1,b,0\n"), options),
+            protocols::Error);
     }
 
     void missingFileIsBadInput() { QVERIFY_EXCEPTION_THROWN(reports::readAnswersCsv("/nowhere/answers.csv"), protocols::Error); }

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/foreign/foreign_table.h"
 #include "protocols/files/whole_file.h"
 #include "reports/data/answers_csv.h"
 #include "reports/figures/report_figures.h"
@@ -183,7 +183,7 @@ private Q_SLOTS:
         QCOMPARE(described["questions"][0]["kind"], "words");
 
         writeReport(analysis, path("report"));
-        const auto table = protocols::readCsvTable(path("report") / "tables" / "worded_answers.csv");
+        const auto table = protocols::readForeignTable(path("report") / "tables" / "worded_answers.csv").table;
         QCOMPARE(table.columns, (std::vector<std::string>{"participant", "fabric", "condition", "question", "words"}));
         QCOMPARE(table.rows.size(), std::size_t(59));
         QCOMPARE(table.rows[1], (std::vector<std::string>{"P01", "F02", "v_grey", "Feel", "<b>warm</b>, \"soft\" 10"}));
@@ -206,7 +206,7 @@ private Q_SLOTS:
         data.conditions = {"K1", "K2", "K3"};
         for (StudyResponse& response : data.responses) response.condition = masks.at(response.condition);
         writeReport(analyse(data), path("report"));
-        const auto table = protocols::readCsvTable(path("report") / "tables" / "worded_answers.csv");
+        const auto table = protocols::readForeignTable(path("report") / "tables" / "worded_answers.csv").table;
         QCOMPARE(table.rows[0][2], std::string("K1"));
         QVERIFY(protocols::readWholeFile(path("report") / "index.html").find("v_grey") == std::string::npos);
     }

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/foreign/foreign_table.h"
 #include "reports/json/results_json.h"
 #include "reports/json/signals_json.h"
 #include "reports/write_report.h"
@@ -130,7 +130,7 @@ private Q_SLOTS:
     void tablesReadBackAsTheNumbersOfTheResults()
     {
         writeReport(richStudy(), path("report"));
-        const auto table = protocols::readCsvTable(path("report") / "tables" / "comparisons_q2.csv");
+        const auto table = protocols::readForeignTable(path("report") / "tables" / "comparisons_q2.csv").table;
         const Json results = resultsOf(richStudy());
         std::size_t row = 0;
         for (const Json& expected : results["comparisons"]) {

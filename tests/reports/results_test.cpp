@@ -152,8 +152,8 @@ private Q_SLOTS:
         data.planned = {{"h_g&f_g", "h&f"}};
         const Json results = resultsOf(data);
         QCOMPARE(keysOf(results), (Keys{"schema", "study", "conditions", "questions", "comparisons", "equivalence", "omnibus",
-                                        "above_chance", "claims", "speed_accuracy", "signals", "quality", "preregistration",
-                                        "without_flagged", "design", "touch", "operator_latency", "why"}));
+                                        "above_chance", "claims", "speed_accuracy", "chain", "signals", "quality",
+                                        "preregistration", "without_flagged", "design", "touch", "operator_latency", "why"}));
         QCOMPARE(results["schema"], "vis2hap.results/2");
         QCOMPARE(keysOf(results["study"]), (Keys{"name", "protocol_sha256", "participants", "fabrics", "blinded", "simulated"}));
         QCOMPARE(results["conditions"].get<Keys>(), nineConditions);

@@ -123,10 +123,10 @@ private Q_SLOTS:
         QCOMPARE(comparison.faults, QStringList());
         QCOMPARE(comparison.additions,
                  (QStringList{"results.schema", "results.study", "results.conditions", "results.omnibus", "results.above_chance",
-                              "results.claims", "results.signals", "results.quality", "results.preregistration",
+                              "results.claims", "results.chain", "results.signals", "results.quality", "results.preregistration",
                               "results.without_flagged", "results.design", "results.touch", "results.operator_latency",
                               "results.why"}));
-        QCOMPARE(comparison.numbers, 216);
+        QCOMPARE(comparison.numbers, 222);
     }
 
     void statisticsAgreeWithR()
@@ -209,7 +209,7 @@ private Q_SLOTS:
                 QVERIFY2(std::fabs(numbers[i] - keptNumbers[i]) < 0.11, qPrintable(names.last() + QString::number(i)));
         }
         QCOMPARE(names, (QStringList{"matches_Q1", "ratings", "participants_Q2", "participants_Q3", "contrasts_Q1",
-                                     "contrasts_Q2", "contrasts_Q3", "conditional_accuracy_Q1"}));
+                                     "contrasts_Q2", "contrasts_Q3", "speed_accuracy_Q1", "conditional_accuracy_Q1"}));
     }
 
     void captionsSayWhatIsDrawn()

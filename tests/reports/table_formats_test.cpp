@@ -4,6 +4,8 @@
 #include <QtTest>
 
 #include "reports/formats/table_cells.h"
+#include "reports/formats/tex_table.h"
+#include "reports/text/tex_text.h"
 
 using namespace reports;
 
@@ -47,14 +49,43 @@ private Q_SLOTS:
 
     void latexIsABooktabsTable()
     {
-        QCOMPARE(
-            toTex(example()),
-            std::string("% needs \\usepackage{booktabs}\n\\begin{table}\n\\centering\n\\caption{Means \\& more}\n"
-                        "\\begin{tabular}{lrrrr}\n\\toprule\ncondition & mean \u00B1 SD & 95 \\% CI & p & n \\\\\n\\midrule\n"
-                        "$h_{\\mathrm{g}}$\\,\\&\\,$f_{\\mathrm{g}}$ & $-1.2$ $\\pm$ 0.5 & $[-1.75, 0.06]$ & $<$ .001 & 7 \\\\\n"
-                        "$f$ & -- & -- & -- & 0 \\\\\n\\bottomrule\n\\end{tabular}\n\\end{table}\n"));
+        QCOMPARE(toTex(example()),
+                 std::string(
+                     "% needs \\usepackage[T1]{fontenc} and \\usepackage{array,booktabs}\n\\begin{table*}\n\\centering\n\\small\n"
+                     "\\setlength{\\tabcolsep}{3pt}\n\\caption{Means \\& more}\n\\label{tab:example}\n"
+                     "\\begin{tabular}{@{}lrrrr@{}}\n\\toprule\ncondition & \\shortstack[r]{mean $\\pm$\\\\SD} & 95 \\% CI & p & "
+                     "n \\\\\n\\midrule\n"
+                     "$h_{\\mathrm{g}}$\\,\\&\\,$f_{\\mathrm{g}}$ & $-1.2$ $\\pm$ 0.5 & $[-1.75, 0.06]$ & $<$ .001 & 7 \\\\\n"
+                     "$f$ & -- & -- & -- & 0 \\\\\n\\bottomrule\n\\end{tabular}\n\\par\\smallskip\\parbox{0.96\\textwidth}"
+                     "{\\raggedright \\emph{Note.} --: no value (no ratings; no variatio\\hspace{0pt}n; one value).}\n"
+                     "\\end{table*}\n"));
         const Table blank{"b", "", {"a", "b"}, {{textCell(""), textCell("x")}}};
         QVERIFY(toTex(blank).find("\n & x \\\\\n") != std::string::npos);
+    }
+
+    /// Twelve columns of numbers come in parts of at most eight, each with the names; many rows go on over pages.
+    void wideAndLongTablesAreLongTables()
+    {
+        Table wide{"wide", "Wide", {"condition"}, {{conditionCell("f")}}};
+        for (int i = 0; i < 12; ++i) {
+            wide.columns.emplace_back("m" + std::to_string(i));
+            wide.rows[0].push_back(numberCell(1.5 * i, 2));
+        }
+        const QString tex = QString::fromStdString(toTex(wide));
+        QCOMPARE(tex.count("\\begin{longtable}"), 2);
+        QCOMPARE(tex.count("\\label{tab:wide}"), 1);
+        QCOMPARE(tex.count("\n$f$ & "), 2);
+        QVERIFY(tex.contains("Part 2 of 2") && tex.contains("$16.50$"));
+        Table tall{"tall", "", {"n"}, std::vector(31, std::vector{countCell(1)})};
+        QVERIFY(toTex(tall).find("\\begin{longtable}") != std::string::npos);
+    }
+
+    /// pdfLaTeX stops at characters that it does not know, and at commands in names.
+    void everyTextIsSafeInLatex()
+    {
+        QCOMPARE(escapedTex("\u03C7\u00B2 \u2212 \u00D7 \u2013 \u00E9"), std::string("$\\chi$$^2$ $-$ $\\times$ -- \u00E9"));
+        QCOMPARE(escapedTex("\\input{x} \u7EC7"), std::string("\\textbackslash{}input\\{x\\} U+7EC7"));
+        QCOMPARE(breakableTex("abcdefghij"), std::string("abcdefgh\\hspace{0pt}ij"));
     }
 
     void htmlShowsReasonsAsTooltips()

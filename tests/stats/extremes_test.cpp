@@ -132,6 +132,11 @@ private Q_SLOTS:
         QVERIFY(near(tail.logP, -2e-9 / std::numbers::pi, 1e-8));
         QVERIFY(near(stats::studentTwoSided(0.4999999, 7).p, stats::studentTwoSided(0.5000001, 7).p, 1e-6));
         QCOMPARE(stats::studentTwoSided(0, 7).p, 1.0);
+        // A mean exactly at the upper bound of an equivalence test has t = -0.
+        for (const double zero : {0.0, -0.0}) {
+            QCOMPARE(stats::studentUpper(zero, 1).p, 0.5);
+            QCOMPARE(stats::studentUpper(zero, 1).logP, -std::numbers::ln2);
+        }
     }
 
     void nothingOneAndTwo()

@@ -60,6 +60,15 @@ private Q_SLOTS:
         for (const auto& condition : protocols::allConditions()) QVERIFY(!signalsFor(condition).empty());
     }
 
+    void aQualityChangesTheConditionsWhoseSignalsDependOnIt()
+    {
+        for (const auto& condition : protocols::allConditions()) {
+            const auto signals = signalsFor(condition);
+            QCOMPARE(std::ranges::any_of(signals, dependsOnQuality), condition.hasQuality());
+        }
+        QVERIFY(explain(protocols::conditionList("h_g@fast,h")).starts_with("h_g@fast   photograph, generated height"));
+    }
+
     void severalConditionsShareTheirSignals()
     {
         const auto conditions = protocols::conditionList("v_grey,h,h&f");

@@ -161,6 +161,10 @@ private Q_SLOTS:
                                           << "photograph 3, tactile frame 3, friction record 3, "
                                              "grey photograph 3, photometric height 3, measured trace 3"
                                           << 0;
+        QTest::newRow("each quality once") << "v_grey,h_g@fast,h_g@accurate,h_g,h_g@balanced,f"
+                                           << "photograph 3, friction record 3, grey photograph 3, generated height 9, "
+                                              "measured trace 3"
+                                           << 3;
         QTest::newRow("all") << "all"
                              << "photograph 3, tactile frame 3, friction record 3, grey photograph 3, shape from shading 3, "
                                 "grey tactile frame 3, photometric height 3, generated height 3, measured trace 3, "
@@ -474,6 +478,55 @@ private Q_SLOTS:
         QVERIFY2(lines[1].find("is used by F04 (6.3 %); F02 sets the lower end of the range, F03 the upper") != std::string::npos,
                  lines[1].c_str());
         QCOMPARE(jsonOf(faults)["same"].size(), std::size_t{2});
+    }
+
+    /// Fast generators give stripes of another period.
+    static RenderRequest requestWithFastStripes(const SmallDataset& small, const char* conditions, GeneratorCalls& asked)
+    {
+        auto request = requestFor(small, conditions, asked);
+        request.generate = [usual = request.generate](std::span<const models::InputPhotograph> photographs,
+                                                      const models::GenerationOptions& options) {
+            auto generated = usual(photographs, options);
+            for (auto& one : generated) {
+                one.heightMilliseconds = options.quality == models::Quality::Fast ? 5 : 50;
+                if (options.quality == models::Quality::Fast) stripes(0, 100, 4).convertTo(one.heightMm, CV_32F, 0.001);
+            }
+            return generated;
+        };
+        return request;
+    }
+
+    void aConditionIsTheSameImageAsItsUsualQuality()
+    {
+        const SmallDataset small;
+        GeneratorCalls asked;
+        const auto request = requestWithFastStripes(small, "h_g,h_g@balanced,h_g@fast", asked);
+        const auto rendering = renderFabrics(small.dataset, request);
+        QCOMPARE(asked.calls, 2);
+        const auto faults = imageFaults(rendering);
+        QCOMPARE(faults.same.size(), std::size_t{3});
+        for (const auto& same : faults.same) {
+            QCOMPARE(same.first, ConditionId("h_g"));
+            QCOMPARE(same.second, ConditionId("h_g@balanced"));
+        }
+        QVERIFY(describe(faults, rendering)[0].starts_with("conditions h_g and h_g@balanced give the same image"));
+        const auto json = nlohmann::json::parse(renderJson(small.dataset, request, rendering));
+        QCOMPARE(json["conditions"]["h_g@fast"]["quality"].get<std::string>(), std::string("fast"));
+        QCOMPARE(json["conditions"]["h_g"]["quality"].get<std::string>(), std::string("balanced"));
+    }
+
+    void everyQualityKeepsItsTime()
+    {
+        const SmallDataset small;
+        GeneratorCalls asked;
+        const auto rendering = renderFabrics(small.dataset, requestWithFastStripes(small, "h_g@fast,h_g@accurate", asked));
+        const FabricId f02("F02");
+        QCOMPARE(rendering.signalsAt.at(models::Quality::Fast).at(f02).milliseconds.at(Signal::GeneratedHeight), 5.0);
+        QCOMPARE(rendering.signalsAt.at(models::Quality::Accurate).at(f02).milliseconds.at(Signal::GeneratedHeight), 50.0);
+        // Nothing has the usual quality, so the accurate signals describe the fabric.
+        QCOMPARE(rendering.signals.at(f02).milliseconds.at(Signal::GeneratedHeight), 50.0);
+        QVERIFY(rendering.signals.at(f02).images.at(Signal::Photograph).data ==
+                rendering.signalsAt.at(models::Quality::Fast).at(f02).images.at(Signal::Photograph).data);
     }
 
     void fabricsThatSetTheRangeAreStated()

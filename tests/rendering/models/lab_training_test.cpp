@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "protocols/files/csv_table.h"
+#include "protocols/files/foreign/foreign_table.h"
 #include "protocols/files/sha256.h"
 #include "rendering/fabrics/drawn/drawn_dataset.h"
 #include "rendering/models/generation.h"
@@ -50,7 +50,7 @@ void changeLaw(const fabrics::Dataset& dataset, double factor)
     for (const fabrics::FabricInfo& fabric : dataset.fabrics)
         for (const int index : fabrics::sampleIndices(dataset, fabric.id, fabrics::Modality::Friction)) {
             const auto file = fabrics::samplePath(dataset, fabric.id, fabrics::Modality::Friction, index);
-            const protocols::CsvTable table = protocols::readCsvTable(file);
+            const protocols::CsvTable table = protocols::readForeignTable(file).table;
             std::string text = "t_s,normal_n,tangential_n\n";
             for (std::size_t row = 0; row < table.rows.size(); ++row)
                 text += table.rows[row][0] + "," + table.rows[row][1] + "," +

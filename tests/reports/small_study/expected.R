@@ -86,12 +86,18 @@ rateInterval <- function(condition) {
   c((p * t - sqrt((p * t)^2 - l * b[2] * (2 * p - l) * (2 * t - b[2]))) / (b[2] * (2 * t - b[2])),
     (p * t + sqrt((p * t)^2 - u * b[1] * (2 * p - u) * (2 * t - b[1]))) / (b[1] * (2 * t - b[1])))
 }
+# Student's t of the participants' log medians, around the log median of all times.
+medianInterval <- function(condition) {
+  here <- answers[answers$condition == condition & !is.na(answers$Q1_seconds), ]
+  own <- log(tapply(here$Q1_seconds, here$participant, median))
+  exp(log(median(here$Q1_seconds)) + c(-1, 1) * qt(0.975, length(own) - 1) * sd(own) / sqrt(length(own)))
+}
 speed <- function(condition) {
   seconds <- inCondition(condition, "Q1_seconds")
   list(median_seconds = number(median(seconds)),
        bits_per_second = number(bits(correctIn(condition) / trialsIn(condition), 3) / mean(seconds)),
        bis = number(bisOf[condition]), bits_per_second_ci95 = rateInterval(condition),
-       bis_ci95 = t.test(bisCells[, condition])$conf.int[1:2])
+       bis_ci95 = t.test(bisCells[, condition])$conf.int[1:2], median_seconds_ci95 = medianInterval(condition))
 }
 choices <- answers[!is.na(answers$Q1_correct), ]
 # Jackknife pseudo-values of bits per second (Tukey 1958).

@@ -13,7 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "protocols/files/csv_table.h"
+#include "protocols/files/foreign/foreign_table.h"
 #include "tests/support/paper_totals.h"
 #include "tests/support/program.h"
 
@@ -34,7 +34,7 @@ void writeText(const QString& file, const std::string& text) { std::ofstream(fil
 /// Rows of an exported answers.csv, header first, without the instants: the clock starts anew when a session is opened again.
 QStringList rowsWithoutInstants(const QString& csv)
 {
-    const auto table = protocols::readCsvTable(csv.toStdString());
+    const auto table = protocols::readForeignTable(csv.toStdString()).table;
     std::set<std::size_t> instants;
     for (const char* name :
          {"ready_at", "touched_at", "touch_ended_at", "answer_begun_at", "answered_at", "stored_at", "wall_time"})
@@ -70,6 +70,7 @@ private Q_SLOTS:
     void badInputIsOneLineAndTheRightExitCode_data();
     void badInputIsOneLineAndTheRightExitCode();
     void anExportedSessionReplaysToTheSameRows();
+    void theReportOfAnExportHasTheSameNumbers();
 
 private:
     QString path(const QString& name) const { return m_folder.filePath(name); }
@@ -395,6 +396,31 @@ void MainJobTest::anExportedSessionReplaysToTheSameRows()
     mustRun({"export", first, "--out", path("scripts"), "--format", "script"});
     mustRun({"replay", second, path("scripts/S01.json")});
     QCOMPARE(exportedRows(second), exportedRows(first));
+}
+
+/// answers.csv, as it was exported and as a German spreadsheet saves it.
+void MainJobTest::theReportOfAnExportHasTheSameNumbers()
+{
+    mustRun({"report", m_study, "--out", path("report-of-study"), "--page-only"});
+    mustRun({"export", m_study, "--out", path("exported")});
+    std::ifstream in(path("exported/answers.csv").toStdString());
+    std::string german((std::istreambuf_iterator<char>(in)), {});
+    // No cell of these answers holds a comma or a point but lists of alternatives, which are quoted, and numbers.
+    bool inQuotes = false;
+    for (char& c : german) {
+        if (c == '"') inQuotes = !inQuotes;
+        if (!inQuotes) c = c == ',' ? ';' : c == '.' ? ',' : c;
+    }
+    writeText(path("german.csv"), german);
+    const auto expected = readJson(path("report-of-study/results.json"));
+    for (const QString& file : {path("exported/answers.csv"), path("german.csv")}) {
+        const auto said = mustRun(
+            {"report", "--from", file, "--protocol", m_study + "/protocol.json", "--out", path("report-of-file"), "--page-only"});
+        QVERIFY2(said.err.contains("not analysed"), qPrintable(said.err));
+        const auto found = readJson(path("report-of-file/results.json"));
+        for (const char* part : {"conditions", "questions", "comparisons", "equivalence", "claims", "speed_accuracy"})
+            QCOMPARE(QString::fromStdString(found[part].dump(1)), QString::fromStdString(expected[part].dump(1)));
+    }
 }
 
 QTEST_MAIN(MainJobTest)

@@ -249,6 +249,41 @@ private Q_SLOTS:
         QVERIFY(!report.learnsNothing());
     }
 
+    /// The cache of signals is attacked like the study: signals by their hash are none of its secrets; finished images would be.
+    void whatTheCacheOfSignalsTellsIsFound()
+    {
+        const PaperStudy study(1, secretSeeds[0]);
+        const fs::path cache = study.folder.folder.parent_path() / "cache";
+        fs::create_directory(cache);
+        fs::permissions(cache, fs::perms::owner_all);
+        const auto keep = [&](int place, std::size_t bytes, const std::string& name) {
+            const auto file = cache / name;
+            std::ofstream(file) << std::string(bytes, 'a');
+            fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
+            fs::last_write_time(file, fs::file_time_type::clock::now() + std::chrono::seconds(place));
+        };
+        const auto check = [&] { return leakReport(study.store(), study.key, {}, cache); };
+        // Signals in the order of fabrics, as `study new` computes them.
+        for (int place = 0; place < 70; ++place) keep(place, 1000 + 500 * (place % 5), std::to_string(1000 + place));
+        QVERIFY(check().learnsNothing());
+        // Finished images, compressed, in the order of the file codes.
+        int place = 100;
+        for (const auto& [code, entry] : study.key.entries) {
+            keep(place, 1000 + 100 * std::hash<std::string>{}(entry.condition.value) % 5000, std::to_string(2000 + place));
+            ++place;
+        }
+        QVERIFY(finds(check(), "nearest file", "condition of a file"));
+        QVERIFY(!check().learnsNothing());
+        fs::remove_all(cache);
+        fs::create_directory(cache);
+        fs::permissions(cache, fs::perms::all);
+        keep(0, 10, study.key.entries.begin()->first.value);
+        const auto report = check();
+        QCOMPARE(report.findings.size(), std::size_t{1});
+        QVERIFY2(report.findings.front().starts_with("the cache of signals names a code"), report.findings.front().c_str());
+        QCOMPARE(report.modes.size(), std::size_t{1});
+    }
+
     void filesWrittenInTheOrderOfConditionsAreFound()
     {
         const PaperStudy study(1, secretSeeds[0]);

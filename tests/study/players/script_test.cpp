@@ -41,6 +41,31 @@ private Q_SLOTS:
                                  {std::nullopt, protocols::ConditionId("f"), protocols::FabricId("F03")}));
     }
 
+    /// An answer without an instruction holds under every instruction that has none of its own.
+    void answersCanNameAnInstruction()
+    {
+        auto protocol = paper();
+        protocol.phases[0].instructions = {
+            {protocols::InstructionId("speed"), protocols::SpeedAim::Speed, {}, "Be fast."},
+            {protocols::InstructionId("accuracy"), protocols::SpeedAim::Accuracy, {}, "Be right."}};
+        const auto parseInstructed = [&](const std::string& name) {
+            return scriptFromJson(R"({"schema":"vis2hap.script/1","participant":"S01","answers":[
+                {"question":"Q1","condition":"f","fabric":"F03","answer":"correct"},
+                {"question":"Q1","condition":"f","fabric":"F03","instruction":")" +
+                                      name + R"(","answer":"foil:1"}]})",
+                                  "s.json", protocol);
+        };
+        const auto script = parseInstructed("speed");
+        const auto answerUnder = [&](const char* instruction) {
+            const ScriptedPlace place{std::nullopt, protocols::ConditionId("f"), protocols::FabricId("F03"), 1,
+                                      protocols::InstructionId(instruction)};
+            return std::get<std::string>(script.answerTo(protocols::QuestionId("Q1"), place)->response);
+        };
+        QCOMPARE(answerUnder("speed"), std::string("foil:1"));
+        QCOMPARE(answerUnder("accuracy"), std::string("correct"));
+        QVERIFY_EXCEPTION_THROWN(parseInstructed("luck"), protocols::Error);
+    }
+
     void eventsCountAnswersStored()
     {
         const auto script = parse("[]", R"([{"before_answer":40,"do":"pause"},

@@ -115,10 +115,8 @@ private:
                                   "--rank",
                                   QString::number(rank),
                                   "--master",
-                                  master,
-                                  "--wait",
-                                  "20"} +
-                          more);
+                                  master} +
+                          (more.contains("--wait") ? more : more + QStringList{"--wait", "20"}));
         QVERIFY(process.waitForStarted());
     }
 

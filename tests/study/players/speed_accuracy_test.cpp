@@ -225,7 +225,7 @@ private Q_SLOTS:
         const Trade truth{driftAt(planted, 0), driftAt(planted, textureDistance(a, b)), 2.0 * 0.6, 2.0 * 1.5, 1.2};
         for (std::size_t i = 0; i < truth.size(); ++i) {
             qInfo("planted %.3f, recovered %.3f", truth[i], found[i]);
-            QVERIFY2(std::fabs(found[i] / truth[i] - 1) < 0.1, qPrintable(QString("%1: %2").arg(truth[i]).arg(found[i])));
+            QVERIFY2(std::fabs(found[i] / truth[i] - 1) < 0.15, qPrintable(QString("%1: %2").arg(truth[i]).arg(found[i])));
         }
     }
 

@@ -42,18 +42,6 @@ private:
         return files;
     }
 
-    void compareWithOneRun(const QStringList& call, const QStringList& files) const
-    {
-        const auto text = support::mustRun(call);
-        QCOMPARE(support::mustRun(QStringList{"merge"} + files).out, text.out);
-        QVERIFY(!text.out.isEmpty());
-        support::mustRun(call + QStringList{"--json", at("one.json")});
-        QStringList reversed(files.rbegin(), files.rend());
-        support::mustRun(QStringList{"merge"} + reversed + QStringList{"--json", at("merged.json")});
-        QVERIFY(bytesOf(at("one.json")).size() > 100);
-        QCOMPARE(bytesOf(at("merged.json")), bytesOf(at("one.json")));
-    }
-
 private Q_SLOTS:
     void initTestCase()
     {
@@ -73,18 +61,16 @@ private Q_SLOTS:
         const QString merged = support::mustRun(QStringList{"merge"} + files).out;
         initTestCase();
         QCOMPARE(support::mustRun(call).out, merged);
-        compareWithOneRun(call, files);
+        support::mustRun(call + QStringList{"--json", at("one.json")});
+        const QStringList reversed(files.rbegin(), files.rend());
+        support::mustRun(QStringList{"merge"} + reversed + QStringList{"--json", at("merged.json")});
+        QVERIFY(bytesOf(at("one.json")).size() > 1000);
+        QCOMPARE(bytesOf(at("merged.json")), bytesOf(at("one.json")));
         // No share of the work is all of it: the counts are really summed.
         const json first = json::parse(bytesOf(files[0]).toStdString());
         const auto& planned = first["values"]["planned"];
         QVERIFY(!planned.empty());
         QCOMPARE(planned.begin().value()[0][0].get<int>(), 14);  // studies 1, 4, 7, … of 40
-    }
-
-    void moreShardsThanStudiesMerge()
-    {
-        const QStringList call{"power", "--protocol", m_protocol, "--studies", "20"};
-        compareWithOneRun(call, shardsOf(call, 23, "many"));
     }
 
     void aShardContinuesWhereItWasInterrupted()
@@ -116,7 +102,7 @@ private Q_SLOTS:
         const QStringList others = shardsOf(call + QStringList{"--seed", "2"}, 3, "other");
         refused({files[0], others[1], files[2]}, "another \"seed\"");
         QByteArray altered = bytesOf(files[1]);
-        altered.replace("\"planned\"", "\"planted\"");
+        altered.replace("\"planned\"", "\"planed\"");
         write(at("altered"), altered);
         refused({files[0], at("altered"), files[2]}, "damaged or was altered");
         refused({m_protocol}, "the file is no shard");
@@ -191,9 +177,9 @@ private Q_SLOTS:
         const auto one = support::mustRun(call("whole"));
         QVERIFY(one.out.contains("each fabric tested by a model that was trained without it"));
         QStringList files;
-        for (const char* part : {"1", "2"}) {
+        for (const char* part : {"1", "2", "3"}) {  // The third one has nothing to do.
             files.append(at(QString("left-out-") + part));
-            support::mustRun(call("shared") + QStringList{"--shard", QString(part) + "/2", "--shard-file", files.last()});
+            support::mustRun(call("shared") + QStringList{"--shard", QString(part) + "/3", "--shard-file", files.last()});
         }
         QCOMPARE(support::mustRun(QStringList{"merge"} + files).out, one.out);
         for (const char* fabric : {"F01", "F02"}) {

@@ -17,7 +17,7 @@ struct ConditionSpeed {
     stats::Value bitsPerSecond;
     stats::Value balancedIntegrationScore;  ///< mean over the participants' cells
     stats::Interval bitsPerSecondCi95;      ///< participants as a sample; see stats::informationRate
-    stats::Interval scoreCi95;              ///< Student's t over the participants' scores
+    stats::Interval scoreCi95;              ///< Student's t over participants; covers 95 % or more, since scores are relative
     stats::Interval medianSecondsCi95;      ///< over participants; see stats::medianTimeCi95
     stats::Value share;                     ///< correct choices / choices
     stats::Interval shareCi95;              ///< Student's t over the participants' shares, within 0 and 1

@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <cctype>
 #include <functional>
 
 #include "protocols/files/errors.h"
@@ -48,6 +49,17 @@ std::vector<std::string> codesOfStimuli(const fs::path& stimuli)
     return codes;
 }
 
+/// Whether the text holds the code as a word of its own: the digits of a code are no news within those of a long number.
+bool holdsWord(const std::string& text, const std::string& code)
+{
+    const auto isPart = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-'; };
+    for (auto at = text.find(code); at != std::string::npos; at = text.find(code, at + 1)) {
+        const std::size_t end = at + code.size();
+        if ((at == 0 || !isPart(text[at - 1])) && (end == text.size() || !isPart(text[end]))) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 std::vector<FileMark> marksOfCache(const fs::path& cache, const fs::path& stimuli)
@@ -85,7 +97,7 @@ std::vector<std::string> codesInCache(const fs::path& cache, const std::set<std:
         } catch (const protocols::Error&) {
             continue;  // removed meanwhile, or no file
         }
-        const bool names = std::ranges::any_of(codes, [&](const auto& code) { return text.find(code) != std::string::npos; });
+        const bool names = std::ranges::any_of(codes, [&](const auto& code) { return holdsWord(text, code); });
         if (names) lines.push_back("the cache of signals names a code of the study: " + file.path().filename().string());
     }
     std::ranges::sort(lines);

@@ -113,7 +113,8 @@ private Q_SLOTS:
     }
 
     /// Three conditions of 50, 70 and 85 % correct. The score's truth is its mean over all studies, because its scale is each
-    /// study's own; the rate's is that of the whole population.
+    /// study's own; the rate's is that of the whole population. The score's interval is wider than it need be: it holds the
+    /// differences between persons, which standardising within the study takes out of the mean.
     void bitsAndScoreAreCoveredAsPromised()
     {
         constexpr int participants = 10, conditions = 3;
@@ -164,7 +165,7 @@ private Q_SLOTS:
             }
             qInfo("bits per second: %.1f %%, balanced integration score: %.1f %%", 100 * rate.share(), 100 * score.share());
             QVERIFY2(rate.share() > 0.93 && rate.share() < 0.98, qPrintable(QString::number(rate.share())));
-            QVERIFY2(score.share() > 0.92 && score.share() < 0.99, qPrintable(QString::number(score.share())));
+            QVERIFY2(score.share() > 0.93, qPrintable(QString::number(score.share())));
         }
     }
 };

@@ -134,7 +134,7 @@ ForeignTable readForeignTable(const std::filesystem::path& file, const std::stri
 
 std::string safeCell(std::string_view text)
 {
-    const bool isSafe = text.empty() || numberIn(text) || (!isFormulaSign(text.front()) && text.front() != guard);
+    const bool isSafe = text.empty() || text == "-" || numberIn(text) || (!isFormulaSign(text.front()) && text.front() != guard);
     return isSafe ? std::string(text) : guard + std::string(text);
 }
 

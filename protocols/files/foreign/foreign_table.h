@@ -23,7 +23,7 @@ ForeignTable readForeignTable(const std::filesystem::path& file, const std::stri
 ForeignTable foreignTableFrom(std::string_view bytes, const std::string& where, const std::string& encoding = {});
 
 /// Text of a cell that no spreadsheet takes for a formula: text that begins with =, +, -, @, a tab or a line break gets an
-/// apostrophe in front, and so does text that begins with an apostrophe. Numbers stay as they are.
+/// apostrophe in front, and so does text that begins with an apostrophe. Numbers and a lone dash stay as they are.
 std::string safeCell(std::string_view text);
 
 /// The text that safeCell() was given.

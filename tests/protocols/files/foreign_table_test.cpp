@@ -121,6 +121,8 @@ private Q_SLOTS:
                                          << "-5.5";
         QTest::newRow("signed number") << "+5"
                                        << "+5";
+        QTest::newRow("the mark of no value") << "-"
+                                              << "-";
         QTest::newRow("words") << "soft - warm"
                                << "soft - warm";
     }

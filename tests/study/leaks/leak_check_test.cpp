@@ -277,6 +277,9 @@ private Q_SLOTS:
         fs::remove_all(cache);
         fs::create_directory(cache);
         fs::permissions(cache, fs::perms::all);
+        keep(0, 10, "a");
+        std::ofstream(cache / "a") << "{\"mean\":0.1" << study.store().trials(1).front().presentationCode.value << "7}";
+        QVERIFY(check().findings.empty());  // digits of a longer number
         keep(0, 10, study.key.entries.begin()->first.value);
         const auto report = check();
         QCOMPARE(report.findings.size(), std::size_t{1});
@@ -350,7 +353,7 @@ private Q_SLOTS:
         const auto run = support::runProgram({"leak-check", QString::fromStdString(folder.folder.string()), "--json",
                                               "--passphrase-file", QString::fromStdString(word.string())});
         const auto json = nlohmann::json::parse(run.out.toStdString());
-        QVERIFY2(run.exitCode == 0, json["verdicts"].dump().c_str());
+        QVERIFY2(run.exitCode == 0, (json["verdicts"].dump() + json["findings"].dump()).c_str());
         QCOMPARE(json["schema"].get<std::string>(), "vis2hap.leak-check/1");
         QVERIFY(json["learns_nothing"].get<bool>());
         QVERIFY(json["guessers"].size() > 100);

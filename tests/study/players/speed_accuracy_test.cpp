@@ -133,6 +133,7 @@ reports::StudyData playedStudy(const std::filesystem::path& place, const std::st
 {
     using namespace study::session;
     tests::support::StudyRecipe recipe;
+    recipe.fabrics = fabrics;
     recipe.protocol = protocol;
     const auto folder = tests::support::buildStudy(place, recipe);
     database::StudyStore store(folder, database::StudyStore::Access::Write);

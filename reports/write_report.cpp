@@ -8,6 +8,7 @@
 #include "reports/json/results_json.h"
 #include "reports/json/statistics_json.h"
 #include "reports/page/page.h"
+#include "reports/scripts/reproduction.h"
 #include "reports/tables/report_tables.h"
 
 namespace reports {
@@ -16,8 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // What a report consists of; nothing else in the folder is touched.
-const std::vector<std::string> entries{"index.html", "results.json", "statistics.json", "tables",
-                                       "figures",    "report.pdf",   "report.docx",     "report.tex"};
+const std::vector<std::string> entries{"index.html", "results.json", "statistics.json", "tables",          "figures",
+                                       "report.pdf", "report.docx",  "report.tex",      reproductionFolder};
 
 void write(const fs::path& file, const std::string& text) { protocols::writeWholeFile(file, text, protocols::Sync::Later); }
 
@@ -42,6 +43,11 @@ void writeAll(const StudyAnalysis& analysis, const ReportOrigin& origin, const W
     for (const Figure& figure : figures) write(draft.file("figures/" + figure.name + ".svg"), figure.svg);
     const ReportDocument document = reportDocument(analysis, tables, figures, origin.logHead);
     write(draft.file("index.html"), reportPage(document));
+    // Labels of a blinded study are not what an archive should hold.
+    if (!analysis.data.blinded) {
+        protocols::makeFolders(draft.path() / reproductionFolder, protocols::Sync::Later);
+        writeReproduction(analysis, draft.path() / reproductionFolder);
+    }
     if (documents) documents(document, draft.path());
 }
 

@@ -1,5 +1,5 @@
 // A patch prepared for the screen: its texture on a lattice, its low-frequency parts, and the values of every row of the screen.
-// screen_extension.h makes a map of it.
+// screen_extension.h makes a map of it, frame_images.h a friction image.
 #pragma once
 
 #include <opencv2/core/mat.hpp>

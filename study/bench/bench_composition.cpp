@@ -14,6 +14,7 @@
 #include "rendering/composition/friction_image.h"
 #include "rendering/fabrics/recordings/even_steps.h"
 #include "rendering/signals/spectrogram.h"
+#include "study/bench/bench_frames.h"
 #include "study/bench/bench_turns.h"
 #include "study/bench/median_time.h"
 
@@ -183,6 +184,7 @@ std::vector<BenchRow> benchComposition()
     benchResampling(rows);
     benchRoundTrip(rows);
     benchMean(rows);
+    for (BenchRow& row : benchFrames()) rows.push_back(std::move(row));
     cv::setNumThreads(threads);
     return rows;
 }

@@ -7,8 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 
+#include "protocols/allocation.h"
 #include "protocols/counterbalancing.h"
 #include "protocols/files/errors.h"
+#include "protocols/protocol_json.h"
 #include "rendering/signals/shape_from_shading.h"
 #include "rendering/signals/surface_integration.h"
 #include "stats/kernels/distributions.h"
@@ -18,6 +20,8 @@
 #include "stats/tests/repeated_measures.h"
 #include "stats/tests/t_tests.h"
 #include "study/bench/bench_turns.h"
+#include "study/bench/median_time.h"
+#include "study/simulation/simulation_analysis.h"
 
 namespace study::bench {
 
@@ -92,9 +96,38 @@ std::function<void()> participantTests(double participants)
     };
 }
 
+/// The sessions of the paper's study in memory, with means, intervals and participant-level tests.
+std::function<void()> simulatedParticipants(double participants)
+{
+    auto protocol = protocols::protocolFromJson(std::string(protocols::paperProtocolJson()), "bench");
+    std::vector<protocols::FabricId> fabrics;
+    players::Percepts percepts;
+    for (int fabric = 1; fabric <= protocol.fabricCount; ++fabric) {
+        fabrics.emplace_back("F" + std::to_string(fabric));
+        percepts.fabrics[fabrics.back()].texture.at(static_cast<std::size_t>(fabric) % 3) = 0.2 * fabric;
+    }
+    const auto allocation =
+        protocols::allocate(protocol, protocols::drawDesign(protocol, 1), fabrics, protocols::SecretKey::ofSeed(2));
+    for (const auto& [code, entry] : allocation.key.entries) percepts.stimuli[code] = percepts.fabrics.at(entry.fabric);
+    const auto study =
+        std::make_shared<simulation::MemoryStudy>(simulation::memoryStudyOf(protocol, allocation, fabrics, std::move(percepts)));
+    return [study, participants] {
+        simulation::SimulationRequest request;
+        request.count = static_cast<int>(participants);
+        request.threads = 1;
+        (void)simulation::analysisOf(*study, simulation::simulateInMemory(*study, request));
+    };
+}
+
 const std::vector<double>& squares()
 {
     static const std::vector<double> all{128 * 128, 256 * 256, 512 * 512, 1024 * 1024, 2048 * 2048, 4096 * 4096};
+    return all;
+}
+
+const std::vector<double>& participantCounts()
+{
+    static const std::vector<double> all{10, 30, 100, 300, 1000, 3000, 10000};
     return all;
 }
 
@@ -122,7 +155,8 @@ const std::vector<NamedCurve>& allCurves()
          false,
          {9, 14, 20, 28, 40},
          [](double n) { return runningOrders(7, static_cast<int>(n)); }},
-        {"participant-level tests", "participants", true, {10, 30, 100, 300, 1000, 3000, 10000}, participantTests}};
+        {"participant-level tests", "participants", true, participantCounts(), participantTests},
+        {"simulated study in memory", "participants", true, participantCounts(), simulatedParticipants}};
     return all;
 }
 
@@ -161,11 +195,22 @@ void fitExponent(CostCurve& curve)
 CostCurve measuredCurve(const std::string& work, const std::string& sizeIs, bool isLinear, const std::vector<double>& sizes,
                         const WorkOfSize& workOf, double wantedMs)
 {
-    std::vector<TimedSetting> settings;
-    for (const double size : sizes) settings.push_back({{work, number(size, "%.0f"), {}, {}, "", ""}, workOf(size), {}});
+    constexpr std::size_t mostRuns = 101;
     CostCurve curve{work, sizeIs, isLinear, {}, {}, {}};
-    const auto rows = benchInTurns(settings, {15, wantedMs, 3});
-    for (std::size_t i = 0; i < rows.size(); ++i) curve.points.push_back({sizes[i], *rows[i].milliseconds, rows[i].megabytes});
+    for (const double size : sizes) {
+        const auto timed = workOf(size);
+        std::vector<double> times;
+        const auto megabytes = megabytesOf([&] { times.push_back(millisecondsOf(timed)); });
+        double spent = times.front();
+        if (spent < wantedMs) {  // the first run of a short work warms the caches
+            times.clear();
+            spent = 0;
+        }
+        for (; times.size() < mostRuns && (times.empty() || spent < wantedMs); spent += times.back())
+            times.push_back(millisecondsOf(timed));
+        std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
+        curve.points.push_back({size, times[times.size() / 2], megabytes});
+    }
     fitExponent(curve);
     return curve;
 }

@@ -30,15 +30,15 @@ struct CostCurve {
 /// The work at one size; returns what is timed, so that its preparation is not.
 using WorkOfSize = std::function<std::function<void()>(double size)>;
 
-/// Runs the sizes in turns, about `wantedMs` long.
+/// Runs each size for about `wantedMs`, and at least once. The time of a size is the median of its runs.
 CostCurve measuredCurve(const std::string& work, const std::string& sizeIs, bool isLinear, const std::vector<double>& sizes,
-                        const WorkOfSize& workOf, double wantedMs = 3000);
+                        const WorkOfSize& workOf, double wantedMs = 300);
 
 /// Fits exponent and interval to the points.
 void fitExponent(CostCurve& curve);
 
 /// All curves: pixels from 128 x 128 to 4096 x 4096, fabrics from 7 to 100, conditions from 9 to 40, participants from 10 to
-/// 10,000. Takes a few minutes. `begins` gets the name of each curve before it is measured. A share has whole curves.
+/// 10,000; one thread. Takes a few minutes. `begins` gets the name of each curve before it is measured. A share has whole curves.
 std::vector<CostCurve> costCurves(const std::function<void(const std::string&)>& begins = {}, const stats::Share& share = {});
 
 nlohmann::ordered_json jsonOf(const CostCurve& curve);

@@ -75,6 +75,14 @@ std::optional<BenchRow> cheapestWithin(const std::vector<BenchRow>& rows, const 
     return best;
 }
 
+std::optional<BenchRow> bestFor(const std::vector<BenchRow>& rows, const std::string& stage, double mostMs)
+{
+    std::vector<BenchRow> affordable;
+    for (const BenchRow& row : rows)
+        if (row.milliseconds && *row.milliseconds <= mostMs) affordable.push_back(row);
+    return cheapestWithin(affordable, stage, rendering::models::accurateMost);
+}
+
 std::vector<StageChoice> presetChoices(const std::vector<BenchRow>& rows)
 {
     std::vector<StageChoice> choices;
@@ -83,11 +91,11 @@ std::vector<StageChoice> presetChoices(const std::vector<BenchRow>& rows)
         for (const BenchRow& row : rows)
             if (isCandidate(row, stage)) candidates.push_back(row);
         StageChoice choice{stage.stage, {}, {}};
-        const double limits[] = {rendering::models::fastMost, rendering::models::balancedMost, rendering::models::accurateMost};
-        for (std::size_t i = 0; i < choice.shipped.size(); ++i) {
-            choice.shipped[i] = stage.of(rendering::models::presets[i]);
-            choice.byRule[i] = cheapestWithin(candidates, stage.stage, limits[i]);
-        }
+        for (std::size_t i = 0; i < choice.shipped.size(); ++i) choice.shipped[i] = stage.of(rendering::models::presets[i]);
+        auto& [fast, balanced, accurate] = choice.byRule;
+        fast = cheapestWithin(candidates, stage.stage, rendering::models::fastMost);
+        if (fast) balanced = bestFor(candidates, stage.stage, rendering::models::balancedPrice * *fast->milliseconds);
+        accurate = cheapestWithin(candidates, stage.stage, rendering::models::accurateMost);
         choices.push_back(choice);
     }
     return choices;
@@ -95,10 +103,11 @@ std::vector<StageChoice> presetChoices(const std::vector<BenchRow>& rows)
 
 std::string choiceText(const std::vector<BenchRow>& rows)
 {
-    using rendering::models::accurateMost, rendering::models::balancedMost, rendering::models::fastMost;
-    std::string text = "Rule: the cheapest setting of a stage with at most so much of the least error: accurate " +
-                       protocols::shortest(accurateMost) + " times, balanced " + protocols::shortest(balancedMost) +
-                       " times, fast " + protocols::shortest(fastMost) + " times.\n";
+    using rendering::models::accurateMost, rendering::models::balancedPrice, rendering::models::fastMost;
+    std::string text = "Rule: accurate is the cheapest setting of a stage with at most " + protocols::shortest(accurateMost) +
+                       " times the least error,\nfast the cheapest with at most " + protocols::shortest(fastMost) +
+                       " times. balanced has the least error for at most " + protocols::shortest(balancedPrice) +
+                       " times the time of fast.\n";
     for (const StageChoice& choice : presetChoices(rows)) {
         text += "\n" + choice.stage + "\n";
         for (std::size_t i = choice.shipped.size(); i-- > 0;) {

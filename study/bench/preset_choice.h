@@ -22,6 +22,9 @@ struct StageChoice {
 /// The setting that the rule chooses for a limit of the error, `most` times the least one. None where nothing was measured.
 std::optional<BenchRow> cheapestWithin(const std::vector<BenchRow>& rows, const std::string& stage, double most);
 
+/// The setting with the least error, within `accurateMost`, among those of at most `mostMs`. None where there is none.
+std::optional<BenchRow> bestFor(const std::vector<BenchRow>& rows, const std::string& stage, double mostMs);
+
 /// Every stage that a preset fixes. Two stages stand for both kinds of networks: a preset is chosen as a whole there.
 std::vector<StageChoice> presetChoices(const std::vector<BenchRow>& rows);
 

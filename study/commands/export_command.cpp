@@ -16,6 +16,7 @@
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
+#include "protocols/files/foreign/foreign_table.h"
 #include "protocols/files/number_text.h"
 #include "protocols/files/safe_text.h"
 #include "protocols/files/whole_file.h"
@@ -123,13 +124,13 @@ ordered_json jsonRowOf(const std::vector<NamedValue>& row)
     return json;
 }
 
-/// The text of a CSV cell, not yet quoted.
+/// The text of a CSV cell, not yet quoted. Words of people may begin like a formula.
 std::string cell(const ExportedValue& value)
 {
     return std::visit(protocols::Overloaded{[](std::monostate) { return std::string(); },
                                             [](std::int64_t number) { return std::to_string(number); },
                                             [](double number) { return protocols::shortest(number); },
-                                            [](const std::string& text) { return text; },
+                                            [](const std::string& text) { return protocols::safeCell(text); },
                                             [](const std::vector<std::string>& texts) { return ordered_json(texts).dump(); }},
                       value);
 }
@@ -138,7 +139,7 @@ std::string cell(const ExportedValue& value)
 std::string cell(const ordered_json& value)
 {
     if (value.is_null()) return "";
-    if (value.is_string()) return value.get<std::string>();
+    if (value.is_string()) return protocols::safeCell(value.get<std::string>());
     return value.is_number_float() ? protocols::shortest(value.get<double>()) : value.dump();
 }
 

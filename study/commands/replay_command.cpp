@@ -1,8 +1,9 @@
-// vis2hap replay STUDY SCRIPT... [--gui]: scripted participants answer through the session engine, or through the widgets of
-// the window.
+// vis2hap replay STUDY SCRIPT... [--gui], or --paper STUDY: scripted participants answer through the session engine, or through
+// the widgets of the window.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <set>
 
@@ -50,6 +51,35 @@ std::vector<players::Script> readScripts(const std::vector<std::string>& files, 
                                        "one script for each participant", "leave one of them out"});
     }
     return scripts;
+}
+
+constexpr int paperParticipants = 10;
+
+/// The scripts that give the paper's totals (protocols/paper), beside the program or in its sources.
+std::vector<std::string> paperFiles()
+{
+    std::error_code none;
+    auto folder = std::filesystem::read_symlink("/proc/self/exe", none).parent_path() / "paper";
+    if (!std::filesystem::is_directory(folder, none)) folder = VIS2HAP_SOURCE_DIR "/protocols/paper";
+    std::vector<std::string> files;
+    for (int k = 1; k <= paperParticipants; ++k)
+        files.push_back((folder / ((k < 10 ? "S0" : "S") + std::to_string(k) + ".json")).string());
+    return files;
+}
+
+/// The scripts name fabrics F01 to F07. They become the fabrics of the study, in their order.
+void nameFabrics(std::vector<players::Script>& scripts, const std::vector<protocols::FabricId>& fabrics, const std::string& study)
+{
+    std::set<protocols::FabricId> named;
+    for (const auto& script : scripts)
+        for (const auto& answer : script.answers) named.insert(answer.place.fabric);
+    if (named.size() != fabrics.size())
+        throw protocols::badInput({"the study has " + std::to_string(fabrics.size()) + " fabrics", study,
+                                   std::to_string(named.size()) + ", as in the paper", "make a study of the paper's protocol"});
+    std::map<protocols::FabricId, protocols::FabricId> own;
+    for (const auto& fabric : named) own[fabric] = fabrics[own.size()];
+    for (auto& script : scripts)
+        for (auto& answer : script.answers) answer.place.fabric = own.at(answer.place.fabric);
 }
 
 database::Slot slotOf(const StudyStore& store, const protocols::ParticipantId& participant)
@@ -136,13 +166,26 @@ void playThroughWindow(const std::vector<players::Script>& scripts, const std::f
     }
 }
 
-int replay(const std::string& study, const std::vector<std::string>& files, bool gui, const std::string& operatorName,
-           const PassphraseOption& passphrase)
+struct ReplayCall {
+    std::string study;
+    std::vector<std::string> scripts;
+    bool paper = false;
+    bool gui = false;
+    std::string operatorName;
+    PassphraseOption passphrase;
+};
+
+int replay(const ReplayCall& call)
 {
+    const auto& [study, files, paper, gui, operatorName, passphrase] = call;
+    if (paper != files.empty())
+        throw protocols::badInput({paper ? "--paper has its own scripts" : "there is no script", study,
+                                   "either scripts, one for each participant, or --paper", "see `vis2hap replay --help`"});
     // Opened for writing, so that the key read is that of an upgraded study.
     auto store = std::make_unique<StudyStore>(database::StudyFolder{study}, StudyStore::Access::Write);
     const auto protocol = records::protocolOf(store->facts());
-    const auto scripts = readScripts(files, protocol);
+    auto scripts = readScripts(paper ? paperFiles() : files, protocol);
+    if (paper) nameFabrics(scripts, store->facts().fabrics, study);
     const auto key = readAllocationKeyForTestDriver(*store, ParticipantKind::Scripted, passphraseFrom(passphrase));
     const Playing playing{protocol, key, protocol.answersPerParticipant(), session::operatedBy(operatorName, versionText())};
     if (gui) {
@@ -158,17 +201,11 @@ int replay(const std::string& study, const std::vector<std::string>& files, bool
 
 void addReplay(CLI::App& app, Action& action)
 {
-    struct ReplayCall {
-        std::string study;
-        std::vector<std::string> scripts;
-        bool gui = false;
-        std::string operatorName;
-        PassphraseOption passphrase;
-    };
     auto* command = app.add_subcommand("replay", "let scripted participants answer; resumes where it stopped");
     auto call = std::make_shared<ReplayCall>();
     command->add_option("STUDY", call->study, "the study")->required();
-    command->add_option("SCRIPT", call->scripts, "scripts, one for each participant")->required();
+    command->add_option("SCRIPT", call->scripts, "scripts, one for each participant");
+    command->add_flag("--paper", call->paper, "play the ten scripts that give the paper's totals (protocols/paper)");
     command->add_flag("--gui", call->gui, "press the keys of the window, with or without a screen");
     command->add_option("--operator", call->operatorName, "who runs the sessions (default: the name of this account)")
         ->check(isName());
@@ -176,7 +213,7 @@ void addReplay(CLI::App& app, Action& action)
     command->callback([call, &action] {
         action.surroundings = call->gui ? Surroundings::Offscreen : Surroundings::Core;
         action.handlesStudy = true;
-        action.work = [call] { return replay(call->study, call->scripts, call->gui, call->operatorName, call->passphrase); };
+        action.work = [call] { return replay(*call); };
     });
 }
 

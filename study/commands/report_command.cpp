@@ -16,6 +16,7 @@
 #include "study/commands/parts/json_output.h"
 #include "study/commands/parts/pair_options.h"
 #include "study/commands/parts/progress.h"
+#include "study/commands/parts/script_check.h"
 #include "study/commands/passphrase_option.h"
 #include "study/commands/recorded_act.h"
 #include "study/records/blinded_report.h"
@@ -35,6 +36,7 @@ struct ReportCall {
     bool resimulate = false;
     bool everyPair = false;
     bool pageOnly = false;
+    std::string checkWith;
     PassphraseOption passphrase;
 };
 
@@ -118,6 +120,7 @@ int report(const ReportCall& call, StageTimes times)
     times.end();
     std::printf("%s\n%s/index.html\n", reports::overviewText(analysis).c_str(), call.out.c_str());
     if (!call.study.empty()) recordAct(records::openStudy(call.study), "report", call.out);
+    if (!call.checkWith.empty()) checkReport(call.out, call.checkWith);
     return 0;
 }
 
@@ -146,6 +149,10 @@ void addReport(CLI::App& app, Action& action)
                       "count false claims in 2000 simulated studies like this one (takes longer)");
     command->add_flag("--quick", call->quick, "leave out what only stands beside the claims; the report says so");
     command->add_flag("--page-only", call->pageOnly, "leave out report.pdf, report.tex, report.docx and figures/*.pdf");
+    command
+        ->add_option("--check-with", call->checkWith,
+                     "R or python: let the script in OUT/reproduce compute the main tables again, where it is installed")
+        ->check(CLI::IsMember({"R", "python"}));
     addPassphraseOption(*command, call->passphrase);
     command->callback([call, command, &action] {
         // Documents need fonts; the page does not.

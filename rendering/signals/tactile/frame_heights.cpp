@@ -12,7 +12,7 @@ namespace rendering::signals {
 
 namespace {
 
-constexpr int sampleStep = 4;
+constexpr int levels = 4096;
 
 cv::Mat factorsFor(const SlopeDifferences<float>& differences, cv::Size size, const Calibration& calibration)
 {
@@ -22,6 +22,27 @@ cv::Mat factorsFor(const SlopeDifferences<float>& differences, cv::Size size, co
     cv::Mat shares;
     highPassShares(size, pitch, *calibration.highPassCutoffMm).convertTo(shares, CV_32F);
     return factors.mul(shares);
+}
+
+/// The height that `percent` of the pixels do not exceed, from a histogram. A sample of every few pixels would see a few phases
+/// of a weave only.
+double lowPercentile(const cv::Mat& height, double percent, std::vector<int>& counts)
+{
+    double least = 0, most = 0;
+    cv::minMaxLoc(height, &least, &most);
+    if (!(most > least)) return least;
+    counts.assign(levels, 0);
+    const auto low = static_cast<float>(least), scale = static_cast<float>((levels - 1) / (most - least));
+    for (int i = 0; i < height.rows; ++i) {
+        const float* row = height.ptr<float>(i);
+        for (int j = 0; j < height.cols; ++j) ++counts[static_cast<std::size_t>((row[j] - low) * scale)];
+    }
+    const double wanted = percent / 100 * static_cast<double>(height.total() - 1);
+    double below = 0;
+    int level = 0;
+    while (level + 1 < levels && below + counts[static_cast<std::size_t>(level)] <= wanted)
+        below += counts[static_cast<std::size_t>(level++)];
+    return least + (level + 0.5) * (most - least) / (levels - 1);
 }
 
 }  // namespace
@@ -44,12 +65,7 @@ const cv::Mat& FrameHeights::heightOf(const cv::Mat& frame)
     cv::Mat spectrum = cosineTransform(m_differences.sources(slopesFromFrame(frame, m_reference, m_calibration)));
     cv::multiply(spectrum, m_factors, spectrum);
     m_height = inverseCosineTransform(spectrum);
-    m_sample.clear();
-    for (int i = 0; i < m_height.rows; i += sampleStep)
-        for (int j = 0; j < m_height.cols; j += sampleStep) m_sample.push_back(m_height.at<float>(i, j));
-    const auto place = static_cast<std::ptrdiff_t>(m_calibration.zeroPercentile / 100 * static_cast<double>(m_sample.size() - 1));
-    std::nth_element(m_sample.begin(), m_sample.begin() + place, m_sample.end());
-    cv::subtract(m_height, m_sample[static_cast<std::size_t>(place)], m_height);
+    cv::subtract(m_height, lowPercentile(m_height, m_calibration.zeroPercentile, m_counts), m_height);
     cv::max(m_height, 0, m_height);
     return m_height;
 }

@@ -16,7 +16,7 @@ public:
     FrameHeights(const Calibration& calibration, const cv::Mat& reference);
 
     /// Height above the low percentile of the calibration, mm, >= 0, CV_32FC1 of the size of the frame; valid until the next
-    /// call. The percentile is that of every fourth pixel of every fourth row. Throws badInput as slopesFromFrame() does.
+    /// call. The percentile is exact within 1/4096 of the range of heights. Throws badInput as slopesFromFrame() does.
     const cv::Mat& heightOf(const cv::Mat& frame);
 
     cv::Size size() const { return m_reference.size(); }
@@ -27,7 +27,7 @@ private:
     SlopeDifferences<float> m_differences;
     cv::Mat m_factors;  ///< from the transform of the sources to that of the filtered height
     cv::Mat m_height;
-    std::vector<float> m_sample;
+    std::vector<int> m_counts;
 };
 
 }  // namespace rendering::signals

@@ -25,6 +25,11 @@ private Q_SLOTS:
                                     << "linear" << 0.5;
         QTest::newRow("round trip") << "spectrogram round trip"
                                     << "complex" << 1e-12;
+        for (const char* stage : {"frame 240x320 to image 800x1280", "frame 480x640 to image 800x1280"}) {
+            QTest::addRow("%s, mirror", stage) << stage << "fast, mirror" << 1.0;
+            QTest::addRow("%s, tile", stage) << stage << "fast, tile" << 1.5;
+            QTest::addRow("%s, accurate", stage) << stage << "accurate, mirror" << 0.0;
+        }
         QTest::newRow("mean") << "mean through a magnitude alone"
                               << "fast" << 0.1;
     }

@@ -100,6 +100,9 @@ private Q_SLOTS:
         QCOMPARE(study::bench::cheapestWithin(rows, "a", 4.4)->quality, std::string("slow"));
         QCOMPARE(study::bench::cheapestWithin(rows, "a", 4.5)->quality, std::string("quick"));
         QVERIFY(!study::bench::cheapestWithin(rows, "c", 2));
+        QCOMPARE(study::bench::bestFor(rows, "a", 4.9)->quality, std::string("quick"));
+        QCOMPARE(study::bench::bestFor(rows, "a", 5)->quality, std::string("slow"));
+        QVERIFY(!study::bench::bestFor(rows, "a", 0.9));
     }
 
     void shippedPresetsStandBesideWhatTheRuleChooses()

@@ -59,6 +59,7 @@ private Q_SLOTS:
     void renderPutsEveryImageAtTheDisplaysSize();
     void theKeyIsPrivateAndStimuliLookAlike();
     void thePapersTotalsComeOutOfTheReport();
+    void thePapersScriptsShip();
     void aFinishedParticipantIsReplayedAgainWithoutHarm();
     void theWindowStoresTheSameRows();
     void aKilledReplayGoesOnWhereItWas();
@@ -179,6 +180,17 @@ void MainJobTest::thePapersTotalsComeOutOfTheReport()
     QCOMPARE(QString::number(results["questions"]["Q1"]["h&f"]["matches_per_rendering"].get<double>(), 'f', 1), QString("7.1"));
     QVERIFY(QFile::exists(path("report/index.html")));
     QVERIFY(QDir(path("report/figures")).entryList({"*.svg"}).size() >= 2);
+}
+
+/// The shipped scripts give the rows of those from which the paper's totals come out.
+void MainJobTest::thePapersScriptsShip()
+{
+    const QString study = newStudy("paper-study");
+    const auto ended = mustRun({"replay", "--paper", study});
+    QCOMPARE(ended.out.count("252 answers stored, finished"), 10);
+    QCOMPARE(exportedRows(study), exportedRows(m_study));
+    QVERIFY(runProgram({"replay", "--paper", study, path("paper0.json")}).err.contains("--paper has its own scripts"));
+    QVERIFY(runProgram({"replay", study}).err.contains("there is no script"));
 }
 
 void MainJobTest::aFinishedParticipantIsReplayedAgainWithoutHarm()

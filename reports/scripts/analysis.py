@@ -1,0 +1,153 @@
+"""Computes the main tables of the report again, with scipy, and compares them with expected.csv.
+
+    python3 analysis.py          in this folder
+
+Reads answers.csv (one row an answer) and expected.csv (one row a number of the report); codebook.csv explains both.
+Left out: mixed and ordinal models, bootstrap intervals, Bayes factors, order effects, signals, times.
+"""
+import csv
+import math
+import sys
+import warnings
+from collections import defaultdict
+
+try:
+    from scipy import stats
+except ImportError:
+    sys.exit("analysis.py needs scipy: apt-get install python3-scipy")
+
+warnings.filterwarnings("ignore")
+
+
+def rows_of(name):
+    with open(name, encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+values = defaultdict(list)  # [question, condition]: every answer
+cells = defaultdict(list)  # [question, condition, participant]
+for row in rows_of("answers.csv"):
+    text = row["correct"] or row["rating"]
+    if text:
+        values[row["question"], row["condition"]].append(float(text))
+        cells[row["question"], row["condition"], row["participant"]].append(float(text))
+participants = sorted({participant for _, _, participant in cells})
+
+
+def mean(numbers):
+    return math.fsum(numbers) / len(numbers) if numbers else math.nan
+
+
+def sd(numbers):
+    centre = mean(numbers)
+    return math.sqrt(math.fsum((x - centre) ** 2 for x in numbers) / (len(numbers) - 1)) if len(numbers) > 1 else math.nan
+
+
+def means_of(question, condition):
+    """Mean of each participant who answered."""
+    own = ((p, cells.get((question, condition, p))) for p in participants)
+    return {p: mean(numbers) for p, numbers in own if numbers}
+
+
+def are_equal(numbers):
+    """No t test can use such numbers."""
+    return len(numbers) < 2 or all(x == numbers[0] for x in numbers)
+
+
+def t_test(numbers, mu=0.0, alternative="two-sided"):
+    return math.nan if are_equal(numbers) else stats.ttest_1samp(numbers, mu, alternative=alternative).pvalue
+
+
+def interval(numbers, confidence):
+    if are_equal(numbers):
+        return math.nan, math.nan
+    half = stats.t.ppf((1 + confidence) / 2, len(numbers) - 1) * sd(numbers) / math.sqrt(len(numbers))
+    return mean(numbers) - half, mean(numbers) + half
+
+
+def matches(question, condition, chance):
+    own = values[question, condition]
+    p = stats.binomtest(int(sum(own)), len(own), chance, alternative="greater").pvalue if own else math.nan
+    shares = list(means_of(question, condition).values())
+    return {"correct": sum(own), "trials": len(own), "proportion": mean(own), "p_chance": p,
+            "p_chance_participants": t_test(shares, chance)}
+
+
+def ratings(question, condition):
+    own = values[question, condition]
+    means = list(means_of(question, condition).values())
+    is_point = len(means) > 1 and are_equal(means)  # the interval of equal numbers is a point
+    low, high = (means[0], means[0]) if is_point else interval(means, 0.95)
+    return {"n": len(own), "mean": mean(own), "sd": sd(own), "ci95_low": low, "ci95_high": high}
+
+
+def differences(question, a, b):
+    first, second = means_of(question, a), means_of(question, b)
+    return [first[p] - second[p] for p in participants if p in first and p in second]
+
+
+def comparison(question, a, b):
+    d = differences(question, a, b)
+    result = {"n": len(d), "mean_difference": mean(d)}
+    if are_equal(d):
+        return result
+    low, high = interval(d, 0.95)
+    result.update(statistic=mean(d) / (sd(d) / math.sqrt(len(d))), df=len(d) - 1, p=t_test(d), ci95_low=low, ci95_high=high,
+                  d_z=mean(d) / sd(d))
+    return result
+
+
+def equivalence(question, a, b, low, high):
+    """Two one-sided t tests; the interval of 90 % holds what they do not reject."""
+    d = differences(question, a, b)
+    left, right = interval(d, 0.9)
+    return {"n": len(d), "mean_difference": mean(d), "p_lower": t_test(d, low, "greater"), "p_upper": t_test(d, high, "less"),
+            "ci90_low": left, "ci90_high": right}
+
+
+def holm(found):
+    """Adds Holm's correction over all comparisons of a question."""
+    questions = {key[1] for key in found}
+    for question in questions:
+        own = sorted((numbers for key, numbers in found.items() if key[:2] == ("comparison", question) and "p" in numbers),
+                     key=lambda numbers: numbers["p"])
+        largest = 0.0
+        for rank, numbers in enumerate(own):
+            largest = max(largest, min(1.0, (len(own) - rank) * numbers["p"]))
+            numbers["p_holm"] = largest
+
+
+def key_of(row):
+    return row["section"], row["question"], row["a"], row["b"]
+
+
+expected = rows_of("expected.csv")
+compute = {"matches": lambda r: matches(r["question"], r["a"], float(r["low"])),
+           "ratings": lambda r: ratings(r["question"], r["a"]),
+           "comparison": lambda r: comparison(r["question"], r["a"], r["b"]),
+           "equivalence": lambda r: equivalence(r["question"], r["a"], r["b"], float(r["low"]), float(r["high"]))}
+found = {}
+for row in expected:
+    if key_of(row) not in found:
+        found[key_of(row)] = compute[row["section"]](row)
+holm(found)
+
+
+def is_same(row):
+    value = found[key_of(row)].get(row["quantity"], math.nan)
+    if not row["value"]:
+        return not math.isfinite(value)
+    reported = float(row["value"])
+    return math.isfinite(value) and abs(value - reported) <= 1e-9 + 1e-7 * abs(reported)
+
+
+same = [is_same(row) for row in expected]
+for section in dict.fromkeys(row["section"] for row in expected):
+    own = [ok for row, ok in zip(expected, same) if row["section"] == section]
+    print(f"{section}: {sum(own)} of {len(own)}")
+for row in [row for row, ok in zip(expected, same) if not ok][:20]:
+    value = found[key_of(row)].get(row["quantity"], math.nan)
+    print("differs:", *key_of(row), row["quantity"] + ": report", row["value"] or "none", "here", repr(value))
+print("left out: mixed and ordinal models, bootstrap intervals, Bayes factors, order effects, signals, times")
+print(f"reproduced: {sum(same)} of {len(same)}")
+sys.exit(0 if all(same) else 1)

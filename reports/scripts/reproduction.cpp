@@ -7,6 +7,7 @@
 #include "protocols/files/foreign/foreign_table.h"
 #include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
+#include "reports/cells/response_time.h"
 #include "reports/scripts/script_texts.h"
 
 namespace reports {
@@ -133,7 +134,7 @@ std::string codebookCsv(const StudyData& data)
         {"answers.csv", "trial", "whole number", "", "from 1", "place in the running order; empty where unknown"},
         {"answers.csv", "correct", "whole number", "", "0; 1", "of a choice: 1 is right"},
         {"answers.csv", "rating", "number", "points of the scale", safeCell(scaleOf(data)), "of a rating"},
-        {"answers.csv", "seconds", "number", "s", "", "time of the answer as recorded; empty where there is none"},
+        {"answers.csv", "seconds", "number", "s", "", "time that the report uses; empty where there is none"},
         {"expected.csv", "section", "text", "", "matches; ratings; comparison; equivalence", "kind of test"},
         {"expected.csv", "question", "text", "", "", "id of the question"},
         {"expected.csv", "a", "text", "", "", "condition, or the first of a pair"},
@@ -177,7 +178,7 @@ std::string analysedAnswersCsv(const StudyData& data)
                                    safeCell(response.condition), safeCell(response.instruction), safeCell(response.repetition),
                                    textIfThere(response.trial, [](int trial) { return std::to_string(trial); }),
                                    chosen ? std::string(chosen->correct ? "1" : "0") : "", rated ? number(rated->rating) : "",
-                                   textIfThere(response.seconds, number)});
+                                   textIfThere(responseTimeOf(response), number)});
     }
     return text;
 }

@@ -8,10 +8,10 @@
 #include "protocols/files/whole_file.h"
 #include "rendering/cache/result_cache.h"
 #include "study/commands/command_line.h"
-#include "study/commands/export_command.h"
 #include "study/commands/parts/json_output.h"
 #include "study/commands/passphrase_option.h"
 #include "study/commands/recorded_act.h"
+#include "study/exports/write_export.h"
 #include "study/leaks/leak_text.h"
 #include "study/records/blinded_report.h"
 #include "study/records/evidence/data_sheet.h"
@@ -31,7 +31,7 @@ std::vector<leaks::Exporter> exportersOf(const database::StudyStore& store)
     std::vector<leaks::Exporter> exporters;
     for (const char* format : {"csv", "json", "script"})
         exporters.push_back({std::string("export --format ") + format, [&store, format, nobody](const auto& folder) {
-                                 writeExport(store, folder / "out", {format, false, false}, nobody);
+                                 exports::writeExport(store, folder / "out", {format, false, false}, nobody);
                              }});
     exporters.push_back({"export --with-log", [&store](const auto& folder) { records::writeExportedLog(store, folder); }});
     exporters.push_back(

@@ -6,10 +6,10 @@
 #include "protocols/files/whole_file.h"
 #include "reports/documents/report_documents.h"
 #include "reports/write_report.h"
-#include "study/commands/export_command.h"
 #include "study/commands/parts/study_backup.h"
 #include "study/commands/passphrase_option.h"
 #include "study/commands/recorded_act.h"
+#include "study/exports/write_export.h"
 #include "study/making/study_sheets.h"
 #include "study/records/blinded_report.h"
 #include "study/records/evidence/data_sheet.h"
@@ -79,7 +79,7 @@ app::ToolOutcome backup(const ToolCall& call)
 
 app::ToolOutcome exported(const ToolCall& call)
 {
-    writeExport(call.store, call.out, {"csv", false, false}, {});
+    exports::writeExport(call.store, call.out, {"csv", false, false}, {});
     return recorded(call, "export",
                     call.store.unblinding() ? "Answers of the unblinded study.\n" : "Blinded: no condition, no fabric.\n");
 }

@@ -64,7 +64,8 @@ private Q_SLOTS:
               "tables/comparisons_planned.csv", "tables/equivalence_q2.tex", "figures/matches_Q1.svg", "figures/ratings.svg"})
             QVERIFY2(fs::file_size(report / name) > 0, name);
         QCOMPARE(Json::parse(textOf(report / "results.json")), resultsOf(richStudy()));
-        QCOMPARE(entriesOf(report), (QStringList{"figures", "index.html", "results.json", "statistics.json", "tables"}));
+        QCOMPARE(entriesOf(report),
+                 (QStringList{"figures", "index.html", "reproduce", "results.json", "statistics.json", "tables"}));
     }
 
     void figuresAreWellFormedAndWithoutOverlap()
@@ -157,7 +158,7 @@ private Q_SLOTS:
         QVERIFY(!fs::exists(report / "tables" / "comparisons_planned.csv"));
         QCOMPARE(textOf(report / "notes.txt"), std::string("mine"));
         QCOMPARE(entriesOf(report),
-                 (QStringList{"figures", "index.html", "notes.txt", "results.json", "statistics.json", "tables"}));
+                 (QStringList{"figures", "index.html", "notes.txt", "reproduce", "results.json", "statistics.json", "tables"}));
     }
 
     void workOfSomebodyElseIsNotReplaced()

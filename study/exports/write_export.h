@@ -1,21 +1,26 @@
-// The work of `vis2hap export`, for commands that look at what an export holds.
+// The files of an export: answers after the unblinding, before it progress and aggregates.
 #pragma once
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "database/keys.h"
 
-namespace study::commands {
+namespace study::exports {
 
 struct ExportForm {
     std::string format;        ///< "csv", "json" or "script"
     bool withLog = false;      ///< the log, too: log.csv, acts.csv and log.txt
     bool withSamples = false;  ///< samples of the finger, too: finger_samples.csv; unblinded studies only
+    /// Leaves out days, notes and words, and adds LICENSE.txt and CITATION.cff; "csv" of unblinded studies only.
+    bool isPublic = false;
+    std::string licence = {};  ///< SPDX identifier
+    std::vector<std::string> authors = {};
 };
 
 /// `out`: a folder that need not exist.
 void writeExport(const database::StudyStore& store, const std::filesystem::path& out, const ExportForm& form,
                  const database::Passphrase& passphrase);
 
-}  // namespace study::commands
+}  // namespace study::exports

@@ -1,0 +1,362 @@
+#include "study/exports/write_export.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <variant>
+
+#include "database/evidence/acts.h"
+#include "database/preregistrations.h"
+#include "protocols/files/csv_table.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/folder_draft.h"
+#include "protocols/files/foreign/foreign_table.h"
+#include "protocols/files/number_text.h"
+#include "protocols/files/whole_file.h"
+#include "protocols/question_ids.h"
+#include "reports/formats/table_formats.h"
+#include "study/exports/codebook.h"
+#include "study/exports/public_files.h"
+#include "study/players/session_script.h"
+#include "study/records/blinded_report.h"
+#include "study/records/evidence/exported_log.h"
+#include "study/records/evidence/exported_samples.h"
+#include "study/records/stored_study.h"
+
+namespace study::exports {
+
+namespace {
+
+namespace fs = std::filesystem;
+using database::CurrentAnswer;
+using nlohmann::ordered_json;
+
+struct Export {
+    const database::StudyStore& store;
+    database::StudyFacts facts;
+    protocols::Protocol protocol;
+    const records::Naming* naming;  ///< null while the study is blinded
+    fs::path out;                   ///< a draft, which is synced as a whole
+    bool isPublic = false;
+};
+
+constexpr std::size_t bytesAtOnce = std::size_t{1} << 20;
+
+/// A value of an answer; none where it does not exist.
+using ExportedValue = std::variant<std::monostate, std::int64_t, double, std::string, std::vector<std::string>>;
+
+template <class T>
+ExportedValue valueIfThere(const std::optional<T>& value)
+{
+    return value ? ExportedValue(*value) : ExportedValue();
+}
+
+struct NamedValue {
+    const char* name;
+    ExportedValue value;
+};
+
+void addInstruction(std::vector<NamedValue>& row, const records::Naming::Entry& entry, const CurrentAnswer& answer)
+{
+    row.push_back({"instruction", entry.instruction.empty() ? ExportedValue() : ExportedValue(entry.instruction.value)});
+    row.push_back({"deadline_seconds", entry.deadlineMs ? ExportedValue(*entry.deadlineMs / 1000.0) : ExportedValue()});
+    const auto late = isLate(entry, answer);
+    row.push_back({"late", late ? ExportedValue(std::int64_t{*late}) : ExportedValue()});
+}
+
+/// One answer of an unblinded study, in the order of export.json.
+std::vector<NamedValue> rowOf(const Export& job, const CurrentAnswer& answer)
+{
+    const auto& record = answer.record;
+    const auto& entry = job.naming->of(answer.participant, record.trial);
+    std::vector<std::string> alternatives;
+    for (const auto& fabric : record.alternatives) alternatives.push_back(fabric.value);
+    const auto* question = questionWith(job.protocol, record.question);
+    const auto right =
+        record.answer && question ? isRight(question->kind, record.alternatives, entry.fabric, *record.answer) : std::nullopt;
+    const auto ifTouched = [&](const std::string& by) { return record.touchedAtNs ? ExportedValue(by) : ExportedValue(); };
+    const auto ifBegun = [&](const std::string& by) { return record.answerBegunAtNs ? ExportedValue(by) : ExportedValue(); };
+    std::vector<NamedValue> row{{"participant", answer.participant.value},
+                                {"trial", std::int64_t{record.trial.value}},
+                                {"question", record.question.value},
+                                {"fabric", entry.fabric.value},
+                                {"condition", entry.condition},
+                                {"alternatives", std::move(alternatives)},
+                                {"answer", valueIfThere(record.answer)},
+                                {"correct", right ? ExportedValue(std::int64_t{*right}) : ExportedValue()},
+                                {"rating", record.rating ? ExportedValue(record.rating->inScaleUnits()) : ExportedValue()},
+                                {"seconds", answer.seconds},
+                                {"response_seconds", valueIfThere(answer.responseSeconds)},
+                                {"ready_at", record.readyAtNs},
+                                {"touched_at", valueIfThere(record.touchedAtNs)},
+                                {"touched_by", ifTouched(record.touchedBy)},
+                                {"touch_ended_at", valueIfThere(record.touchEndedAtNs)},
+                                {"answer_begun_at", valueIfThere(record.answerBegunAtNs)},
+                                {"answer_begun_by", ifBegun(record.answerBegunBy)},
+                                {"answered_at", record.answeredAtNs},
+                                {"stored_at", answer.storedAtNs},
+                                {"corrections", std::int64_t{answer.corrections}},
+                                {"voided", std::int64_t{answer.voided}},
+                                {"wall_time", answer.wallTime},
+                                {"note", record.note},
+                                {"entries", record.entries ? ExportedValue(std::int64_t{*record.entries}) : ExportedValue()}};
+    if (hasInstructions(job.protocol)) addInstruction(row, entry, answer);
+    return row;
+}
+
+ordered_json jsonRowOf(const std::vector<NamedValue>& row)
+{
+    ordered_json json = ordered_json::object();
+    for (const auto& [name, value] : row)
+        std::visit(protocols::Overloaded{[&, key = name](std::monostate) { json[key] = nullptr; },
+                                         [&, key = name](const auto& known) { json[key] = known; }},
+                   value);
+    return json;
+}
+
+/// The text of a CSV cell, not yet quoted. Words of people may begin like a formula.
+std::string cell(const ExportedValue& value)
+{
+    return std::visit(protocols::Overloaded{[](std::monostate) { return std::string(); },
+                                            [](std::int64_t number) { return std::to_string(number); },
+                                            [](double number) { return protocols::shortest(number); },
+                                            [](const std::string& text) { return protocols::safeCell(text); },
+                                            [](const std::vector<std::string>& texts) { return ordered_json(texts).dump(); }},
+                      value);
+}
+
+/// The text of a CSV cell, not yet quoted.
+std::string cell(const ordered_json& value)
+{
+    if (value.is_null()) return "";
+    if (value.is_string()) return protocols::safeCell(value.get<std::string>());
+    return value.is_number_float() ? protocols::shortest(value.get<double>()) : value.dump();
+}
+
+ordered_json participantRows(const Export& job)
+{
+    ordered_json rows = ordered_json::array();
+    for (const auto& enrolment : job.store.enrolments())
+        rows.push_back({{"slot", enrolment.slot},
+                        {"participant", enrolment.participant.value},
+                        {"kind", nameOf(enrolment.kind)},
+                        {"state", nameOf(enrolment.state)},
+                        {"protocol_version", enrolment.protocolVersion}});
+    return rows;
+}
+
+/// The registered plans themselves are files of the study folder.
+ordered_json registrationRows(const Export& job)
+{
+    ordered_json rows = ordered_json::array();
+    for (const auto& record : preregistrationsOf(job.store))
+        rows.push_back({{"number", record.number},
+                        {"time", record.wallTime},
+                        {"sha256", record.jsonSha256()},
+                        {"text_sha256", record.textSha256()},
+                        {"answers_before", record.answersBefore},
+                        {"after_unblinding", record.afterUnblinding}});
+    return rows;
+}
+
+/// Exports, backups and reports before this one.
+ordered_json actRows(const Export& job)
+{
+    ordered_json rows = ordered_json::array();
+    for (const auto& act : actsOf(job.store))
+        rows.push_back({{"act", act.kind},
+                        {"time", act.wallTime},
+                        {"who", act.who},
+                        {"program", act.program},
+                        {"host", act.host},
+                        {"path", act.path},
+                        {"log_head", textOf(act.head)}});
+    return rows;
+}
+
+std::string csvOf(const ordered_json& rows, const std::vector<std::string>& columns)
+{
+    std::string text = protocols::csvRow(columns);
+    for (const auto& row : rows) {
+        std::vector<std::string> cells;
+        for (const auto& column : columns) cells.push_back(cell(row[column]));
+        text += protocols::csvRow(cells);
+    }
+    return text;
+}
+
+void write(const Export& job, const char* name, const std::string& text)
+{
+    protocols::writeWholeFile(job.out / name, text, protocols::Sync::Later);
+}
+
+std::vector<std::string> columnsOf(const Export& job)
+{
+    std::vector<std::string> columns(protocols::answerColumns().begin(), protocols::answerColumns().end());
+    if (hasInstructions(job.protocol)) columns.insert(columns.end(), {"instruction", "deadline_seconds", "late"});
+    if (job.isPublic) std::erase_if(columns, isPrivateColumn);
+    return columns;
+}
+
+/// Words of a participant, which a public export leaves out.
+bool isWorded(const Export& job, const CurrentAnswer& answer)
+{
+    const auto* question = questionWith(job.protocol, answer.record.question);
+    return question == nullptr || std::holds_alternative<protocols::FreeText>(question->kind);
+}
+
+/// The answers one by one: a large study is never held as a whole.
+void writeAnswersCsv(const Export& job, const protocols::TakeBytes& take)
+{
+    const std::vector<std::string> columns = columnsOf(job);
+    take(protocols::csvRow(columns));
+    std::vector<std::string> cells(columns.size());
+    std::string rows;
+    job.store.eachAnswer([&](const CurrentAnswer& answer) {
+        if (job.isPublic && isWorded(job, answer)) return;
+        for (const auto& [name, value] : rowOf(job, answer))
+            if (const auto column = std::ranges::find(columns, name); column != columns.end())
+                cells[static_cast<std::size_t>(column - columns.begin())] = cell(value);
+        rows += protocols::csvRow(cells);
+        if (rows.size() < bytesAtOnce) return;
+        take(rows);
+        rows.clear();
+    });
+    take(rows);
+}
+
+void writeCsv(const Export& job)
+{
+    protocols::writeInPieces(
+        job.out / "answers.csv", [&](const protocols::TakeBytes& take) { writeAnswersCsv(job, take); }, protocols::Sync::Later);
+    write(job, "participants.csv", csvOf(participantRows(job), {"slot", "participant", "kind", "state", "protocol_version"}));
+    write(job, "codebook.csv", codebookCsv(job.protocol, job.facts.fabrics, columnsOf(job)));
+}
+
+/// Studies of earlier versions may not know it.
+ordered_json madeWithOf(const Export& job)
+{
+    ordered_json made = ordered_json::parse(job.facts.madeWith, nullptr, false);
+    return made.is_object() ? made : ordered_json::object();
+}
+
+ordered_json headOf(const Export& job)
+{
+    return {{"schema", "vis2hap.export/1"},
+            {"study", job.facts.name},
+            {"protocol_sha256", job.facts.protocolSha256},
+            {"blinded", job.naming == nullptr},
+            {"stamps", records::stampsOf(job.store, job.facts)},
+            {"participants", participantRows(job)},
+            {"preregistrations", registrationRows(job)},
+            {"acts", actRows(job)},
+            {"made_with", madeWithOf(job)},
+            {"log_head", textOf(job.store.head())}};
+}
+
+/// The text of a whole object with a row for each answer, without holding the rows.
+void writeAnswersJson(const Export& job, const protocols::TakeBytes& take)
+{
+    std::string text = headOf(job).dump(1);
+    text.resize(text.size() - 2);  // the line end and the brace
+    text += ",\n \"answers\": [";
+    bool isFirst = true;
+    job.store.eachAnswer([&](const CurrentAnswer& answer) {
+        text += std::exchange(isFirst, false) ? "\n" : ",\n";
+        for (const char c : "  " + jsonRowOf(rowOf(job, answer)).dump(1)) {
+            text += c;
+            if (c == '\n') text += "  ";
+        }
+        if (text.size() < bytesAtOnce) return;
+        take(text);
+        text.clear();
+    });
+    take(text + (isFirst ? "]\n}\n" : "\n ]\n}\n"));
+}
+
+void writeJsonExport(const Export& job)
+{
+    protocols::writeInPieces(
+        job.out / "export.json", [&](const protocols::TakeBytes& take) { writeAnswersJson(job, take); }, protocols::Sync::Later);
+}
+
+/// Progress, balance and flags; with the key also aggregates under K-labels.
+void writeBlinded(const Export& job, const std::string& format, const std::optional<reports::StudyData>& data)
+{
+    const auto report = records::blindedReport(job.store);
+    const auto aggregates = data ? records::aggregatesOf(*data) : ordered_json();
+    if (format == "csv") {
+        for (const auto& table : report.tables) write(job, (table.name + ".csv").c_str(), toCsv(table));
+        if (data) write(job, "conditions.csv", csvOf(aggregates, {"question", "condition", "n", "correct", "mean"}));
+        return;
+    }
+    ordered_json json = headOf(job);
+    json["progress"] = ordered_json::parse(report.results)["progress"];
+    json["conditions"] = aggregates;
+    if (!data) json["why"] = {{"conditions", "the study is blinded, and nobody gave its passphrase"}};
+    write(job, "export.json", json.dump(1) + "\n");
+}
+
+/// "2026-11-25", UTC
+std::string today()
+{
+    const std::chrono::year_month_day day(std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now()));
+    char text[40];
+    std::snprintf(text, sizeof text, "%04d-%02u-%02u", static_cast<int>(day.year()), static_cast<unsigned>(day.month()),
+                  static_cast<unsigned>(day.day()));
+    return text;
+}
+
+void writePublicFiles(const Export& job, const ExportForm& form)
+{
+    write(job, "LICENSE.txt", licenceText(job.facts.name, form.licence));
+    write(job, "CITATION.cff", citationText(job.facts.name, form.licence, form.authors, today()));
+}
+
+/// Throws badInput where nothing can be published.
+void requirePublishable(const database::StudyStore& store, const ExportForm& form)
+{
+    const auto refuse = [&](const std::string& what, const std::string& expected) {
+        throw protocols::badInput({what, store.folder().folder.string(), expected, "export without --public"});
+    };
+    if (!store.unblinding()) refuse("a blinded study cannot be published", "a study that is unblinded");
+    if (form.format != "csv") refuse("--public writes tables only, not " + form.format, "--format csv, or none");
+    if (form.withLog || form.withSamples) refuse("--public leaves out the log and the samples of fingers", "neither option");
+}
+
+}  // namespace
+
+void writeExport(const database::StudyStore& store, const fs::path& out, const ExportForm& form,
+                 const database::Passphrase& passphrase)
+{
+    const std::string& format = form.format;
+    auto facts = store.facts();
+    const auto protocol = records::protocolOf(facts);
+    const bool blinded = !store.unblinding();
+    const auto naming = blinded ? std::nullopt : records::namingOf(store, protocol, {});
+    if (form.withSamples && blinded)
+        throw protocols::badInput(
+            {"samples of the finger are exported after the unblinding only, because the speed and the force "
+             "of a presentation could give its condition away",
+             store.folder().folder.string(), "a study that is unblinded, or no --with-samples",
+             "export without --with-samples, or unblind the study first"});
+    if (form.isPublic) requirePublishable(store, form);
+    protocols::FolderDraft draft(out, protocols::Earlier::FilesJoined);
+    const Export job{store, facts, protocol, naming ? &*naming : nullptr, draft.path(), form.isPublic};
+    if (format == "script")
+        players::writeScripts(job.store, job.naming, job.out);
+    else if (blinded)
+        writeBlinded(job, format, records::studyData(store, passphrase));
+    else if (format == "csv")
+        writeCsv(job);
+    else
+        writeJsonExport(job);
+    if (form.isPublic) writePublicFiles(job, form);
+    if (form.withSamples) write(job, "finger_samples.csv", records::fingerSamplesCsv(store, {}, naming));
+    if (form.withLog) records::writeExportedLog(store, draft.path());
+    draft.putInPlace();
+}
+
+}  // namespace study::exports

@@ -1,6 +1,5 @@
 // The program `vis2hap`: parses the command line, makes the Qt application that the command needs and runs the command. Every
 // fault becomes one line and an exit code.
-#include <malloc.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -16,6 +15,7 @@
 #include <new>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/kept_memory.h"
 #include "protocols/files/open_files.h"
 #include "protocols/files/safe_text.h"
 #include "study/commands/command_line.h"
@@ -32,13 +32,6 @@ void keepToOneself()
 {
     ::umask(0077);
     ::prctl(PR_SET_DUMPABLE, 0);
-}
-
-/// Images of some megabytes come and go. Their memory is kept for the next one, which otherwise faults in every page again.
-void keepFreedMemory()
-{
-    ::mallopt(M_MMAP_THRESHOLD, 32 << 20);
-    ::mallopt(M_TRIM_THRESHOLD, 256 << 20);
 }
 
 bool screenIsThere()
@@ -147,7 +140,7 @@ int run(int argc, char** argv)
     const auto application = surroundingsFor(action.surroundings, programNameAlone, argv);
     std::setlocale(LC_NUMERIC, "C");  // Qt has set the user's locale, in which C functions may read 5.4 as 5
     if (action.handlesStudy) keepToOneself();
-    keepFreedMemory();
+    protocols::keepFreedMemory();
     explanation.begin(app);
     const int code = action.work();
     explanation.end();

@@ -10,7 +10,7 @@ namespace study::simulation {
 namespace {
 
 // Each page of the database that several participants change is then written once. A killed simulation loses no more than these.
-constexpr std::size_t participantsAtOnce = 8;
+constexpr std::size_t participantsAtOnce = 64;
 
 void playOne(database::StudyStore& store, rendering::StimulusBank& bank, const players::Percepts& percepts,
              const protocols::ParticipantId& participant, const StoreSimulation& simulation)

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/kept_memory.h"
 #include "rendering/models/exchange.h"
 #include "rendering/models/lab/lab_training.h"
 #include "rendering/models/networks/inference.h"
@@ -286,6 +287,7 @@ int main(int argc, char** argv)
 {
     using protocols::ExitCode;
     setUpThreads(argc, argv);
+    protocols::keepFreedMemory();
     try {
         return run(argc, argv);
     } catch (const protocols::Error& fault) {

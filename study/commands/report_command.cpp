@@ -103,6 +103,7 @@ int report(const ReportCall& call, StageTimes times)
         reports::writeProgressReport(records::blindedReport(store), call.out);
         recordAct(store, "report", call.out);
         std::printf("%s/index.html: progress, balance and flags; the rest needs the owner's passphrase\n", call.out.c_str());
+        if (!call.checkWith.empty()) checkReport(call.out, call.checkWith);
         return 0;
     }
     data->everyPair = call.everyPair;

@@ -315,9 +315,12 @@ void writePublicFiles(const Export& job, const ExportForm& form)
     write(job, "CITATION.cff", citationText(job.facts.name, form.licence, form.authors, today()));
 }
 
-/// Throws badInput where nothing can be published.
-void requirePublishable(const database::StudyStore& store, const ExportForm& form)
+/// Throws badInput where nothing can be published. Files of an earlier export may hold what a public one leaves out.
+void requirePublishable(const database::StudyStore& store, const fs::path& out, const ExportForm& form)
 {
+    if (fs::exists(out) && (!fs::is_directory(out) || !fs::is_empty(out)))
+        throw protocols::badInput({"a public export needs a folder of its own", out.string(), "a new or an empty folder",
+                                   "name another folder with --out"});
     const auto refuse = [&](const std::string& what, const std::string& expected) {
         throw protocols::badInput({what, store.folder().folder.string(), expected, "export without --public"});
     };
@@ -342,7 +345,7 @@ void writeExport(const database::StudyStore& store, const fs::path& out, const E
              "of a presentation could give its condition away",
              store.folder().folder.string(), "a study that is unblinded, or no --with-samples",
              "export without --with-samples, or unblind the study first"});
-    if (form.isPublic) requirePublishable(store, form);
+    if (form.isPublic) requirePublishable(store, out, form);
     protocols::FolderDraft draft(out, protocols::Earlier::FilesJoined);
     const Export job{store, facts, protocol, naming ? &*naming : nullptr, draft.path(), form.isPublic};
     if (format == "script")

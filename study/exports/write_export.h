@@ -19,7 +19,7 @@ struct ExportForm {
     std::vector<std::string> authors = {};
 };
 
-/// `out`: a folder that need not exist.
+/// `out`: a folder that need not exist; a public export takes a new or empty one only.
 void writeExport(const database::StudyStore& store, const std::filesystem::path& out, const ExportForm& form,
                  const database::Passphrase& passphrase);
 

@@ -465,6 +465,7 @@ void MainJobTest::aPublicExportHasNoDaysNotesOrWords()
     const std::string text{std::istreambuf_iterator<char>(citation), {}};
     QVERIFY(text.find("  - name: \"A. \\\"B\\\" C\"\n") != std::string::npos);
     QVERIFY(QFile::exists(path("public/LICENSE.txt")) && !QFile::exists(path("whole/LICENSE.txt")));
+    QVERIFY(runProgram({"export", study, "--public", "--out", path("whole")}).err.contains("a folder of its own"));
     QCOMPARE(runProgram({"export", study, "--public", "--licence", "my own", "--out", path("p2")}).exitCode, 2);
 }
 

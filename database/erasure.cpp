@@ -19,8 +19,6 @@ namespace {
 constexpr const char* emptiedTables[] = {"responses", "voids", "notes", "finger_samples", "events"};
 constexpr std::size_t shortestText = 8;  // a shorter one may stand in a file by chance
 
-std::string folderOf(const SqliteConnection& sqlite) { return sqlite.file().parent_path().string(); }
-
 std::vector<std::string> textsFrom(const SqliteConnection& sqlite, const char* select, const std::string& participant)
 {
     std::vector<std::string> texts;
@@ -122,7 +120,7 @@ void removeFromTables(const SqliteConnection& sqlite, const Erasure& erasure, Er
 
 ErasureRecord eraseFrom(const SqliteConnection& sqlite, const Erasure& erasure)
 {
-    const std::string folder = folderOf(sqlite);
+    const std::string folder = sqlite.folder();
     if (erasure.who.empty() || erasure.why.empty())
         throw protocols::badInput({"an erasure needs a name and a reason", folder, "--who NAME --why TEXT", "add both"});
     if (sqlite.value(QStringLiteral("SELECT COUNT(*) FROM participants WHERE id = ?"), {toQt(erasure.participant.value)})

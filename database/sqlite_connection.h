@@ -59,6 +59,7 @@ public:
     QVariant keptValue(const QString& sql, const QVariantList& values = {}) const;  ///< by runKept()
 
     const std::filesystem::path& file() const { return m_file; }
+    std::string folder() const { return m_file.parent_path().string(); }  ///< of the study, for messages
 
 private:
     friend class Transaction;

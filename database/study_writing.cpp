@@ -17,8 +17,6 @@ namespace {
 
 constexpr std::size_t factSaltBytes = 32;
 
-std::string folderOf(const SqliteConnection& sqlite) { return sqlite.file().parent_path().string(); }
-
 /// Number of the present attempt at a trial: one more than its voids.
 int attemptOf(const SqliteConnection& sqlite, const std::string& participant, int trial)
 {
@@ -155,7 +153,7 @@ Slot enrolIn(const SqliteConnection& sqlite, const protocols::ParticipantId& par
     for (const Erasure& erasure : erasuresIn(sqlite))
         if (erasure.participant == participant && erasure.answersToo)
             throw protocols::badInput(
-                {"participant " + participant.value + " was erased", folderOf(sqlite), "another id", "choose another id"});
+                {"participant " + participant.value + " was erased", sqlite.folder(), "another id", "choose another id"});
     // Single rows, not whole tables: a large study enrols as fast as a small one.
     QSqlQuery known =
         sqlite.run(QStringLiteral("SELECT slot, kind, state FROM participants WHERE id = ?"), {toQt(participant.value)});
@@ -164,17 +162,17 @@ Slot enrolIn(const SqliteConnection& sqlite, const protocols::ParticipantId& par
                          kindNamed(fromQt(known.value(1)))};
         if (taken.kind != kind)
             throw protocols::badInput({"participant " + participant.value + " is " + nameOf(taken.kind) + ", not " + nameOf(kind),
-                                       folderOf(sqlite), "another id", ""});
+                                       sqlite.folder(), "another id", ""});
         known.finish();
         transaction.commit();
         return taken;
     }
-    protocols::requireGoodId(participant.value, "a participant", folderOf(sqlite));
+    protocols::requireGoodId(participant.value, "a participant", sqlite.folder());
     const QVariant place = sqlite.value(
         QStringLiteral("SELECT s.number FROM slots s WHERE NOT EXISTS (SELECT 1 FROM participants p WHERE p.slot = s.number AND "
                        "p.state <> 'withdrawn') ORDER BY s.number LIMIT 1"));
     if (!place.isValid())
-        throw protocols::workFailed({"all slots of the study are taken", folderOf(sqlite), "a free slot for " + participant.value,
+        throw protocols::workFailed({"all slots of the study are taken", sqlite.folder(), "a free slot for " + participant.value,
                                      "make a study with more participants"});
     const Slot free{place.toInt(), SlotState::Started, participant, kind};
     const int version = protocolVersionsIn(sqlite).back().version;
@@ -209,7 +207,7 @@ void takeProtocolInto(const SqliteConnection& sqlite, const std::string& json, c
 {
     if (who.empty() || why.empty())
         throw protocols::badInput(
-            {"a change of the protocol needs a name and a reason", folderOf(sqlite), "--who NAME --why TEXT", "add both"});
+            {"a change of the protocol needs a name and a reason", sqlite.folder(), "--who NAME --why TEXT", "add both"});
     Transaction transaction(sqlite);
     const int version = protocolVersionsIn(sqlite).back().version + 1;
     const std::string hash = protocols::sha256(json), wallTime = wallTimeNow();
@@ -225,7 +223,7 @@ void recordUnblindingIn(const SqliteConnection& sqlite, const UnblindingRecord& 
 {
     if (record.who.empty() || record.why.empty())
         throw protocols::badInput(
-            {"an unblinding needs a name and a reason", folderOf(sqlite), "--who NAME --why TEXT", "add both"});
+            {"an unblinding needs a name and a reason", sqlite.folder(), "--who NAME --why TEXT", "add both"});
     Transaction transaction(sqlite);
     LogEntry entry = actOnStudy("unblinded", {{"who", record.who}, {"why", record.why}}, record.wallTime);
     entry.unblinding = record;

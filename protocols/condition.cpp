@@ -124,6 +124,21 @@ std::optional<ConditionFault> faultOf(std::string_view id)
     return std::nullopt;
 }
 
+std::string faultOfOwnId(std::string_view id)
+{
+    constexpr std::size_t longest = 40;
+    const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+    const auto isAllowed = [&](char c) { return isLetter(c) || isDigit(c) || c == '_' || c == '-'; };
+    const std::string quoted = "'" + std::string(id) + "'";
+    if (id.empty() || id.size() > longest || !isLetter(id.front()) || !std::ranges::all_of(id, isAllowed))
+        return quoted + ", expected a letter, then letters, digits, _ and -, at most " + std::to_string(longest) + " characters";
+    if (!faultOf(id)) return quoted + " is a condition of the program, expected another id";
+    const bool isLabel = (id.front() == 'K' || id.front() == 'k') && id.size() > 1 && std::ranges::all_of(id.substr(1), isDigit);
+    if (isLabel || id == catchTrialId().value) return quoted + " has a meaning in result files, expected another id";
+    return {};
+}
+
 bool comesBefore(const ConditionId& a, const ConditionId& b)
 {
     const auto place = [](const ConditionId& id) {

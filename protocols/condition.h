@@ -66,6 +66,10 @@ struct ConditionFault {
 /// The fault of an id: unknown condition, unknown quality, or a quality of a condition that has none.
 std::optional<ConditionFault> faultOf(std::string_view id);
 
+/// Why a lab cannot call a condition of its own so; empty where it can. Such an id begins with an ASCII letter and holds letters,
+/// digits, "_" and "-", at most 40 characters. It is no known condition, no masked label ("K3") and not "catch".
+std::string faultOfOwnId(std::string_view id);
+
 /// The order of the paper, then the usual quality before fast, balanced and accurate. Both ids are known.
 bool comesBefore(const ConditionId& a, const ConditionId& b);
 

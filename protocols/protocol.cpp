@@ -45,7 +45,12 @@ void checkConditions(const Protocol& p, Faults& faults)
     std::set<ConditionId> seen;
     for (std::size_t i = 0; i < p.conditions.size(); ++i) {
         const ConditionId& id = p.conditions[i];
-        if (const auto fault = faultOf(id.value))
+        if (const auto own = p.ownImages.find(id); own != p.ownImages.end()) {
+            if (const std::string fault = faultOfOwnId(id.value); !fault.empty())
+                faults.push_back(element("conditions", i) + ".id: " + fault);
+            if (own->second.empty())
+                faults.push_back(element("conditions", i) + ".images: is empty, expected the folder of the images");
+        } else if (const auto fault = faultOf(id.value))
             faults.push_back(element("conditions", i) + ": " + fault->what + ", expected " + fault->expected);
         if (!seen.insert(id).second)
             faults.push_back(element("conditions", i) + ": '" + id.value + "' is named twice, expected each condition once");

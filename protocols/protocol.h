@@ -67,6 +67,9 @@ struct Protocol {
     int fabricCount = 7;
     std::vector<FabricId> fabrics;  ///< by name; empty: fabricCount of them are drawn by seed
     std::vector<ConditionId> conditions;
+    /// Conditions of the lab's own: the folder with a ready friction image for each fabric. A relative one lies beside the
+    /// protocol. Every id stands in `conditions`, too.
+    std::map<ConditionId, std::string> ownImages;
     std::vector<Phase> phases;
     std::pair<double, double> equivalenceBounds{-0.5, 0.5};  ///< scale points
     std::vector<PlannedContrast> planned;

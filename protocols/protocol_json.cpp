@@ -23,6 +23,17 @@ using SchemaFaults = std::vector<SchemaFault>;
 
 constexpr int mostFabrics = 100;  // as the schema has it
 
+std::vector<ProtocolFault> placed(const SchemaFaults& faults, const JsonDocument& document)
+{
+    std::vector<ProtocolFault> all;
+    for (const SchemaFault& fault : faults) {
+        const TextPlace place = document.textPlaceOf(pointerOf(fault.place));
+        all.push_back({place.line, place.column, fault.text});
+    }
+    std::ranges::stable_sort(all, {}, [](const ProtocolFault& fault) { return std::pair(fault.line, fault.column); });
+    return all;
+}
+
 [[noreturn]] void refuse(const SchemaFaults& faults, const JsonDocument& document)
 {
     std::string list;
@@ -109,8 +120,18 @@ void readFabrics(const ProtocolPart& document, Protocol& protocol)
 
 void readConditions(const ProtocolPart& document, Protocol& protocol)
 {
-    for (const std::string& id : document.texts("conditions")) protocol.conditions.push_back(conditionFrom(id));
-    if (document.raw("conditions").is_array()) return;
+    if (const json& list = document.raw("conditions"); list.is_array()) {
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            if (list[i].is_object()) {
+                const ProtocolPart part(list[i], "conditions[" + std::to_string(i) + "]", document.faults());
+                protocol.conditions.emplace_back(part.text("id", ""));
+                protocol.ownImages[protocol.conditions.back()] = part.text("images", "");
+            } else {
+                protocol.conditions.push_back(conditionFrom(list[i].is_string() ? list[i].get<std::string>() : ""));
+            }
+        }
+        return;
+    }
     // An unreadable list must not make the planned contrasts wrong; the schema has named it.
     for (const Condition& condition : allConditions()) {
         protocol.conditions.push_back(condition.conditionId());
@@ -181,12 +202,11 @@ Protocol protocolFrom(const ProtocolPart& document, ProtocolEdition edition)
     return protocol;
 }
 
-Protocol readBy(ProtocolEdition edition, std::string_view text, const std::string& where)
+/// The protocol as far as it can be read; its faults are added.
+Protocol readFrom(const JsonDocument& document, ProtocolEdition edition, ProtocolFaults& faults)
 {
-    const JsonDocument document(std::string(text), where);
-    ProtocolFaults faults(schemaFaultsOf(document.root(), edition));
     // Without an object there is nothing to read on.
-    if (!document.root().is_object()) refuse(faults.all(), document);
+    if (!document.root().is_object()) return {};
     const Protocol protocol = protocolFrom(ProtocolPart(document.root(), "", faults), edition);
     for (const std::string& fault : faultsOf(protocol)) faults.add(fault);
     if (edition == ProtocolEdition::Current) {
@@ -196,11 +216,30 @@ Protocol readBy(ProtocolEdition edition, std::string_view text, const std::strin
             if (const std::string why = faultOfId(protocol.fabrics[i].value); !why.empty() && !protocol.fabrics[i].empty())
                 faults.add("fabrics[" + std::to_string(i) + "]: the id " + why + ", expected " + idRule());
     }
+    return protocol;
+}
+
+Protocol readBy(ProtocolEdition edition, std::string_view text, const std::string& where)
+{
+    const JsonDocument document(std::string(text), where);
+    ProtocolFaults faults(schemaFaultsOf(document.root(), edition));
+    const Protocol protocol = readFrom(document, edition, faults);
     if (const SchemaFaults all = faults.all(); !all.empty()) refuse(all, document);
     return protocol;
 }
 
 }  // namespace
+
+CheckedProtocol checkedProtocol(std::string_view text, const std::string& where)
+{
+    const JsonDocument document(std::string(text), where);
+    ProtocolFaults faults(schemaFaultsOf(document.root(), ProtocolEdition::Current));
+    CheckedProtocol checked;
+    checked.protocol = readFrom(document, ProtocolEdition::Current, faults);
+    checked.faults = placed(faults.all(), document);
+    if (!checked.faults.empty()) checked.protocol.reset();
+    return checked;
+}
 
 Protocol protocolFromJson(std::string_view text, const std::string& where)
 {

@@ -3,12 +3,29 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "protocols/protocol.h"
 
 namespace protocols {
+
+/// One fault of a protocol file, at the value that has it.
+struct ProtocolFault {
+    std::size_t line = 1;    ///< from 1
+    std::size_t column = 1;  ///< from 1, in characters
+    std::string text;        ///< the key, the value there, and what was expected
+};
+
+struct CheckedProtocol {
+    std::optional<Protocol> protocol;   ///< none where the file has a fault
+    std::vector<ProtocolFault> faults;  ///< in the order of the file
+};
+
+/// All faults of a text. Throws badInput where the text is not JSON: then no later fault can be found.
+CheckedProtocol checkedProtocol(std::string_view json, const std::string& where);
 
 /// `where` names the source in errors. Throws badInput listing every fault in one line.
 Protocol protocolFromJson(std::string_view json, const std::string& where);

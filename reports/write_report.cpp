@@ -40,7 +40,11 @@ void writeAll(const StudyAnalysis& analysis, const ReportOrigin& origin, const W
         if (one.onPage) tables.push_back(std::move(one));
     });
     const std::vector<Figure> figures = reportFigures(analysis);
-    for (const Figure& figure : figures) write(draft.file("figures/" + figure.name + ".svg"), figure.svg);
+    if (!figures.empty()) protocols::makeFolders(draft.path() / "figures" / oneColumnFolder, protocols::Sync::Later);
+    for (const Figure& figure : figures) {
+        write(draft.file("figures/" + figure.name + ".svg"), figure.svg);
+        write(draft.file(std::string("figures/") + oneColumnFolder + "/" + figure.name + ".svg"), figure.narrowSvg);
+    }
     const ReportDocument document = reportDocument(analysis, tables, figures, origin.logHead);
     write(draft.file("index.html"), reportPage(document));
     // Labels of a blinded study are not what an archive should hold.

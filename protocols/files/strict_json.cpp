@@ -13,14 +13,20 @@ namespace protocols {
 
 namespace {
 
+TextPlace textPlaceOfByte(std::string_view text, std::size_t offset)
+{
+    const std::string_view before = text.substr(0, std::min(offset, text.size()));
+    const auto lines = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+    const std::string_view inLine = before.substr(before.rfind('\n') + 1);  // npos + 1 is 0: the first line
+    const auto characters = std::count_if(inLine.begin(), inLine.end(), [](char c) { return (c & 0xC0) != 0x80; });
+    return {lines + 1, static_cast<std::size_t>(characters) + 1};
+}
+
 /// "line 3, column 5" of a byte.
 std::string placeOfByte(std::string_view text, std::size_t offset)
 {
-    const std::string_view before = text.substr(0, std::min(offset, text.size()));
-    const auto lines = std::count(before.begin(), before.end(), '\n');
-    const std::string_view inLine = before.substr(before.rfind('\n') + 1);  // npos + 1 is 0: the first line
-    const auto characters = std::count_if(inLine.begin(), inLine.end(), [](char c) { return (c & 0xC0) != 0x80; });
-    return "line " + std::to_string(lines + 1) + ", column " + std::to_string(characters + 1);
+    const TextPlace place = textPlaceOfByte(text, offset);
+    return "line " + std::to_string(place.line) + ", column " + std::to_string(place.column);
 }
 
 /// The reason in "[json.exception.parse_error.101] parse error at line 2, column 1: syntax error ...".
@@ -268,6 +274,11 @@ JsonDocument::JsonDocument(std::string_view text, std::string where)
       m_where(std::move(where)),
       m_root(std::make_shared<const nlohmann::json>(parseStrictJson(m_text, m_where)))
 {
+}
+
+TextPlace JsonDocument::textPlaceOf(std::string_view pointer) const
+{
+    return textPlaceOfByte(m_text, beginOf(m_text, stepsOf(pointer)));
 }
 
 std::string JsonDocument::placeOf(std::string_view pointer) const

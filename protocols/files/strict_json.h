@@ -24,6 +24,12 @@ nlohmann::json parseStrictJson(std::string_view text, const std::string& where);
 /// The same with the keys of objects in the order of the text.
 nlohmann::ordered_json parseStrictOrderedJson(std::string_view text, const std::string& where);
 
+/// A place in a text; both numbers count from 1, columns in characters.
+struct TextPlace {
+    std::size_t line = 1;
+    std::size_t column = 1;
+};
+
 /// A parsed text together with the places of its values.
 class JsonDocument {
 public:
@@ -37,6 +43,7 @@ public:
     /// pointer (RFC 6901): "" is the root, "/phases/0/scale" a member. A value that is missing has the place of the
     /// innermost object or array that should hold it.
     std::string placeOf(std::string_view pointer) const;
+    TextPlace textPlaceOf(std::string_view pointer) const;
 
     /// The fault of a value, ready to throw: badInput at "FILE, line 3, column 5".
     Error faultAt(std::string_view pointer, const std::string& what, const std::string& expected,

@@ -86,6 +86,12 @@ void SvgDrawing::circle(SvgPoint centre, double radius, const std::string& fill,
                  attribute("fill", fill) + attribute("stroke", stroke) + attribute("stroke-width", 1.5) + "/>\n";
 }
 
+void SvgDrawing::image(SvgPoint corner, double width, double height, const std::string& pngBase64)
+{
+    m_content += "<image" + attribute("x", corner.x) + attribute("y", corner.y) + attribute("width", width) +
+                 attribute("height", height) + attribute("href", "data:image/png;base64," + pngBase64) + "/>\n";
+}
+
 void SvgDrawing::text(SvgPoint at, const std::string& content, const SvgText& style)
 {
     m_content +=

@@ -34,6 +34,8 @@ public:
                    const std::string& stroke = "none", const std::string& hint = {});
     void polygon(const std::vector<SvgPoint>& points, const std::string& fill, const std::string& stroke, double opacity = 1);
     void circle(SvgPoint centre, double radius, const std::string& fill, const std::string& stroke);
+    /// A picture: a PNG file in Base64.
+    void image(SvgPoint corner, double width, double height, const std::string& pngBase64);
     /// `content` is already escaped, and may hold tspans.
     void text(SvgPoint at, const std::string& content, const SvgText& style = {});
 

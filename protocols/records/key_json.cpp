@@ -46,6 +46,7 @@ ConditionId conditionIn(const json& entry, const std::string& where)
     const std::string id = textIn(entry, "condition", where);
     if (id == catchTrialId().value) return catchTrialId();
     if (!faultOf(id) && conditionIdFrom(id).value == id) return ConditionId(id);
+    if (faultOfOwnId(id).empty()) return ConditionId(id);
     throw malformed("unknown condition '" + id + "'", where, "the id of a condition");
 }
 

@@ -7,12 +7,16 @@
 #include <opencv2/core.hpp>
 
 #include "rendering/signals/cosine_transform.h"
+#include "rendering/signals/mirrored_columns.h"
+#include "stats/kernels/vector_clones.h"
 
 namespace rendering::signals {
 
 namespace {
 
 constexpr int slopesAround = 6;  ///< number of point slopes that the polynomial interpolates
+constexpr double mostStretched =
+    16;  ///< pixels wider than this have columns that are nearly free; there the recursions lose digits
 
 /// Integral from node 0 to node 1 of the polynomial through `count` nodes from `first`, as weights of the values at these
 /// nodes.
@@ -58,6 +62,40 @@ std::vector<Stencil<T>> stencils(int length)
     return result;
 }
 
+// The loops over a row, for the widest vectors that the processor has.
+template <class T>
+[[gnu::always_inline]] inline void insideOfRow(const T* __restrict s, T* __restrict rise, const T* w, int n)
+{
+    for (int j = 0; j < n; ++j) rise[j] = w[0] * (s[j] + s[j + 5]) + w[1] * (s[j + 1] + s[j + 4]) + w[2] * (s[j + 2] + s[j + 3]);
+}
+
+template <class T>
+[[gnu::always_inline]] inline void acrossSixRows(const T* const* row, T* __restrict rise, const T* w, int n)
+{
+    const T *a = row[0], *b = row[1], *c = row[2], *d = row[3], *e = row[4], *f = row[5];
+    for (int j = 0; j < n; ++j) rise[j] = w[0] * a[j] + w[1] * b[j] + w[2] * c[j] + w[3] * d[j] + w[4] * e[j] + w[5] * f[j];
+}
+
+template <class T>
+struct RisesAround {
+    const T *left, *right, *above, *below;
+    T scaleX, scaleY;
+};
+
+template <class T>
+[[gnu::always_inline]] inline void sourcesOfRow(const RisesAround<T>& rises, T* __restrict out, std::size_t n)
+{
+    const auto [left, right, above, below, scaleX, scaleY] = rises;
+    for (std::size_t j = 0; j < n; ++j) out[j] = scaleX * (left[j] - right[j]) + scaleY * (above[j] - below[j]);
+}
+
+STATS_VECTOR_CLONES void inside(const float* s, float* rise, const float* w, int n) { insideOfRow(s, rise, w, n); }
+STATS_VECTOR_CLONES void inside(const double* s, double* rise, const double* w, int n) { insideOfRow(s, rise, w, n); }
+STATS_VECTOR_CLONES void across(const float* const* s, float* rise, const float* w, int n) { acrossSixRows(s, rise, w, n); }
+STATS_VECTOR_CLONES void across(const double* const* s, double* rise, const double* w, int n) { acrossSixRows(s, rise, w, n); }
+STATS_VECTOR_CLONES void joined(const RisesAround<float>& rises, float* out, std::size_t n) { sourcesOfRow(rises, out, n); }
+STATS_VECTOR_CLONES void joined(const RisesAround<double>& rises, double* out, std::size_t n) { sourcesOfRow(rises, out, n); }
+
 /// Rises between the neighbours in one row of slopes.
 template <class T>
 void risesOfRow(const T* slope, T* rise, const std::vector<Stencil<T>>& all, int count)
@@ -73,11 +111,9 @@ void risesOfRow(const T* slope, T* rise, const std::vector<Stencil<T>>& all, int
     for (; j < last && j < count / 2 - 1; ++j) one(j);
     if (count == slopesAround) {
         const auto w = all[static_cast<std::size_t>(std::min(j, last - 1))].weights;
-        const int end = last - (count / 2 - 1);
-        for (; j < end; ++j) {
-            const T* s = slope + j - 2;
-            rise[j] = w[0] * (s[0] + s[5]) + w[1] * (s[1] + s[4]) + w[2] * (s[2] + s[3]);
-        }
+        const int end = std::max(j, last - (count / 2 - 1));
+        if (end > j) inside(slope + j - 2, rise + j, w.data(), end - j);
+        j = end;
     }
     for (; j < last; ++j) one(j);
 }
@@ -86,6 +122,11 @@ void risesOfRow(const T* slope, T* rise, const std::vector<Stencil<T>>& all, int
 template <class T>
 void risesToNextRow(const cv::Mat& slopes, T* rise, const Stencil<T>& stencil, int count)
 {
+    if (count == slopesAround) {
+        std::array<const T*, slopesAround> rows{};
+        for (int k = 0; k < count; ++k) rows[static_cast<std::size_t>(k)] = slopes.ptr<T>(stencil.first + k);
+        return across(rows.data(), rise, stencil.weights.data(), slopes.cols);
+    }
     std::fill_n(rise, slopes.cols, T(0));
     for (int k = 0; k < count; ++k) {
         const T* slope = slopes.ptr<T>(stencil.first + k);
@@ -247,8 +288,8 @@ cv::Mat SlopeDifferences<T>::sources(const Slopes& slopes) const
             risesToNextRow(slopes.y, below.data(), alongY[static_cast<std::size_t>(i)], countY);
         else
             std::fill(below.begin(), below.end(), T(0));
-        T* out = result.ptr<T>(i);
-        for (std::size_t j = 0; j < length; ++j) out[j] = scaleX * (right[j] - right[j + 1]) + scaleY * (above[j] - below[j]);
+        joined(RisesAround<T>{right.data(), right.data() + 1, above.data(), below.data(), scaleX, scaleY}, result.ptr<T>(i),
+               length);
         std::swap(above, below);
     }
     return result;
@@ -257,6 +298,7 @@ cv::Mat SlopeDifferences<T>::sources(const Slopes& slopes) const
 template <class T>
 cv::Mat SlopeDifferences<T>::surfaceOf(const cv::Mat& sources) const
 {
+    if (!central() && m_pitch.x < mostStretched * m_pitch.y) return surfaceOfRises(sources);
     cv::Mat spectrum = cosineTransform(sources);
     for (int i = 0; i < m_size.height; ++i) {
         T* row = spectrum.ptr<T>(i);
@@ -265,6 +307,15 @@ cv::Mat SlopeDifferences<T>::surfaceOf(const cv::Mat& sources) const
     }
     spectrum.at<T>(0, 0) = 0;  // Slopes do not contain the mean.
     return inverseCosineTransform(spectrum);
+}
+
+/// Rows are transformed; along a column the second differences of each frequency have a direct solution.
+template <class T>
+cv::Mat SlopeDifferences<T>::surfaceOfRises(const cv::Mat& sources) const
+{
+    cv::Mat spectrum = cosineTransformOfRows(sources, m_pitch.y * m_pitch.y);
+    solveMirroredColumns(spectrum, eigenvalues(m_size.width, m_pitch.x / m_pitch.y, false));
+    return inverseCosineTransformOfRows(spectrum);
 }
 
 template <class T>

@@ -31,6 +31,7 @@ public:
     Slopes weights(const cv::Mat& measured, double weightOfGaps) const;
 
 private:
+    cv::Mat surfaceOfRises(const cv::Mat& sources) const;
     bool central() const { return m_kind == SlopeKind::Central; }
 
     cv::Size m_size;

@@ -1,5 +1,7 @@
 #include "reports/analysis/rating_analysis.h"
 
+#include <map>
+
 #include "reports/cells/crossed_answers.h"
 #include "stats/kernels/decimal_grid.h"
 #include "stats/kernels/descriptive.h"
@@ -20,6 +22,18 @@ ConditionRatings analyseCondition(const AnswerCells& cells, const std::string& q
     if (!result.ci95.low.exists())
         result.ci95.low = result.ci95.high = stats::Value::undefined("needs the means of at least 2 participants");
     return result;
+}
+
+/// Repetitions of a participant are averaged first.
+std::vector<stats::Value> meansByFabric(const StudyData& data, const AnswerCells& cells, const std::string& question,
+                                        const std::string& condition)
+{
+    std::map<std::string, std::vector<double>> ratings;
+    for (const AnswerCells::CellMean& cell : cells.cellMeans(question, condition))
+        ratings[cell.first->fabric].push_back(cell.mean);
+    std::vector<stats::Value> means;
+    for (const std::string& fabric : data.fabrics) means.push_back(stats::meanOf(ratings[fabric]));
+    return means;
 }
 
 std::vector<ParticipantMeans> meansOfParticipants(const StudyData& data, const AnswerCells& cells, const std::string& question)
@@ -46,6 +60,7 @@ RatingAnalysis analyseRatings(const StudyData& data, const AnswerCells& cells, c
     analysis.anova = stats::repeatedMeasuresAnova(blocks.table);
     for (std::size_t i = 0; i < data.conditions.size(); ++i) {
         analysis.conditions.push_back(analyseCondition(cells, question, data.conditions[i]));
+        analysis.conditions.back().byFabric = meansByFabric(data, cells, question, data.conditions[i]);
         analysis.conditions.back().withinHalfWidth = analysis.anova.moreyHalfWidths[i];
     }
     analysis.friedman = stats::friedmanTest(blocks.table);

@@ -24,8 +24,9 @@ struct ConditionRatings {
     stats::Value mean;  ///< over ratings
     stats::Value sd;    ///< over ratings
     std::size_t participants = 0;
-    stats::Interval ci95;          ///< interval for the mean of the participants' means, Student's t
-    stats::Value withinHalfWidth;  ///< within-subject interval (Morey 2008), complete participants
+    stats::Interval ci95;                ///< interval for the mean of the participants' means, Student's t
+    stats::Value withinHalfWidth;        ///< within-subject interval (Morey 2008), complete participants
+    std::vector<stats::Value> byFabric;  ///< mean over the participants' ratings, in the order of the study's fabrics
 };
 
 struct ParticipantMeans {

@@ -13,9 +13,23 @@ namespace reports {
 using protocols::SvgAnchor;
 namespace {
 
-constexpr double narrowestPlot = 800;
-constexpr double narrowestSlot = 64;
 constexpr double labelCharacter = 9;  ///< width, px
+
+/// Least widths of the plot and of a condition, px.
+struct LeastWidths {
+    double plot, slot;
+};
+
+LeastWidths leastWidths(FigureWidth width)
+{
+    return width == FigureWidth::OneColumn ? LeastWidths{330, 30} : LeastWidths{800, 64};
+}
+
+double slotWidth(std::size_t conditions, FigureWidth width)
+{
+    const auto [plot, slot] = leastWidths(width);
+    return std::max(slot, plot / std::max<double>(1, static_cast<double>(conditions)));
+}
 
 /// A step of 1, 2, 2.5 or 5 times a power of ten that divides the range into at most five parts.
 double niceStep(double range)
@@ -35,13 +49,15 @@ bool PlotConditions::hasGroups() const
 }
 
 PlotFrame::PlotFrame(const PlotConditions& conditions, double low, double high, const std::string& title,
-                     const std::string& description)
+                     const std::string& description, const FrameSize& size)
     : m_conditions(conditions),
+      m_size(size),
+      m_top(40 + legendRow * size.legendRows),
       m_low(low),
       m_high(high),
-      m_slot(std::max(narrowestSlot, narrowestPlot / std::max<double>(1, static_cast<double>(conditions.names.size())))),
+      m_slot(slotWidth(conditions.names.size(), size.width)),
       m_isCrowded(longestLabel() > m_slot - 8),
-      m_drawing(left() + plotWidth() + right, top + height + bottom(), title, description)
+      m_drawing(left() + plotWidth() + right, m_top + height + bottom(), title, description)
 {
 }
 
@@ -68,10 +84,10 @@ void PlotFrame::drawFrame(const std::string& axisTitle)
         m_drawing.text({left() - 10, y(value) + 5}, protocols::shortest(std::round(value * 1e6) / 1e6),
                        {.anchor = SvgAnchor::End});
     }
-    m_drawing.line({left(), top}, {left(), top + height}, ChartColours::ink, 1.5);
-    m_drawing.text({left() - 56, top + height / 2}, axisTitle, {.size = 15, .rotation = -90});
+    m_drawing.line({left(), m_top}, {left(), m_top + height}, ChartColours::ink, 1.5);
+    m_drawing.text({left() - 56, m_top + height / 2}, axisTitle, {.size = 15, .rotation = -90});
     for (std::size_t i = 0; i < m_conditions.names.size(); ++i) drawLabel(i);
-    m_drawing.text({left() + plotWidth() / 2, top + height + bottom() - 8},
+    m_drawing.text({left() + plotWidth() / 2, m_top + height + bottom() - 8},
                    m_conditions.blinded ? "masked condition" : "condition", {.size = 15});
 }
 
@@ -83,8 +99,8 @@ void PlotFrame::drawRightAxis(double wholeValue, const std::string& axisTitle)
         m_drawing.text({rightEdge() + 10, at + 5}, std::to_string(percent) + " %",
                        {.size = 13, .anchor = SvgAnchor::Start, .colour = ChartColours::grey});
     }
-    m_drawing.line({rightEdge(), top}, {rightEdge(), top + height}, ChartColours::ink, 1.5);
-    m_drawing.text({rightEdge() + right - 8, top + height / 2}, axisTitle, {.colour = ChartColours::grey, .rotation = -90});
+    m_drawing.line({rightEdge(), m_top}, {rightEdge(), m_top + height}, ChartColours::ink, 1.5);
+    m_drawing.text({rightEdge() + right - 8, m_top + height / 2}, axisTitle, {.colour = ChartColours::grey, .rotation = -90});
 }
 
 void PlotFrame::drawErrorBar(double x, const stats::Interval& interval, const std::string& colour)
@@ -97,22 +113,30 @@ void PlotFrame::drawErrorBar(double x, const stats::Interval& interval, const st
     m_drawing.line({x - 5, high}, {x + 5, high}, colour, 1.8);
 }
 
-void PlotFrame::drawLegendText(double x, SvgAnchor anchor, const std::string& escapedText)
+void PlotFrame::drawLegendText(double x, SvgAnchor anchor, const std::string& escapedText, int row)
 {
     const bool isRemark = anchor == SvgAnchor::End;
     m_drawing.text(
-        {x, legendY + 5}, escapedText,
+        {x, legendY(row) + 5}, escapedText,
         {.size = isRemark ? 13.0 : 15.0, .anchor = anchor, .colour = isRemark ? ChartColours::grey : ChartColours::ink});
+}
+
+void PlotFrame::drawRemark(const std::string& escapedText)
+{
+    const int row = m_size.legendRows - 1;
+    if (!isNarrow()) return drawLegendText(rightEdge(), SvgAnchor::End, escapedText, row);
+    m_drawing.text({left(), legendY(row) + 5}, escapedText,
+                   {.size = 13, .anchor = SvgAnchor::Start, .colour = ChartColours::grey});
 }
 
 void PlotFrame::drawLabel(std::size_t condition)
 {
     const std::string label = svgLabel(m_conditions.names[condition]);
     if (m_isCrowded)
-        m_drawing.text({centre(condition) + 6, top + height + 22}, label,
+        m_drawing.text({centre(condition) + 6, m_top + height + 22}, label,
                        {.size = 15, .anchor = SvgAnchor::End, .rotation = -35});
     else
-        m_drawing.text({centre(condition), top + height + 24}, label, {.size = 17});
+        m_drawing.text({centre(condition), m_top + height + 24}, label, {.size = 17});
 }
 
 /// Neighbouring conditions of one group share a tinted band with its name.
@@ -125,10 +149,10 @@ void PlotFrame::drawBands()
         while (end < names.size() && groupOf(names[end]) == group) ++end;
         const double x = left() + static_cast<double>(begin) * m_slot;
         const double width = static_cast<double>(end - begin) * m_slot;
-        m_drawing.rectangle({x + 2, top - 24}, width - 4, 20, groupColour(*group), 0.22);
+        m_drawing.rectangle({x + 2, m_top - 24}, width - 4, 20, groupColour(*group), 0.22);
         if (width > labelCharacter * static_cast<double>(nameOf(*group).size()))
-            m_drawing.text({x + width / 2, top - 9}, nameOf(*group), {.bold = true});
-        m_drawing.rectangle({x + 2, top}, width - 4, height, groupColour(*group), 0.05);
+            m_drawing.text({x + width / 2, m_top - 9}, nameOf(*group), {.bold = true});
+        m_drawing.rectangle({x + 2, m_top}, width - 4, height, groupColour(*group), 0.05);
         begin = end;
     }
 }

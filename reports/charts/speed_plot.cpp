@@ -14,10 +14,9 @@ namespace {
 using protocols::SvgAnchor;
 using protocols::SvgPoint;
 
-constexpr double plotLeft = 76, plotTop = 24, plotWidth = 560, plotHeight = 330;  // px
-constexpr double legendLeft = plotLeft + plotWidth + 30, legendRow = 22;
-constexpr std::size_t legendRows = 16;  // in one column
-constexpr double legendColumn = 170;
+constexpr double plotLeft = 76, plotTop = 24, plotHeight = 330;  // px
+constexpr double legendRow = 22, legendColumn = 170;
+constexpr std::size_t mostLegendRows = 16;  // in one column
 constexpr std::array<const char*, 4> dashesOfLines{"", "9 5", "3 4", "12 4 3 4"};
 
 /// A step of 1, 2 or 5 times a power of ten that divides the length into at most eight parts.
@@ -32,8 +31,12 @@ double stepOfSeconds(double length)
 
 class SpeedDrawing {
 public:
-    explicit SpeedDrawing(const SpeedPlot& plot)
-        : m_plot(plot), m_longest(longestOf(plot)), m_drawing(widthOf(plot), heightOf(plot), plot.title, plot.description)
+    SpeedDrawing(const SpeedPlot& plot, FigureWidth width)
+        : m_plot(plot),
+          m_isNarrow(width == FigureWidth::OneColumn),
+          m_plotWidth(m_isNarrow ? 390 : 560),
+          m_longest(longestOf(plot)),
+          m_drawing(wholeWidth(), wholeHeight(), plot.title, plot.description)
     {
     }
 
@@ -51,15 +54,26 @@ public:
 private:
     static bool isDrawn(const SpeedPoint& point) { return point.time.exists() && point.share.exists(); }
 
-    static std::size_t legendEntries(const SpeedPlot& plot) { return plot.points.size() + plot.lines.size() + 3; }
-
-    static double widthOf(const SpeedPlot& plot)
+    std::size_t legendEntries() const
     {
-        const auto columns = static_cast<double>((legendEntries(plot) + legendRows - 1) / legendRows);
-        return legendLeft + std::max(1.0, columns) * legendColumn + 30;
+        const auto named = std::ranges::count_if(m_plot.lines, [](const SpeedLine& line) { return !line.name.empty(); });
+        return m_plot.points.size() + static_cast<std::size_t>(named) + 1 + (m_plot.deadlines.empty() ? 0 : 1);
     }
 
-    static double heightOf(const SpeedPlot&) { return plotTop + plotHeight + 72; }
+    /// The legend stands on the right of the plot; in a narrow figure it stands below, in two columns.
+    std::size_t legendRows() const { return m_isNarrow ? (legendEntries() + 1) / 2 : mostLegendRows; }
+
+    double wholeWidth() const
+    {
+        if (m_isNarrow) return plotLeft + m_plotWidth + 24;
+        const auto columns = static_cast<double>((legendEntries() + mostLegendRows - 1) / mostLegendRows);
+        return plotLeft + m_plotWidth + 30 + std::max(1.0, columns) * legendColumn + 30;
+    }
+
+    double wholeHeight() const
+    {
+        return plotTop + plotHeight + 72 + (m_isNarrow ? legendRow * static_cast<double>(legendRows()) + 8 : 0);
+    }
 
     /// End of the axis of times, s. An interval that is far longer than all times is cut.
     static double longestOf(const SpeedPlot& plot)
@@ -77,13 +91,13 @@ private:
         return longest > 0 ? 1.05 * std::max(longest, std::min(reach, 1.6 * longest)) : 1;
     }
 
-    double x(double seconds) const { return plotLeft + std::min(seconds, m_longest) / m_longest * plotWidth; }
+    double x(double seconds) const { return plotLeft + std::min(seconds, m_longest) / m_longest * m_plotWidth; }
     static double y(double share) { return plotTop + (1 - share) * plotHeight; }
     SvgPoint at(const SpeedPoint& point) const { return {x(*point.time), y(*point.share)}; }
 
     void drawFrame()
     {
-        const double bottom = plotTop + plotHeight, right = plotLeft + plotWidth;
+        const double bottom = plotTop + plotHeight, right = plotLeft + m_plotWidth;
         for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
             m_drawing.line({plotLeft, y(share)}, {right, y(share)}, ChartColours::faint, 1);
             m_drawing.text({plotLeft - 10, y(share) + 5}, protocols::shortest(share), {.anchor = SvgAnchor::End});
@@ -96,7 +110,7 @@ private:
         m_drawing.line({plotLeft, bottom}, {right, bottom}, ChartColours::ink, 1.5);
         m_drawing.line({plotLeft, plotTop}, {plotLeft, bottom}, ChartColours::ink, 1.5);
         m_drawing.text({plotLeft - 56, plotTop + plotHeight / 2}, "share correct", {.size = 15, .rotation = -90});
-        m_drawing.text({plotLeft + plotWidth / 2, bottom + 54}, "response time, s", {.size = 15});
+        m_drawing.text({plotLeft + m_plotWidth / 2, bottom + 54}, "response time, s", {.size = 15});
         const double chance = 1.0 / m_plot.alternatives;
         m_drawing.line({plotLeft, y(chance)}, {right, y(chance)}, ChartColours::ink, 1.4, "7 5");
         for (const double deadline : m_plot.deadlines)
@@ -165,9 +179,10 @@ private:
     /// The place of an entry: its left end and its middle.
     SvgPoint legendPlace()
     {
-        const auto row = static_cast<double>(m_entry % legendRows), column = static_cast<double>(m_entry / legendRows);
+        const auto row = static_cast<double>(m_entry % legendRows()), column = static_cast<double>(m_entry / legendRows());
         ++m_entry;
-        return {legendLeft + column * legendColumn, plotTop + 10 + row * legendRow};
+        if (m_isNarrow) return {20 + column * (wholeWidth() / 2 - 10), plotTop + plotHeight + 82 + row * legendRow};
+        return {plotLeft + m_plotWidth + 30 + column * legendColumn, plotTop + 10 + row * legendRow};
     }
 
     void legendText(SvgPoint place, const std::string& text)
@@ -196,6 +211,8 @@ private:
     }
 
     const SpeedPlot& m_plot;
+    bool m_isNarrow;
+    double m_plotWidth;
     double m_longest;
     std::size_t m_entry = 0;
     protocols::SvgDrawing m_drawing;
@@ -203,6 +220,6 @@ private:
 
 }  // namespace
 
-std::string drawn(const SpeedPlot& plot) { return SpeedDrawing(plot).finished(); }
+std::string drawn(const SpeedPlot& plot, FigureWidth width) { return SpeedDrawing(plot, width).finished(); }
 
 }  // namespace reports

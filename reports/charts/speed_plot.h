@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "protocols/files/svg_drawing.h"
+#include "reports/charts/figure_width.h"
 #include "stats/kernels/value.h"
 
 namespace reports {
@@ -36,6 +37,6 @@ struct SpeedPlot {
 };
 
 /// One <svg> element.
-std::string drawn(const SpeedPlot& plot);
+std::string drawn(const SpeedPlot& plot, FigureWidth width);
 
 }  // namespace reports

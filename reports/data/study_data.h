@@ -109,6 +109,16 @@ struct OperatorTaps {
     std::optional<double> medianMs, q1Ms, q3Ms;  ///< none without taps
 };
 
+/// The middle of a friction image, pixel by pixel.
+struct FrictionPicture {
+    std::string condition;
+    std::string fabric;
+    std::string pngBase64;
+};
+
+/// Size of these pictures, pixels of the display.
+inline constexpr int pictureWidth = 112, pictureHeight = 70;
+
 struct StudyData {
     std::string name;
     std::string protocolSha256;
@@ -142,6 +152,7 @@ struct StudyData {
     std::size_t expectedResponses = 0;          ///< number in a complete study; 0: unknown
     std::optional<SignalComparison> signals;    ///< none while blinded
     std::vector<RenderingPrice> prices;         ///< empty while blinded, and where no condition carries a quality
+    std::vector<FrictionPicture> pictures;      ///< empty while blinded, and where the images are not at hand
 };
 
 /// Whether the answers are numbers, or right and wrong; words are neither.

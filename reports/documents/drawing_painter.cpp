@@ -1,6 +1,7 @@
 #include "reports/documents/drawing_painter.h"
 
 #include <QFontMetricsF>
+#include <QImage>
 #include <QPainter>
 #include <QPainterPath>
 #include <QXmlStreamReader>
@@ -31,6 +32,7 @@ public:
             if (name == u"rect") paintRectangle();
             if (name == u"circle") paintCircle();
             if (name == u"text") paintText();
+            if (name == u"image") paintImage();
             if (name == u"title" || name == u"desc") m_xml.skipCurrentElement();
         }
     }
@@ -92,6 +94,13 @@ private:
     {
         take();
         m_painter.drawEllipse(QPointF(number("cx"), number("cy")), number("r"), number("r"));
+    }
+
+    void paintImage()
+    {
+        const QByteArray base64 = attribute("href").section(',', 1).toLatin1();
+        const QImage image = QImage::fromData(QByteArray::fromBase64(base64), "PNG");
+        m_painter.drawImage(QRectF(number("x"), number("y"), number("width"), number("height")), image);
     }
 
     void paintText()

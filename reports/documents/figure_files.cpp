@@ -15,35 +15,35 @@ namespace {
 constexpr double mmPerInch = 25.4;
 constexpr int imageDpi = 300;
 
-QSizeF sizeMm(const Figure& figure, double widthMm)
+QSizeF sizeMm(const std::string& svg, double widthMm)
 {
-    const QSizeF own = drawingSize(figure.svg);
+    const QSizeF own = drawingSize(svg);
     return own.isEmpty() ? QSizeF(widthMm, widthMm / 2) : QSizeF(widthMm, widthMm * own.height() / own.width());
 }
 
 }  // namespace
 
-void writeFigurePdf(const Figure& figure, const std::filesystem::path& file, double widthMm)
+void writeFigurePdf(const std::string& svg, const std::string& caption, const std::filesystem::path& file, double widthMm)
 {
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
     {
         QPdfWriter writer(&buffer);
-        const QSizeF size = sizeMm(figure, widthMm);
+        const QSizeF size = sizeMm(svg, widthMm);
         writer.setPageSize(QPageSize(size, QPageSize::Millimeter, QString(), QPageSize::ExactMatch));
         writer.setPageMargins({});
         writer.setResolution(1200);
-        writer.setTitle(QString::fromStdString(figure.caption));
+        writer.setTitle(QString::fromStdString(caption));
         QPainter painter(&writer);
-        paintDrawing(painter, figure.svg, QRectF(0, 0, writer.width(), writer.height()));
+        paintDrawing(painter, svg, QRectF(0, 0, writer.width(), writer.height()));
     }
     protocols::writeWholeFile(file, bytes.toStdString(), protocols::Sync::Later);
 }
 
 void writeFigurePng(const Figure& figure, const std::filesystem::path& file, double widthMm)
 {
-    const QSizeF size = sizeMm(figure, widthMm) * (imageDpi / mmPerInch);
+    const QSizeF size = sizeMm(figure.svg, widthMm) * (imageDpi / mmPerInch);
     QImage image(size.toSize(), QImage::Format_RGB32);
     image.setDotsPerMeterX(int(imageDpi * 1000 / mmPerInch));
     image.setDotsPerMeterY(int(imageDpi * 1000 / mmPerInch));

@@ -1,4 +1,4 @@
-// Figures as files for papers: PDF at the width of two columns, PNG for text documents.
+// Figures as files for papers: PDF at the widths of one and of two columns, PNG for text documents.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@ namespace reports {
 inline constexpr double oneColumnMm = 88, twoColumnsMm = 180;
 
 /// Writes a vector PDF of one page that is as large as the figure. Throws environmentFault where it cannot write.
-void writeFigurePdf(const Figure& figure, const std::filesystem::path& file, double widthMm = twoColumnsMm);
+void writeFigurePdf(const std::string& svg, const std::string& caption, const std::filesystem::path& file, double widthMm);
 
 /// Writes a PNG at 300 dpi of `widthMm`.
 void writeFigurePng(const Figure& figure, const std::filesystem::path& file, double widthMm = twoColumnsMm);

@@ -4,12 +4,15 @@
 #include <QProcess>
 #include <QStandardPaths>
 #include <QTemporaryDir>
+#include <algorithm>
+#include <cstring>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/markup_text.h"
+#include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
 #include "reports/documents/figure_files.h"
-#include "reports/formats/table_formats.h"
+#include "reports/formats/table_parts.h"
 
 namespace reports {
 namespace {
@@ -17,7 +20,59 @@ namespace {
 constexpr int longestMs = 60000;
 constexpr double figureMm = 160;  ///< text of an A4 page
 
-std::string htmlOf(const ReportTable* one) { return toHtml(one->table); }
+/// Room for a table whose letters word processors show at 12 points, in the measure of tableParts().
+constexpr double tableWidthPt = 250, leastWidthPt = 150;
+constexpr double cellPadding = 12;  ///< points, between two columns
+
+/// A part of a table with widths of its columns, which a word processor would otherwise make equal.
+std::string htmlOf(const Table& table, const TablePart& part, const std::string& caption)
+{
+    double whole = 0;
+    const auto widthOf = [&](const PartColumn& column) {
+        return cellPadding + (column.wrappedPt > 0 ? column.wrappedPt / part.scale : column.width);
+    };
+    for (const PartColumn& column : part.columns) whole += widthOf(column);
+    std::string html = "<table><caption>" + protocols::escapedMarkup(caption) + "</caption><colgroup>", head, body;
+    for (const PartColumn& column : part.columns) {
+        const std::string align = column.isNumber ? " style=\"text-align:right\"" : "";
+        html += "<col width=\"" + protocols::fixed(100 * widthOf(column) / std::max(whole, leastWidthPt), 1) + "%\">";
+        head += "<th" + align + ">" + protocols::escapedMarkup(table.columns[column.index].name) + "</th>";
+    }
+    for (const auto& row : table.rows) {
+        body += "<tr>";
+        for (const PartColumn& column : part.columns)
+            body +=
+                std::string("<td") + (column.isNumber ? " style=\"text-align:right\">" : ">") + row[column.index].html + "</td>";
+        body += "</tr>\n";
+    }
+    return html + "</colgroup><thead><tr>" + head + "</tr></thead><tbody>\n" + body + "</tbody></table>\n";
+}
+
+std::string htmlOf(const ReportTable* one)
+{
+    const std::vector<TablePart> parts = tableParts(one->table, tableWidthPt);
+    std::string html;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const std::string which =
+            parts.size() > 1 ? " (part " + std::to_string(i + 1) + " of " + std::to_string(parts.size()) + ")" : "";
+        html += htmlOf(one->table, parts[i], one->table.caption + which);
+    }
+    return html;
+}
+
+/// The tiles of the page as one line: "10 participants; 63 renderings".
+std::string withoutTiles(std::string html)
+{
+    const std::pair<const char*, const char*> replacements[] = {{"<div class=\"tiles\">", "<p>"},
+                                                                {"<div class=\"tile\">", ""},
+                                                                {"</b><span>", "</b> "},
+                                                                {"</span></div></div>", "</p>"},
+                                                                {"</span></div>", "; "}};
+    for (const auto& [from, to] : replacements)
+        for (std::size_t at = html.find(from); at != std::string::npos; at = html.find(from, at))
+            html.replace(at, std::strlen(from), to);
+    return html;
+}
 
 std::string htmlOf(const Figure* figure)
 {
@@ -40,7 +95,7 @@ std::string plainHtml(const ReportDocument& document)
     std::string tags;
     for (const DocumentTag& tag : document.tags) tags += " [" + protocols::escapedMarkup(tag.text) + "]";
     for (const DocumentSection& section : document.sections) {
-        html += "<h1>" + protocols::escapedMarkup(section.heading.title) + tags + "</h1>\n" + section.leadHtml;
+        html += "<h1>" + protocols::escapedMarkup(section.heading.title) + tags + "</h1>\n" + withoutTiles(section.leadHtml);
         for (const DocumentItem& item : section.items) html += std::visit([](const auto* one) { return htmlOf(one); }, item);
         html += section.endHtml;
     }

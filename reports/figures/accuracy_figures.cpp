@@ -29,11 +29,16 @@ double secondsStep(double length)
 
 class AccuracyPlot {
 public:
-    AccuracyPlot(const AccuracyBySpeed& accuracy, int alternatives, const std::string& title, const std::string& description)
+    AccuracyPlot(const AccuracyBySpeed& accuracy, int alternatives, const std::string& title, const std::string& description,
+                 FigureWidth figureWidth)
         : m_accuracy(accuracy),
           m_alternatives(alternatives),
+          m_isNarrow(figureWidth == FigureWidth::OneColumn),
+          m_right(m_isNarrow ? 470 : 860),
+          m_top(m_isNarrow ? 94 : 50),
+          m_bottom(m_top + 300),
           m_longest(longestTime(accuracy)),
-          m_drawing(width, height, title, description)
+          m_drawing(m_isNarrow ? 490 : 900, m_top + 370, title, description)
     {
     }
 
@@ -48,8 +53,7 @@ public:
     }
 
 private:
-    static constexpr double width = 900, height = 420;  // px
-    static constexpr double left = 76, right = 860, top = 50, bottom = 350;
+    static constexpr double left = 76;  // px
 
     /// End of the axis of times, s.
     static double longestTime(const AccuracyBySpeed& accuracy)
@@ -62,38 +66,47 @@ private:
         return longest > 0 ? longest * 1.05 : 1;
     }
 
-    double x(double seconds) const { return left + seconds / m_longest * (right - left); }
-    static double y(double share) { return bottom - share * (bottom - top); }
+    double x(double seconds) const { return left + seconds / m_longest * (m_right - left); }
+    double y(double share) const { return m_bottom - share * (m_bottom - m_top); }
 
     void drawAxes()
     {
         for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-            m_drawing.line({left, y(share)}, {right, y(share)}, ChartColours::faint, 1);
+            m_drawing.line({left, y(share)}, {m_right, y(share)}, ChartColours::faint, 1);
             m_drawing.text({left - 10, y(share) + 5}, protocols::shortest(share), {.anchor = SvgAnchor::End});
         }
         const double step = secondsStep(m_longest);
         for (int tick = 0; tick * step <= m_longest * 1.0001; ++tick) {
-            m_drawing.line({x(tick * step), bottom}, {x(tick * step), bottom + 5}, ChartColours::ink, 1.5);
-            m_drawing.text({x(tick * step), bottom + 24}, protocols::shortest(std::round(tick * step * 1e6) / 1e6), {.size = 14});
+            m_drawing.line({x(tick * step), m_bottom}, {x(tick * step), m_bottom + 5}, ChartColours::ink, 1.5);
+            m_drawing.text({x(tick * step), m_bottom + 24}, protocols::shortest(std::round(tick * step * 1e6) / 1e6),
+                           {.size = 14});
         }
-        m_drawing.line({left, bottom}, {right, bottom}, ChartColours::ink, 1.5);
-        m_drawing.line({left, top}, {left, bottom}, ChartColours::ink, 1.5);
-        m_drawing.text({left - 56, (top + bottom) / 2}, "share correct", {.size = 15, .rotation = -90});
-        m_drawing.text({(left + right) / 2, bottom + 54}, "response time, s", {.size = 15});
+        m_drawing.line({left, m_bottom}, {m_right, m_bottom}, ChartColours::ink, 1.5);
+        m_drawing.line({left, m_top}, {left, m_bottom}, ChartColours::ink, 1.5);
+        m_drawing.text({left - 56, (m_top + m_bottom) / 2}, "share correct", {.size = 15, .rotation = -90});
+        m_drawing.text({(left + m_right) / 2, m_bottom + 54}, "response time, s", {.size = 15});
         const double chance = 1.0 / m_alternatives;
-        m_drawing.line({left, y(chance)}, {right, y(chance)}, ChartColours::ink, 1.4, "7 5");
+        m_drawing.line({left, y(chance)}, {m_right, y(chance)}, ChartColours::ink, 1.4, "7 5");
     }
 
     void drawLegend()
     {
-        m_drawing.circle({left + 8, 20}, 6, ChartColours::blue, ChartColours::white);
-        m_drawing.text({left + 22, 25}, "mean of participants, 95 % interval", {.size = 14, .anchor = SvgAnchor::Start});
-        if (m_accuracy.participants.size() <= mostThinLines) {
-            m_drawing.line({left + 310, 20}, {left + 340, 20}, ChartColours::slate, 1);
-            m_drawing.text({left + 348, 25}, "one participant", {.size = 14, .anchor = SvgAnchor::Start});
-        }
-        m_drawing.line({left + 500, 20}, {left + 530, 20}, ChartColours::ink, 1.4, "7 5");
-        m_drawing.text({left + 538, 25}, "chance, 1/" + std::to_string(m_alternatives), {.size = 14, .anchor = SvgAnchor::Start});
+        const auto place = [&](double wideX, int narrowRow) {
+            return m_isNarrow ? SvgPoint{left, 20 + 22.0 * narrowRow} : SvgPoint{left + wideX, 20};
+        };
+        const auto words = [&](SvgPoint at, const std::string& text) {
+            m_drawing.text({at.x + 38, at.y + 5}, text, {.size = 14, .anchor = SvgAnchor::Start});
+        };
+        const auto stroke = [&](SvgPoint at, const std::string& colour, double thick, const char* dashes,
+                                const std::string& text) {
+            m_drawing.line(at, {at.x + 30, at.y}, colour, thick, dashes);
+            words(at, text);
+        };
+        const SvgPoint mean = place(0, 0);
+        m_drawing.circle({mean.x + 15, mean.y}, 6, ChartColours::blue, ChartColours::white);
+        words(mean, "mean of participants, 95 % interval");
+        if (m_accuracy.participants.size() <= mostThinLines) stroke(place(310, 1), ChartColours::slate, 1, "", "one participant");
+        stroke(place(500, 2), ChartColours::ink, 1.4, "7 5", "chance, 1/" + std::to_string(m_alternatives));
     }
 
     void drawParticipant(const ParticipantSpeed& one)
@@ -124,13 +137,15 @@ private:
 
     const AccuracyBySpeed& m_accuracy;
     int m_alternatives;
+    bool m_isNarrow;
+    double m_right, m_top, m_bottom;  ///< of the plot, px
     double m_longest;
     protocols::SvgDrawing m_drawing;
 };
 
 }  // namespace
 
-std::vector<Figure> accuracyFigures(const StudyAnalysis& analysis)
+std::vector<Figure> accuracyFigures(const StudyAnalysis& analysis, FigureWidth width)
 {
     std::vector<Figure> figures;
     for (const auto& question : questionsWith<ChoiceAnalysis>(analysis)) {
@@ -145,7 +160,7 @@ std::vector<Figure> accuracyFigures(const StudyAnalysis& analysis)
                       .section = PageSection::Speed,
                       .question = question.id()};
         figure.svg = AccuracyPlot(accuracy, question.findings.alternatives, question.id() + ": share correct by response time",
-                                  figure.caption)
+                                  figure.caption, width)
                          .drawn();
         figures.push_back(std::move(figure));
     }

@@ -9,6 +9,6 @@
 namespace reports {
 
 /// One figure for each choice question with response times.
-std::vector<Figure> accuracyFigures(const StudyAnalysis& analysis);
+std::vector<Figure> accuracyFigures(const StudyAnalysis& analysis, FigureWidth width);
 
 }  // namespace reports

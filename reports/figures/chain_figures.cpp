@@ -115,31 +115,28 @@ std::vector<ChainPanel> panelsOf(const QualityChain& chain)
 class ChainPlot {
 public:
     ChainPlot(const QualityChain& chain, const std::vector<ChainPanel>& panels, const std::string& title,
-              const std::string& description)
+              const std::string& description, FigureWidth width)
         : m_chain(chain),
           m_panels(panels),
+          m_across(width == FigureWidth::OneColumn ? 2 : 3),
           m_labelWidth(labelWidthOf(chain)),
-          m_drawing(m_labelWidth + acrossPanels * panelStep, static_cast<double>(linesOf(panels)) * lineHeight(), title,
+          m_drawing(m_labelWidth + static_cast<double>(m_across) * panelStep, static_cast<double>(lines()) * lineHeight(), title,
                     description)
     {
     }
 
     std::string drawn()
     {
-        for (std::size_t line = 0; line < linesOf(m_panels); ++line) drawRowLabels(topOf(line));
+        for (std::size_t line = 0; line < lines(); ++line) drawRowLabels(topOf(line));
         for (std::size_t k = 0; k < m_panels.size(); ++k)
-            drawPanel(m_panels[k], m_labelWidth + static_cast<double>(k % acrossPanels) * panelStep, topOf(k / acrossPanels));
+            drawPanel(m_panels[k], m_labelWidth + static_cast<double>(k % m_across) * panelStep, topOf(k / m_across));
         return m_drawing.finished();
     }
 
 private:
-    static constexpr std::size_t acrossPanels = 3;
     static constexpr double panelWidth = 170, panelStep = 200, rowHeight = 26, headHeight = 44, footHeight = 46;  // px
 
-    static std::size_t linesOf(const std::vector<ChainPanel>& panels)
-    {
-        return (panels.size() + acrossPanels - 1) / acrossPanels;
-    }
+    std::size_t lines() const { return (m_panels.size() + m_across - 1) / m_across; }
 
     static double labelWidthOf(const QualityChain& chain)
     {
@@ -230,13 +227,14 @@ private:
 
     const QualityChain& m_chain;
     const std::vector<ChainPanel>& m_panels;
+    std::size_t m_across;  ///< number of panels in a line
     double m_labelWidth;
     protocols::SvgDrawing m_drawing;
 };
 
 }  // namespace
 
-std::vector<Figure> chainFigures(const StudyAnalysis& analysis)
+std::vector<Figure> chainFigures(const StudyAnalysis& analysis, FigureWidth width)
 {
     const QualityChain chain = qualityChain(analysis);
     if (chain.rows.empty()) return {};
@@ -250,7 +248,7 @@ std::vector<Figure> chainFigures(const StudyAnalysis& analysis)
             "of the same condition. Other panels: participants' answers, for these fabrics. Whiskers: 95 % intervals. "
             "Dashed line: chance. A missing point has its reason in the table."),
         .section = PageSection::Chain};
-    figure.svg = ChainPlot(chain, panels, "Speed against accuracy, from milliseconds to people", figure.caption).drawn();
+    figure.svg = ChainPlot(chain, panels, "Speed against accuracy, from milliseconds to people", figure.caption, width).drawn();
     return {std::move(figure)};
 }
 

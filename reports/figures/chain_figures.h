@@ -9,6 +9,6 @@
 namespace reports {
 
 /// Empty where the study has no quality factor, or is blinded.
-std::vector<Figure> chainFigures(const StudyAnalysis& analysis);
+std::vector<Figure> chainFigures(const StudyAnalysis& analysis, FigureWidth width);
 
 }  // namespace reports

@@ -15,13 +15,36 @@ namespace {
 
 using protocols::SvgAnchor;
 using protocols::SvgDrawing;
+using protocols::SvgText;
 using stats::Generalisation;
 
 constexpr std::size_t mostRows = 36;
-constexpr double width = 900;       // px
-constexpr double labelWidth = 200;  // px, left of the plot
-constexpr double verdictWidth = 210;
-constexpr double top = 56;
+/// Widths of the whole, of the labels left of the plot and of the verdicts right of it, and the height of the legend; px.
+struct ForestSize {
+    double whole, labels, verdicts, top;
+};
+
+ForestSize sizeFor(FigureWidth width)
+{
+    return width == FigureWidth::OneColumn ? ForestSize{490, 150, 34, 118} : ForestSize{900, 200, 210, 56};
+}
+
+/// A sign in place of the words, where there is no room for them.
+const char* signOf(stats::Verdict verdict)
+{
+    switch (verdict) {
+        case stats::Verdict::Different:
+            return "\u2260";
+        case stats::Verdict::Equivalent:
+            return "\u2248";
+        case stats::Verdict::DifferentWithinBounds:
+            return "\u2260\u2248";
+        case stats::Verdict::NotDecided:
+            break;
+    }
+    return "?";
+}
+
 constexpr double rowHeight = 34;
 constexpr double axisHeight = 52;
 
@@ -57,11 +80,13 @@ std::string contrastLabel(const ContrastFinding& finding)
 
 class ForestPlot {
 public:
-    ForestPlot(const std::string& question, const QuestionClaims& claims, const std::string& description)
+    ForestPlot(const std::string& question, const QuestionClaims& claims, const std::string& description, FigureWidth width)
         : m_claims(claims),
+          m_isNarrow(width == FigureWidth::OneColumn),
+          m_size(sizeFor(width)),
           m_reach(reachOf(claims)),
           m_height(rowHeight * static_cast<double>(claims.contrasts.size() / 2)),
-          m_drawing(width, top + m_height + axisHeight, "Contrasts of " + question, description)
+          m_drawing(m_size.whole, m_size.top + m_height + axisHeight, "Contrasts of " + question, description)
     {
     }
 
@@ -72,32 +97,32 @@ public:
         drawLegend();
         for (std::size_t row = 0; 2 * row + 1 < m_claims.contrasts.size(); ++row)
             drawRow(m_claims.contrasts[2 * row], m_claims.contrasts[2 * row + 1],
-                    top + (static_cast<double>(row) + 0.5) * rowHeight);
+                    m_size.top + (static_cast<double>(row) + 0.5) * rowHeight);
         return m_drawing.finished();
     }
 
 private:
-    static double left() { return labelWidth; }
-    static double right() { return width - verdictWidth; }
+    double left() const { return m_size.labels; }
+    double right() const { return m_size.whole - m_size.verdicts; }
     double x(double value) const { return (left() + right()) / 2 + value / m_reach * (right() - left()) / 2; }
 
     void drawZone()
     {
         if (!m_claims.bounds) return;
         const double from = x(std::max(m_claims.bounds->first, -m_reach)), to = x(std::min(m_claims.bounds->second, m_reach));
-        m_drawing.rectangle({from, top}, to - from, m_height, ChartColours::green, 0.14);
+        m_drawing.rectangle({from, m_size.top}, to - from, m_height, ChartColours::green, 0.14);
     }
 
     void drawAxis()
     {
-        const double bottom = top + m_height;
+        const double bottom = m_size.top + m_height;
         const double step = tickStep(m_reach);
         for (double tick = -std::floor(m_reach / step) * step; tick <= m_reach * 1.0001; tick += step) {
-            m_drawing.line({x(tick), top}, {x(tick), bottom}, ChartColours::faint, 1);
+            m_drawing.line({x(tick), m_size.top}, {x(tick), bottom}, ChartColours::faint, 1);
             m_drawing.text({x(tick), bottom + 18}, typeset(protocols::shortest(std::round(tick / step) * step)),
                            {.size = 13, .colour = ChartColours::grey});
         }
-        m_drawing.line({x(0), top}, {x(0), bottom}, ChartColours::ink, 1.2);
+        m_drawing.line({x(0), m_size.top}, {x(0), bottom}, ChartColours::ink, 1.2);
         m_drawing.line({left(), bottom}, {right(), bottom}, ChartColours::ink, 1);
         m_drawing.text({(left() + right()) / 2, bottom + 40},
                        m_claims.bounds ? "difference, scale points" : "difference of the share correct",
@@ -106,19 +131,23 @@ private:
 
     void drawLegend()
     {
-        const auto entry = [&](double at, const std::string& colour, bool isThick, const std::string& words) {
-            m_drawing.line({at, 20}, {at + 34, 20}, colour, isThick ? 4 : 2);
-            m_drawing.circle({at + 17, 20}, isThick ? 5.5 : 4, colour, ChartColours::white);
-            m_drawing.text({at + 42, 25}, words, {.size = 13.5, .anchor = SvgAnchor::Start});
+        const auto entry = [&](protocols::SvgPoint at, const std::string& colour, bool isThick, const std::string& words) {
+            m_drawing.line(at, {at.x + 34, at.y}, colour, isThick ? 4 : 2);
+            m_drawing.circle({at.x + 17, at.y}, isThick ? 5.5 : 4, colour, ChartColours::white);
+            m_drawing.text({at.x + 42, at.y + 5}, words, {.size = 13.5, .anchor = SvgAnchor::Start});
         };
-        entry(left(), ChartColours::vermilion, true, wordsOf(Generalisation::FabricsLikeThese));
-        entry(left() + 190, ChartColours::blue, false, wordsOf(Generalisation::TheseFabrics));
-        m_drawing.text({right() + 14, 25}, "verdict for fabrics like these",
-                       {.size = 13, .anchor = SvgAnchor::Start, .colour = ChartColours::grey});
+        const double first = m_isNarrow ? 14 : left(), below = m_isNarrow ? 24 : 0;
+        entry({first, 20}, ChartColours::vermilion, true, wordsOf(Generalisation::FabricsLikeThese));
+        entry({m_isNarrow ? first : first + 190, 20 + below}, ChartColours::blue, false, wordsOf(Generalisation::TheseFabrics));
+        const protocols::SvgPoint zone{m_isNarrow ? first + 250 : first + 340, 20};
         if (m_claims.bounds) {
-            m_drawing.rectangle({left() + 340, 12}, 22, 16, ChartColours::green, 0.25);
-            m_drawing.text({left() + 370, 25}, "equivalence", {.size = 13.5, .anchor = SvgAnchor::Start});
+            m_drawing.rectangle({zone.x, zone.y - 8}, 22, 16, ChartColours::green, 0.25);
+            m_drawing.text({zone.x + 30, zone.y + 5}, "equivalence", {.size = 13.5, .anchor = SvgAnchor::Start});
         }
+        const SvgText remark{.size = 13, .anchor = SvgAnchor::Start, .colour = ChartColours::grey};
+        if (!m_isNarrow) return m_drawing.text({right() + 14, 25}, "verdict for fabrics like these", remark);
+        m_drawing.text({first, 73}, "verdict for fabrics like these, on the right:", remark);
+        m_drawing.text({first, 95}, "\u2260 different, \u2248 equivalent, \u2260\u2248 both, ? not decided", remark);
     }
 
     void drawInterval(const stats::CrossedMean& mean, double y, const std::string& colour, bool isThick)
@@ -136,11 +165,16 @@ private:
         m_drawing.text({left() - 14, y + 5}, contrastLabel(alike), {.size = 14, .anchor = SvgAnchor::End, .bold = alike.primary});
         drawInterval(alike.claim.mean, y - 5, ChartColours::vermilion, true);
         drawInterval(these.claim.mean, y + 6, ChartColours::blue, false);
-        m_drawing.text({right() + 14, y + 5}, protocols::escapedMarkup(wordsOf(alike.claim.verdict)),
-                       {.size = 13.5, .anchor = SvgAnchor::Start, .bold = alike.claim.verdict != stats::Verdict::NotDecided});
+        m_drawing.text({right() + (m_isNarrow ? 6 : 14), y + 5},
+                       m_isNarrow ? signOf(alike.claim.verdict) : protocols::escapedMarkup(wordsOf(alike.claim.verdict)),
+                       {.size = m_isNarrow ? 16 : 13.5,
+                        .anchor = SvgAnchor::Start,
+                        .bold = alike.claim.verdict != stats::Verdict::NotDecided});
     }
 
     const QuestionClaims& m_claims;
+    bool m_isNarrow;
+    ForestSize m_size;
     double m_reach;
     double m_height;
     SvgDrawing m_drawing;
@@ -148,7 +182,7 @@ private:
 
 }  // namespace
 
-std::vector<Figure> contrastsFigures(const StudyAnalysis& analysis)
+std::vector<Figure> contrastsFigures(const StudyAnalysis& analysis, FigureWidth width)
 {
     std::vector<Figure> figures;
     for (const QuestionAnalysis& question : analysis.questions) {
@@ -162,7 +196,7 @@ std::vector<Figure> contrastsFigures(const StudyAnalysis& analysis)
                                            "interval. Neither is corrected for the number of contrasts; the verdicts are."),
             .section = PageSection::Claims,
             .question = id};
-        figure.svg = ForestPlot(id, *claims, figure.caption).drawn();
+        figure.svg = ForestPlot(id, *claims, figure.caption, width).drawn();
         figures.push_back(std::move(figure));
     }
     return figures;

@@ -9,6 +9,6 @@
 namespace reports {
 
 /// One figure for each question with numbers: planned contrasts, or all pairs where they are at most 36.
-std::vector<Figure> contrastsFigures(const StudyAnalysis& analysis);
+std::vector<Figure> contrastsFigures(const StudyAnalysis& analysis, FigureWidth width);
 
 }  // namespace reports

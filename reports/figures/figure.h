@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "reports/charts/figure_width.h"
 #include "reports/data/study_data.h"
 #include "reports/text/page_section.h"
 
@@ -13,7 +14,8 @@ struct Figure {
     std::string caption;  ///< plain text
     std::string svg = {};
     PageSection section = PageSection::Summary;
-    std::string question = {};  ///< question of the figure; empty: several questions
+    std::string question = {};   ///< question of the figure; empty: several questions
+    std::string narrowSvg = {};  ///< drawn for one column and for phones
 };
 
 /// The caption, with notes on simulated participants and masked conditions.

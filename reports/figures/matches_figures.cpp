@@ -49,12 +49,12 @@ void drawChanceLine(PlotFrame& plot, double chance, const std::string& people)
 {
     const std::string dashes = "7 5";
     plot.drawing().line({plot.left(), plot.y(chance)}, {plot.rightEdge(), plot.y(chance)}, ChartColours::vermilion, 2, dashes);
-    plot.drawing().line({plot.left(), PlotFrame::legendY}, {plot.left() + 34, PlotFrame::legendY}, ChartColours::vermilion, 2,
+    plot.drawing().line({plot.left(), PlotFrame::legendY()}, {plot.left() + 34, PlotFrame::legendY()}, ChartColours::vermilion, 2,
                         dashes);
     plot.drawLegendText(plot.left() + 42, protocols::SvgAnchor::Start, "chance: " + fixed(chance, 1) + " of " + people);
 }
 
-Figure matchesFigure(const StudyAnalysis& analysis, const std::string& id, const ChoiceAnalysis& choices)
+Figure matchesFigure(const StudyAnalysis& analysis, const std::string& id, const ChoiceAnalysis& choices, FigureWidth width)
 {
     const std::size_t people = analysis.data.participants.size();
     const auto participants = static_cast<double>(std::max<std::size_t>(1, people));
@@ -68,25 +68,26 @@ Figure matchesFigure(const StudyAnalysis& analysis, const std::string& id, const
                   .section = PageSection::Matches,
                   .question = id};
     const PlotConditions conditions{analysis.data.conditions, analysis.data.blinded};
-    PlotFrame plot(conditions, 0, participants, id + ": matches per rendering by condition", figure.caption);
+    PlotFrame plot(conditions, 0, participants, id + ": matches per rendering by condition", figure.caption,
+                   {width, width == FigureWidth::OneColumn ? 2 : 1});
     plot.drawFrame("matches per rendering (of " + std::to_string(people) + ")");
     plot.drawRightAxis(participants, "share correct");
     for (std::size_t i = 0; i < conditions.names.size(); ++i)
         drawBar(plot, i, choices.conditions[i], intervalOf(choices, conditions.names[i]), participants,
                 conditions.hasGroups() ? groupColour(*groupOf(conditions.names[i])) : plainColour());
     drawChanceLine(plot, participants / choices.alternatives, std::to_string(people));
-    plot.drawLegendText(plot.rightEdge(), protocols::SvgAnchor::End, "whiskers: 95 % interval, participants and fabrics");
+    plot.drawRemark("whiskers: 95 % interval, participants and fabrics");
     figure.svg = plot.drawing().finished();
     return figure;
 }
 
 }  // namespace
 
-std::vector<Figure> matchesFigures(const StudyAnalysis& analysis)
+std::vector<Figure> matchesFigures(const StudyAnalysis& analysis, FigureWidth width)
 {
     std::vector<Figure> figures;
     for (const auto& question : questionsWith<ChoiceAnalysis>(analysis))
-        figures.push_back(matchesFigure(analysis, question.id(), question.findings));
+        figures.push_back(matchesFigure(analysis, question.id(), question.findings, width));
     return figures;
 }
 

@@ -9,6 +9,6 @@
 namespace reports {
 
 /// Bars with Wilson's 95 % intervals and the chance line; counts on the left axis, shares on the right.
-std::vector<Figure> matchesFigures(const StudyAnalysis& analysis);
+std::vector<Figure> matchesFigures(const StudyAnalysis& analysis, FigureWidth width);
 
 }  // namespace reports

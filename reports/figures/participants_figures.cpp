@@ -45,7 +45,7 @@ void drawMeansOfParticipants(PlotFrame& plot, const RatingAnalysis& ratings)
 
 }  // namespace
 
-std::vector<Figure> participantsFigures(const StudyAnalysis& analysis)
+std::vector<Figure> participantsFigures(const StudyAnalysis& analysis, FigureWidth width)
 {
     std::vector<Figure> figures;
     for (const RatingQuestion& question : questionsWith<RatingAnalysis>(analysis)) {
@@ -59,10 +59,11 @@ std::vector<Figure> participantsFigures(const StudyAnalysis& analysis)
             .question = question.id()};
         const NumberOnScale& scale = question.findings.scale;
         PlotFrame plot({analysis.data.conditions, analysis.data.blinded}, scale.min, scale.max,
-                       question.id() + ": participants by condition", figure.caption);
+                       question.id() + ": participants by condition", figure.caption,
+                       {width, width == FigureWidth::OneColumn ? 2 : 1});
         plot.drawFrame(question.id());
         plot.drawLegendText(plot.left(), protocols::SvgAnchor::Start, "grey: one participant");
-        plot.drawLegendText(plot.rightEdge(), protocols::SvgAnchor::End, "red: mean, with within-participant interval");
+        plot.drawRemark("red: mean, with within-participant interval");
         drawParticipants(plot, question.findings);
         drawMeansOfParticipants(plot, question.findings);
         figure.svg = plot.drawing().finished();

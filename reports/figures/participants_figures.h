@@ -9,6 +9,6 @@
 namespace reports {
 
 /// One figure for each rating question.
-std::vector<Figure> participantsFigures(const StudyAnalysis& analysis);
+std::vector<Figure> participantsFigures(const StudyAnalysis& analysis, FigureWidth width);
 
 }  // namespace reports

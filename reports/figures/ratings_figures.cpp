@@ -13,6 +13,7 @@ namespace {
 using RatingQuestion = AnalysedQuestion<RatingAnalysis>;
 
 constexpr double legendRoom = 480;  ///< px, beside the remark on the right
+constexpr double narrowPlot = 330;  ///< px; wider where there are many conditions
 
 double legendWidth(const std::string& question) { return 52 + 9 * static_cast<double>(question.size()); }
 
@@ -58,15 +59,37 @@ void drawMarker(protocols::SvgDrawing& drawing, std::size_t k, protocols::SvgPoi
     }
 }
 
+/// Lines above the plot; the remark stands in one of its own where the figure is narrow.
+int legendRows(const std::vector<RatingQuestion>& questions, FigureWidth width)
+{
+    if (width == FigureWidth::TwoColumns) return 1;
+    int rows = 1;
+    double x = 0;
+    for (const RatingQuestion& question : questions) {
+        const double needed = legendWidth(question.id());
+        if (x > 0 && x + needed > narrowPlot) {
+            ++rows;
+            x = 0;
+        }
+        x += needed;
+    }
+    return rows + 1;
+}
+
 void drawLegend(PlotFrame& plot, const std::vector<RatingQuestion>& questions)
 {
     double x = plot.left();
+    int row = 0;
     for (std::size_t k = 0; k < questions.size(); ++k) {
-        drawMarker(plot.drawing(), k, {x + 8, PlotFrame::legendY});
-        plot.drawLegendText(x + 22, protocols::SvgAnchor::Start, protocols::escapedMarkup(questions[k].id()));
+        if (plot.isNarrow() && k > 0 && x + legendWidth(questions[k].id()) > plot.left() + narrowPlot) {
+            x = plot.left();
+            ++row;
+        }
+        drawMarker(plot.drawing(), k, {x + 8, PlotFrame::legendY(row)});
+        plot.drawLegendText(x + 22, protocols::SvgAnchor::Start, protocols::escapedMarkup(questions[k].id()), row);
         x += legendWidth(questions[k].id());
     }
-    plot.drawLegendText(plot.rightEdge(), protocols::SvgAnchor::End, "mean, with 95 % interval over participants");
+    plot.drawRemark("mean, with 95 % interval over participants");
 }
 
 void drawMeans(PlotFrame& plot, const std::vector<RatingQuestion>& questions)
@@ -93,7 +116,7 @@ std::string namesIn(const std::vector<RatingQuestion>& questions)
 
 }  // namespace
 
-std::vector<Figure> ratingsFigures(const StudyAnalysis& analysis)
+std::vector<Figure> ratingsFigures(const StudyAnalysis& analysis, FigureWidth width)
 {
     const auto groups = figureGroups(analysis);
     std::vector<Figure> figures;
@@ -106,7 +129,7 @@ std::vector<Figure> ratingsFigures(const StudyAnalysis& analysis)
                       .section = PageSection::Ratings};
         const NumberOnScale& scale = questions.front().findings.scale;
         PlotFrame plot({analysis.data.conditions, analysis.data.blinded}, scale.min, scale.max,
-                       "Ratings by question and condition", figure.caption);
+                       "Ratings by question and condition", figure.caption, {width, legendRows(questions, width)});
         plot.drawFrame("rating");
         drawLegend(plot, questions);
         drawMeans(plot, questions);

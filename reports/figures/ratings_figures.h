@@ -10,6 +10,6 @@ namespace reports {
 
 /// Means over ratings with the 95 % intervals of the participants' means. Questions share a figure where they share a scale
 /// and their names fit into one legend; further figures are called "ratings_2", "ratings_3" ...
-std::vector<Figure> ratingsFigures(const StudyAnalysis& analysis);
+std::vector<Figure> ratingsFigures(const StudyAnalysis& analysis, FigureWidth width);
 
 }  // namespace reports

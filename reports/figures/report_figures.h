@@ -9,6 +9,9 @@
 
 namespace reports {
 
+/// Folder inside figures/ with the figures for one column.
+inline constexpr const char* oneColumnFolder = "88mm";
+
 /// Every figure that the study has, in the order of the page. Names differ without regard to case.
 std::vector<Figure> reportFigures(const StudyAnalysis& analysis);
 

@@ -28,7 +28,7 @@ bool anyTimes(const std::vector<SpeedPoint>& points)
     return std::ranges::any_of(points, [](const SpeedPoint& point) { return point.time.exists() && point.share.exists(); });
 }
 
-Figure conditionsFigure(const StudyAnalysis& analysis, const AnalysedQuestion<ChoiceAnalysis>& question)
+Figure conditionsFigure(const StudyAnalysis& analysis, const AnalysedQuestion<ChoiceAnalysis>& question, FigureWidth width)
 {
     SpeedPlot plot{.title = question.id() + ": speed against accuracy", .alternatives = question.findings.alternatives};
     for (std::size_t c = 0; c < analysis.data.conditions.size(); ++c)
@@ -44,11 +44,11 @@ Figure conditionsFigure(const StudyAnalysis& analysis, const AnalysedQuestion<Ch
                   .section = PageSection::Speed,
                   .question = question.id()};
     plot.description = figure.caption;
-    if (anyTimes(plot.points)) figure.svg = drawn(plot);
+    if (anyTimes(plot.points)) figure.svg = drawn(plot, width);
     return figure;
 }
 
-Figure instructionsFigure(const StudyAnalysis& analysis, const AnalysedQuestion<ChoiceAnalysis>& question)
+Figure instructionsFigure(const StudyAnalysis& analysis, const AnalysedQuestion<ChoiceAnalysis>& question, FigureWidth width)
 {
     SpeedPlot plot{.title = question.id() + ": speed against accuracy by instruction",
                    .alternatives = question.findings.alternatives,
@@ -68,21 +68,21 @@ Figure instructionsFigure(const StudyAnalysis& analysis, const AnalysedQuestion<
         .section = PageSection::Speed,
         .question = question.id()};
     plot.description = figure.caption;
-    if (anyTimes(plot.points)) figure.svg = drawn(plot);
+    if (anyTimes(plot.points)) figure.svg = drawn(plot, width);
     return figure;
 }
 
 }  // namespace
 
-std::vector<Figure> speedFigures(const StudyAnalysis& analysis)
+std::vector<Figure> speedFigures(const StudyAnalysis& analysis, FigureWidth width)
 {
     std::vector<Figure> figures;
     const auto add = [&](Figure figure) {
         if (!figure.svg.empty()) figures.push_back(std::move(figure));
     };
     for (const auto& question : questionsWith<ChoiceAnalysis>(analysis)) {
-        if (analysis.data.conditions.size() <= mostPoints) add(conditionsFigure(analysis, question));
-        if (!question.findings.instructions.instructions.empty()) add(instructionsFigure(analysis, question));
+        if (analysis.data.conditions.size() <= mostPoints) add(conditionsFigure(analysis, question, width));
+        if (!question.findings.instructions.instructions.empty()) add(instructionsFigure(analysis, question, width));
     }
     return figures;
 }

@@ -9,6 +9,6 @@
 namespace reports {
 
 /// "speed_accuracy_Q1" for every choice question with times, and "instructions_Q1" where its blocks instruct.
-std::vector<Figure> speedFigures(const StudyAnalysis& analysis);
+std::vector<Figure> speedFigures(const StudyAnalysis& analysis, FigureWidth width);
 
 }  // namespace reports

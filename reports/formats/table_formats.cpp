@@ -55,8 +55,10 @@ std::string toCsv(const Table& table)
 std::string toHtml(const Table& table)
 {
     const std::vector<bool> numeric = numericColumns(table);
-    std::string html =
-        "<div class=\"scroll\"><table><caption>" + protocols::escapedMarkup(table.caption) + "</caption><thead><tr>";
+    // The keyboard scrolls what it can reach: a table may be wider than its screen.
+    const std::string caption = protocols::escapedMarkup(table.caption);
+    std::string html = "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"" + caption + "\"><table><caption>" +
+                       caption + "</caption><thead><tr>";
     for (std::size_t i = 0; i < table.columns.size(); ++i)
         if (table.isInDocuments(i))
             html += std::string("<th scope=\"col\"") + (numeric[i] ? " class=\"n\"" : "") + ">" +

@@ -26,7 +26,9 @@ std::string htmlOf(const ReportTable* one)
 
 std::string htmlOf(const Figure* figure)
 {
-    return "<figure>" + figure->svg + "<figcaption>" + protocols::escapedMarkup(figure->caption) + "</figcaption></figure>\n";
+    // A phone shows the narrow drawing, whose letters are as large; the other one is not displayed.
+    return "<figure><div class=\"wide\">" + figure->svg + "</div><div class=\"narrow\">" + figure->narrowSvg +
+           "</div><figcaption>" + protocols::escapedMarkup(figure->caption) + "</figcaption></figure>\n";
 }
 
 std::string headOf(const ReportDocument& document)

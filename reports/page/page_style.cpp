@@ -36,6 +36,7 @@ section { background:var(--paper); border:1px solid var(--line); border-radius:1
 .tile span { color:var(--soft); font-size:14px; }
 ul.findings { padding-left:20px; margin:.4em 0 .6em; } ul.findings li { margin:.35em 0; max-width:84ch; }
 figure { margin:14px 0 6px; } figure svg { width:100%; height:auto; max-width:960px; display:block; margin:0 auto; }
+figure .narrow { display:none; } figure .narrow svg { max-width:490px; }
 figcaption { color:var(--soft); font-size:14.5px; max-width:84ch; margin:6px auto 0; }
 .scroll { overflow-x:auto; margin:14px 0 4px; }
 table { border-collapse:collapse; width:100%; font-size:14.5px; font-variant-numeric:tabular-nums; }
@@ -52,10 +53,12 @@ summary { cursor:pointer; font-weight:600; } details[open] summary { margin-bott
 .small { color:var(--soft); font-size:14.5px; }
 footer { color:var(--soft); font-size:14px; padding-top:6px; padding-bottom:46px; }
 @media (max-width:640px) { main, header.top, nav, footer { padding-left:14px; padding-right:14px; }
-  section { padding:18px 14px; } }
+  section { padding:18px 14px; } figure .wide { display:none; } figure .narrow { display:block; } }
 @media print { body { background:#fff; font-size:11pt; } nav { display:none; } section { border:0; border-top:1px solid #999;
   border-radius:0; padding:12px 0; } figure, table { break-inside:avoid; } h2 { break-after:avoid; }
-  .scroll { overflow:visible; } table { font-size:9pt; } tbody th, tbody td { padding:2px 6px; } }
+  h1, h2, h3, .head, caption, summary { break-after:avoid; } summary { list-style:none; } details { border:0; padding:0; }
+  details::details-content { content-visibility:visible; display:block; height:auto; }
+  figure .wide { display:block; } figure .narrow { display:none; } .scroll { overflow:visible; } table { font-size:9pt; } tbody th, tbody td { padding:2px 6px; } }
 )css";
 }
 

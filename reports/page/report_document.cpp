@@ -7,6 +7,9 @@
 namespace reports {
 namespace {
 
+/// Further remarks stand in the section on data quality, so that the first page holds results.
+constexpr std::size_t mostStampsAbove = 2;
+
 std::vector<DocumentTag> tagsOf(const StudyData& data)
 {
     std::vector<DocumentTag> tags;
@@ -31,7 +34,11 @@ std::vector<DocumentNotice> noticesOf(const StudyAnalysis& analysis)
         notices.push_back(
             {"<b>This report is blinded.</b> Conditions carry masked labels. Signals, groups and planned contrasts are left out "
              "until the study is unblinded."});
-    for (const std::string& stamp : data.stamps) notices.push_back({protocols::escapedMarkup(stamp)});
+    for (std::size_t i = 0; i < data.stamps.size() && i < mostStampsAbove; ++i)
+        notices.push_back({protocols::escapedMarkup(data.stamps[i])});
+    if (data.stamps.size() > mostStampsAbove)
+        notices.push_back({counted(data.stamps.size() - mostStampsAbove, "more remark") +
+                           " on this study: see <a href=\"#quality\">Data quality</a>."});
     for (const std::string& limit : analysis.designLimits) notices.push_back({protocols::escapedMarkup(limit)});
     return notices;
 }
@@ -76,7 +83,8 @@ ReportDocument reportDocument(const StudyAnalysis& analysis, const std::vector<R
         for (const QuestionAnalysis& question : analysis.questions) addItems(section, question.question.id, tables, figures);
         if (section.items.empty() && !standsAlone(heading.section)) continue;
         section.leadHtml = sectionLead(heading.section, analysis);
-        section.endHtml = sectionEnd(heading.section);
+        section.endHtml = sectionEnd(heading.section, analysis);
+        if (section.items.empty() && section.leadHtml.empty() && section.endHtml.empty()) continue;
         document.sections.push_back(std::move(section));
     }
     return document;

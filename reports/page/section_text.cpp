@@ -6,6 +6,7 @@
 #include "reports/page/methods.h"
 #include "reports/page/order_text.h"
 #include "reports/page/plan_section.h"
+#include "reports/page/sentences.h"
 #include "reports/page/signal_text.h"
 #include "reports/text/number_text.h"
 #include "reports/text/plain_words.h"
@@ -25,8 +26,7 @@ std::string summaryLead(const StudyAnalysis& analysis)
                   countTile(data.conditions.size() * data.fabrics.size(), "rendering"),
                   countTile(analysis.completeness.present, "answer", " analysed"),
                   countTile(analysis.completeness.missing(), "answer", " missing"),
-                  countTile(data.voided, "presentation", " voided"), countTile(analysis.flags.size(), "quality flag")}) +
-           bulletList(findings(analysis), "findings");
+                  countTile(data.voided, "presentation", " voided"), countTile(analysis.flags.size(), "quality flag")});
 }
 
 /// The questions of one kind with the sentences that were read to the participants.
@@ -71,6 +71,14 @@ std::string effectsLead(const StudyAnalysis& analysis)
            bulletList(sentences);
 }
 
+/// All remarks of the study; the head of the report shows the first ones only.
+std::string stampsText(const StudyData& data)
+{
+    std::vector<std::string> items;
+    for (const std::string& stamp : data.stamps) items.push_back(protocols::escapedMarkup(stamp));
+    return items.empty() ? std::string() : paragraph("Remarks on this study:") + bulletList(items);
+}
+
 std::string qualityLead(const StudyAnalysis& analysis)
 {
     const Completeness& completeness = analysis.completeness;
@@ -80,7 +88,8 @@ std::string qualityLead(const StudyAnalysis& analysis)
                                (completeness.present == 1 ? " is" : " are") + " analysed, " + std::to_string(missing) +
                                (missing == 1 ? " is" : " are") + " missing. " + counted(voided, "presentation") +
                                (voided == 1 ? " was" : " were") + " voided.";
-    return paragraph(counts) + (analysis.flags.empty() ? paragraph("Nothing is flagged.") : std::string()) +
+    return paragraph(counts) + stampsText(analysis.data) +
+           (analysis.flags.empty() ? paragraph("Nothing is flagged.") : std::string()) +
            (order.empty() ? std::string() : bulletList(order));
 }
 
@@ -166,6 +175,8 @@ std::string sectionLead(PageSection section, const StudyAnalysis& analysis)
             return questionTexts<WordedAnalysis>(analysis);
         case PageSection::Claims:
             return claimsLead(analysis.data);
+        case PageSection::Sentences:
+            return sentencesLead(analysis);
         case PageSection::Comparisons:
             return paragraph(
                 "Paired t tests on participant means, for these fabrics only. A small p shows a difference. A large p does not "
@@ -201,12 +212,16 @@ std::string sectionLead(PageSection section, const StudyAnalysis& analysis)
     return {};
 }
 
-std::string sectionEnd(PageSection section) { return section == PageSection::Quality ? flagRules() : std::string(); }
+std::string sectionEnd(PageSection section, const StudyAnalysis& analysis)
+{
+    if (section == PageSection::Summary) return bulletList(findings(analysis), "findings");
+    return section == PageSection::Quality ? flagRules() : std::string();
+}
 
 bool standsAlone(PageSection section)
 {
-    return section == PageSection::Summary || section == PageSection::Plan || section == PageSection::Quality ||
-           section == PageSection::Methods;
+    return section == PageSection::Summary || section == PageSection::Sentences || section == PageSection::Plan ||
+           section == PageSection::Quality || section == PageSection::Methods;
 }
 
 }  // namespace reports

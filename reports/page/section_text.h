@@ -12,7 +12,7 @@ namespace reports {
 std::string sectionLead(PageSection section, const StudyAnalysis& analysis);
 
 /// HTML after the figures and tables.
-std::string sectionEnd(PageSection section);
+std::string sectionEnd(PageSection section, const StudyAnalysis& analysis);
 
 /// Whether the section appears even without a figure or table.
 bool standsAlone(PageSection section);

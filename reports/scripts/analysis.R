@@ -1,57 +1,77 @@
-# Computes the main tables of the report again, with base R alone, and compares them with expected.csv.
+# Computes the main tables of the report again, and compares them with expected.csv.
 #   Rscript analysis.R          in this folder
+#   Rscript analysis.R all      also fits models that take longer than minutes
 # Reads answers.csv (one row an answer) and expected.csv (one row a number of the report); codebook.csv explains both.
-# Left out: mixed and ordinal models, bootstrap intervals, Bayes factors, order effects, signals, times.
+# Base R computes means, t tests and two one-sided t tests. Linear mixed models need the packages lme4 and lmerTest, logistic ones
+# lme4, ordinal ones ordinal. Without a package the script leaves its numbers out and says so.
+#
+# Tolerances. A number with a formula agrees to 1e-7 of itself. A fitted number also depends on where the optimiser stops:
+#   - linear models 1e-5: lme4 finds variances to about 1e-8 of the residual variance;
+#   - logistic and ordinal models 1e-3: clmm stops up to 2e-4 standard errors beside the maximum. Second differences give lme4's
+#     standard errors to about 1e-4. Log likelihoods agree to 1e-6.
+# These tolerances are relative to the number, or to a least size where that is larger:
+#   - estimates and ends of intervals: their standard error;
+#   - t, F, chi squared: 1;
+#   - standard deviations, which are compared as variances: 1 % of the residual variance (of 1 for log odds);
+#   - p values and odds ratios, which are compared as logarithms: 1.
+tolerances <- c(linear = 1e-5, logistic = 1e-3, ordinal = 1e-3)
+many <- if ("all" %in% commandArgs(trailingOnly = TRUE)) Inf else 1
+mostAnswers <- many * c(linear = 10000, logistic = 5000, ordinal = 2000)
+mostContrasts <- many * 100
 
 answers <- read.csv("answers.csv", colClasses = "character", check.names = FALSE, encoding = "UTF-8", na.strings = "")
 expected <- read.csv("expected.csv", colClasses = "character", check.names = FALSE, encoding = "UTF-8", na.strings = "")
+for (name in c("low", "high", "value")) expected[[name]] <- as.numeric(expected[[name]])
+for (name in c("a", "b")) expected[[name]][is.na(expected[[name]])] <- ""
 answers$value <- as.numeric(ifelse(is.na(answers$correct), answers$rating, answers$correct))
 answers <- answers[!is.na(answers$value), ]
+conditions <- unique(expected$a[expected$section %in% c("matches", "ratings")])
+choices <- unique(expected$question[expected$section == "matches"])
 
-# One row a participant, one column a condition.
-meansOf <- function(question) {
-  own <- answers[answers$question == question, ]
-  tapply(own$value, list(own$participant, own$condition), mean)
+# ---- means of the participants ----------------------------------------------------------------------------------------------
+
+kept <- new.env()
+once <- function(name, value) {
+  if (!exists(name, kept, inherits = FALSE)) assign(name, orNothing(value), kept)
+  kept[[name]]
 }
-
-column <- function(means, condition) if (condition %in% colnames(means)) means[, condition] else rep(NA_real_, nrow(means))
+valuesOf <- function(question, condition) answers$value[answers$question == question & answers$condition == condition]
+# Means over repetitions, [participant, fabric, condition].
+cellsOf <- function(question) once(paste("cells", question), {
+  own <- answers[answers$question == question, ]
+  tapply(own$value, list(own$participant, own$fabric, factor(own$condition, conditions)), mean)
+})
+under <- function(cells, condition) cells[, , condition, drop = FALSE]
+participantMeans <- function(x) if (length(x) > 0) apply(x, 1, mean, na.rm = TRUE) else numeric()
+meansOf <- function(question, condition) participantMeans(under(cellsOf(question), condition))
+without <- function(x) x[!is.na(x)]
 
 # A test that cannot be done gives no number.
 orNothing <- function(test) tryCatch(test, error = function(e) NULL)
-areEqual <- function(x) length(x) < 2 || all(x == x[1])
-testOf <- function(x, ...) if (areEqual(x)) NULL else t.test(x, ...)
-
-# The interval of equal numbers is a point.
-meanInterval <- function(x) if (length(x) > 1 && areEqual(x)) rep(x[1], 2) else testOf(x)$conf.int
+quietly <- function(fit) suppressMessages(suppressWarnings(fit))
+# Means of equal numbers may differ in the last digit.
+areEqual <- function(x) length(x) < 2 || diff(range(x)) <= 1e-14 * max(abs(x))
+testOf <- function(x, ...) if (areEqual(x)) NULL else orNothing(t.test(x, ...))
 
 matches <- function(question, condition, chance) {
-  value <- answers$value[answers$question == question & answers$condition == condition]
+  value <- valuesOf(question, condition)
   test <- orNothing(binom.test(sum(value), length(value), chance, alternative = "greater"))
-  means <- column(meansOf(question), condition)
-  shares <- testOf(means[!is.na(means)], mu = chance)
+  shares <- testOf(without(meansOf(question, condition)), mu = chance)
   list(correct = sum(value), trials = length(value), proportion = mean(value), p_chance = test$p.value,
        p_chance_participants = shares$p.value)
 }
-
 ratings <- function(question, condition) {
-  value <- answers$value[answers$question == question & answers$condition == condition]
-  means <- column(meansOf(question), condition)
-  interval <- meanInterval(means[!is.na(means)])
+  value <- valuesOf(question, condition)
+  means <- without(meansOf(question, condition))
+  interval <- if (length(means) > 1 && areEqual(means)) means[c(1, 1)] else testOf(means)$conf.int  # a point of equal means
   list(n = length(value), mean = mean(value), sd = sd(value), ci95_low = interval[1], ci95_high = interval[2])
 }
-
-differences <- function(question, a, b) {
-  means <- meansOf(question)
-  d <- column(means, a) - column(means, b)
-  d[!is.na(d)]
-}
-
+differences <- function(question, a, b) without(meansOf(question, a) - meansOf(question, b))
 comparison <- function(question, a, b) {
   d <- differences(question, a, b)
   test <- testOf(d)
-  list(n = length(d), mean_difference = mean(d), statistic = unname(test$statistic), df = unname(test$parameter),
-       p = test$p.value, ci95_low = test$conf.int[1], ci95_high = test$conf.int[2],
-       d_z = if (is.null(test)) NULL else mean(d) / sd(d))
+  list(n = length(d), mean_difference = mean(d), statistic = test$statistic[[1]], df = test$parameter[[1]], p = test$p.value,
+       ci95_low = test$conf.int[1], ci95_high = test$conf.int[2], d_z = if (!is.null(test)) mean(d) / sd(d))
 }
 
 # Two one-sided t tests; the interval of 90 % holds what they do not reject.
@@ -64,44 +84,366 @@ equivalence <- function(question, a, b, low, high) {
        ci90_low = interval[1], ci90_high = interval[2])
 }
 
-groups <- expected[!duplicated(expected[c("section", "question", "a", "b")]), ]
-found <- list()
-for (i in seq_len(nrow(groups))) {
-  g <- groups[i, ]
-  found[[i]] <- switch(g$section,
-    matches = matches(g$question, g$a, as.numeric(g$low)),
+# ---- linear mixed models ----------------------------------------------------------------------------------------------------
+
+# One row a cell, or one row an answer.
+rowsOf <- function(cells) {
+  rows <- as.data.frame.table(cells, responseName = "y")
+  names(rows)[1:3] <- c("participant", "fabric", "condition")
+  droplevels(rows[!is.na(rows$y), ])
+}
+answersOf <- function(question) {
+  own <- answers[answers$question == question, ]
+  droplevels(data.frame(y = own$value, participant = factor(own$participant), fabric = factor(own$fabric),
+                        condition = factor(own$condition, conditions)))
+}
+plainGroups <- c("participant", "fabric")
+crossedGroups <- c(plainGroups, "participant_condition", "fabric_condition")
+
+# The rows with a column for each interaction, and the groups whose variance the numbers can show.
+withGroups <- function(rows, groups) {
+  for (group in plainGroups)
+    rows[[paste0(group, "_condition")]] <- interaction(as.integer(rows[[group]]), as.integer(rows$condition), drop = TRUE)
+  isShown <- function(group) nlevels(rows[[group]]) > 1 && nlevels(rows[[group]]) < nrow(rows)
+  plain <- Filter(isShown, plainGroups)
+  crossed <- if (nlevels(rows$condition) > 1) Filter(isShown, intersect(paste0(plain, "_condition"), groups))
+  list(rows = rows, groups = c(plain, crossed))
+}
+fixedOf <- function(rows) if (nlevels(rows$condition) > 1) "condition" else "1"
+formulaOf <- function(response, fixed, groups)
+  as.formula(paste(c(paste(response, "~", fixed), if (length(groups) > 0) paste0("(1 | ", groups, ")")), collapse = " + "))
+
+# Fits, leaves out the groups whose standard deviation is zero, and fits again: fit(groups), and `plain` without groups.
+withoutZeros <- function(groups, fit, plain, varCorr, isZero) {
+  none <- setNames(numeric(length(groups)), sprintf("sd_%s", groups))
+  while (length(groups) > 0) {
+    model <- quietly(fit(groups))
+    sds <- vapply(groups, function(group) attr(varCorr(model)[[group]], "stddev")[[1]], 0)
+    leaves <- isZero(model, sds)
+    if (!any(leaves))
+      return(list(model = model, groups = groups, sds = sds, named = as.list(replace(none, paste0("sd_", groups), sds))))
+    groups <- groups[!leaves]
+  }
+  list(model = plain, groups = groups, sds = numeric(), named = as.list(none))
+}
+exactly <- function(control, end, ...) control(optimizer = "bobyqa", optCtrl = list(rhoend = end, maxfun = 1e5), ...,
+  check.conv.singular = "ignore", check.nobs.vs.rankZ = "ignore", check.nobs.vs.nRE = "ignore")
+
+# lmerTest takes second differences in the standard deviations. Near zero they need a better optimum than an optimiser finds.
+# There the derivatives in the variances replace them, by their formulas.
+withExactDerivatives <- function(fitted) {
+  model <- fitted$model
+  x <- lme4::getME(model, "X")
+  products <- c(lapply(model.frame(model)[fitted$groups], function(level) outer(level, level, "==") + 0), list(diag(nrow(x))))
+  inverse <- solve(Reduce(`+`, Map(`*`, products, c(fitted$sds, sigma(model))^2)))
+  half <- inverse %*% x %*% solve(crossprod(x, inverse %*% x))
+  projection <- inverse - half %*% crossprod(x, inverse)
+  parts <- lapply(products, function(k) projection %*% k)
+  forms <- vapply(products, function(k) c(k %*% (projection %*% lme4::getME(model, "y"))), numeric(nrow(x)))
+  traces <- outer(seq_along(parts), seq_along(parts), Vectorize(function(i, j) sum(parts[[i]] * t(parts[[j]]))))
+  model@vcov_varpar <- 2 * solve(2 * crossprod(forms, projection %*% forms) - traces)
+  model@Jac_list <- lapply(products, function(k) crossprod(half, k %*% half))
+  replace(fitted, "model", list(model))
+}
+hasNoVariation <- function(rows, formula) {
+  rest <- lm.fit(model.matrix(formula, rows), rows$y / max(abs(rows$y), 1e-300))$residuals
+  !(sum(rest^2) > 1e-24 * nrow(rows))
+}
+divideAlike <- function(two) nlevels(two[[1]]) == nlevels(two[[2]]) && nlevels(interaction(two, drop = TRUE)) == nlevels(two[[1]])
+
+# Linear mixed model by restricted maximum likelihood; nothing where it does not exist.
+linear <- function(rows, groups) {
+  known <- withGroups(rows, groups)
+  plain <- formulaOf("y", fixedOf(rows), NULL)
+  pairs <- if (length(known$groups) > 1) combn(known$groups, 2, simplify = FALSE)
+  if (nrow(rows) <= nlevels(rows$condition) || hasNoVariation(rows, plain) ||
+      any(vapply(pairs, function(two) divideAlike(known$rows[two]), NA))) return(NULL)
+  control <- exactly(lme4::lmerControl, 1e-12, calc.derivs = FALSE)
+  fit <- function(groups)
+    if (length(groups) == 0) lm(plain, rows)
+    else quietly(lmerTest::lmer(formulaOf("y", fixedOf(rows), groups), known$rows, control = control))
+  # The criterion is so flat at zero that the optimiser stops before it.
+  isNoWorse <- function(model, group)
+    logLik(fit(setdiff(names(lme4::VarCorr(model)), group)), REML = TRUE) > logLik(model) - 1e-9
+  isZero <- function(model, sds) mapply(function(ratio, group) ratio <= 1e-4 || (ratio < 0.03 && isNoWorse(model, group)),
+                                        sds / sigma(model), names(sds))
+  fitted <- withoutZeros(known$groups, fit, fit(NULL), lme4::VarCorr, isZero)
+  ratios <- fitted$sds / sigma(fitted$model)
+  if (any(ratios > 50)) return(NULL)  # the groups reproduce every number
+  fitted$conditions <- levels(rows$condition)
+  if (any(ratios < 0.1) && nrow(rows) <= 2000) withExactDerivatives(fitted) else fitted
+}
+
+# A weighted sum of the fixed effects.
+meanOf <- function(fitted, weights) {
+  model <- fitted$model
+  test <- if (!inherits(model, "lm")) as.list(quietly(lmerTest::contest1D(model, weights)))[c("Estimate", "Std. Error", "df")]
+          else list(sum(weights * coef(model)), sqrt(c(weights %*% vcov(model) %*% weights)), model$df.residual)
+  setNames(test, c("estimate", "se", "df"))
+}
+# Ends of the interval of 95 % or 90 %, cut at these limits.
+interval <- function(mean, percent, limits = c(-Inf, Inf)) {
+  if (is.null(mean$se)) return(NULL)
+  ends <- mean$estimate + c(-1, 1) * qt(0.5 + percent / 200, mean$df) * mean$se
+  setNames(as.list(pmin(limits[2], pmax(limits[1], ends))), paste0("ci", percent, c("_low", "_high")))
+}
+twoSided <- function(mean) if (!is.null(mean$se)) 2 * pt(-abs(mean$estimate / mean$se), mean$df)
+oneSided <- function(mean, mu, isLess)
+  if (!is.null(mean$se)) pt((mean$estimate - mu) / mean$se, mean$df, lower.tail = isLess)
+
+linearOf <- function(question) once(paste("linear", question), linear(rowsOf(cellsOf(question)), crossedGroups))
+linearModel <- function(question) {
+  fitted <- linearOf(question)
+  n <- list(n = sum(!is.na(cellsOf(question))))
+  if (is.null(fitted)) return(n)
+  n <- c(n, fitted$named, list(sd_residual = sigma(fitted$model)))
+  if (length(fitted$conditions) < 2) return(n)
+  # Sequential contrasts: where cells are missing, the degrees of freedom depend on the contrasts.
+  isPlain <- inherits(fitted$model, "lm")
+  test <- if (isPlain) anova(fitted$model) else quietly(anova(fitted$model, type = 1))
+  c(n, list(f = test[["F value"]][1], df1 = length(fitted$conditions) - 1, df2 = if (isPlain) test$Df[2] else test$DenDF,
+                 p = test[["Pr(>F)"]][1]))
+}
+modelContrast <- function(question, a, b) {
+  fitted <- linearOf(question)
+  if (is.null(fitted)) return(list())
+  mean <- meanOf(fitted, replace((fitted$conditions == a) - (fitted$conditions == b), 1, 0))
+  c(mean, list(t = mean$estimate / mean$se, p = twoSided(mean)), interval(mean, 95))
+}
+
+# ---- claims: means of participants x fabrics --------------------------------------------------------------------------------
+
+# The participants and fabrics that have a number.
+present <- function(cells, of = cells) {
+  isMet <- function(margin) apply(!is.na(of), margin, any)
+  if (length(of) > 0) cells[isMet(1), isMet(2), , drop = FALSE] else cells
+}
+isTestable <- function(x) !areEqual(without(x)) && nrow(x) > 1
+# Without a test there is an estimate, unless there is no number.
+untested <- function(x)
+  if (all(is.na(x))) list() else list(estimate = if (areEqual(without(x))) without(x)[1] else mean(participantMeans(x)))
+ofTheseFabrics <- function(x) {
+  test <- if (isTestable(x)) testOf(participantMeans(x))
+  if (is.null(test)) untested(x) else list(estimate = test$estimate[[1]], se = test$stderr, df = test$parameter[[1]])
+}
+# Upper limit of the degrees of freedom where neither participants nor fabrics seem to vary.
+mostDegrees <- function(x) {
+  rows <- rowsOf(x)
+  effects <- lapply(plainGroups, function(group) ave(rows$y, rows[[group]]) - mean(rows$y))
+  dfs <- dim(x)[1:2] - 1
+  residual <- sum((rows$y - mean(rows$y) - effects[[1]] - effects[[2]])^2) / max(1, nrow(rows) - sum(dfs) - 1)
+  ratios <- vapply(effects, function(effect) sum(effect^2), 0) / dfs / residual
+  1.2 / sum(ratios^6 / dfs)
+}
+# The limit applies where answers are missing, and where all conditions together show an interaction.
+isLimited <- function(question) once(paste("limited", question), {
+  cells <- present(cellsOf(question))
+  formula <- y ~ condition * (participant + fabric)
+  anyNA(cells) || any(dim(cells) < 2) || hasNoVariation(rowsOf(cells), formula) ||
+    any(anova(lm(formula, rowsOf(cells)))[c("condition:participant", "condition:fabric"), "Pr(>F)"] < 0.05)
+})
+# Mean of `x` by the model of `rows`.
+likeThese <- function(x, rows, weights, groups, limited) {
+  fitted <- if (isTestable(x) && ncol(x) > 1) orNothing(linear(rows, groups))
+  if (is.null(fitted)) return(untested(x))
+  mean <- meanOf(fitted, weights)
+  if (limited && !any(tail(groups, 2) %in% fitted$groups)) mean$df <- min(mean$df, mostDegrees(x))
+  mean
+}
+# The difference of two conditions, or the share correct under one.
+claim <- function(question, a, b, low, high, ofThese) {
+  cells <- cellsOf(question)
+  isShare <- b == ""
+  whole <- if (isShare) under(cells, a) else under(cells, a) - under(cells, b)
+  x <- present(whole)
+  # Ratings without gaps: the model of both conditions, whose sums show the residual, too.
+  both <- if (!question %in% choices && !anyNA(x)) present(cells[, , c(b, a), drop = FALSE], whole)
+  mean <- if (ofThese) ofTheseFabrics(x)
+          else if (is.null(both)) likeThese(x, rowsOf(x), 1, plainGroups, isShare || isLimited(question))
+          else likeThese(x, rowsOf(both), c(0, 1), crossedGroups, isLimited(question))
+  if (isShare) return(c(mean, list(p = oneSided(mean, low, FALSE)), interval(mean, 95, c(0, 1))))
+  tost <- if (!is.na(low) && !is.null(mean$se)) max(oneSided(mean, low, FALSE), oneSided(mean, high, TRUE))
+  c(mean, list(p = twoSided(mean), p_equivalence = tost), interval(mean, 95), interval(mean, 90))
+}
+
+# ---- logistic and ordinal mixed models, by Laplace's approximation ----------------------------------------------------------
+
+isZeroLogOdds <- function(model, sds) sds <= 1e-3
+
+# The better of two fits, as there may be several maxima. lme4's default tolerance would stop one step before the maximum.
+binary <- function(rows, fixed, groups) {
+  fit <- function(groups) {
+    models <- lapply(c(1, 5), function(start) quietly(lme4::glmer(formulaOf("y", fixed, groups), rows, binomial,
+      start = rep(start, length(groups)), control = exactly(lme4::glmerControl, 1e-10, tolPwrss = 1e-13))))
+    models[[which.max(vapply(models, logLik, 0))]]
+  }
+  plain <- glm(formulaOf("y", fixed, NULL), binomial, rows, control = list(epsilon = 1e-13))
+  fitted <- withoutZeros(groups, fit, plain, lme4::VarCorr, isZeroLogOdds)
+  effects <- if (inherits(fitted$model, "glm")) coef(fitted$model) else lme4::fixef(fitted$model)
+  c(fitted, list(effects = effects, covariance = as.matrix(vcov(fitted$model))))
+}
+# The steps of clmm's own second differences are so small that some standard errors are off by 1 %. The steps here are 0.1.
+cumulative <- function(rows, fixed, groups) {
+  fit <- function(groups, ...) ordinal::clmm(formulaOf("factor(y)", fixed, groups), data = rows, ...,
+    control = ordinal::clmm.control(gradTol = 1e-7, maxIter = 200, maxLineIter = 200))
+  plain <- quietly(ordinal::clm(formulaOf("factor(y)", fixed, NULL), data = rows))
+  fitted <- withoutZeros(groups, fit, plain, ordinal::VarCorr, isZeroLogOdds)
+  covariance <- vcov(fitted$model)
+  if (length(fitted$groups) > 0) {
+    found <- fitted$model$optRes$par
+    start <- quietly(fit(fitted$groups, doFit = FALSE))
+    minusLogLikelihood <- if (length(fitted$groups) > 1) ordinal:::getNLA else ordinal:::getNLA.ssr
+    near <- function(one) minusLogLikelihood(start, found + one - 1)
+    covariance[] <- solve(quietly(numDeriv::hessian(near, rep(1, length(found)))))
+  }
+  c(fitted, list(effects = fitted$model$beta, covariance = covariance))
+}
+# Whether conditions have finite log odds. Those with all answers in the lowest or the highest category have not. Without them the
+# next category may become the lowest.
+finiteConditions <- function(low, high) {
+  isFinite <- setNames(rep(TRUE, length(low)), names(low))
+  repeat {
+    isEnd <- isFinite & low == high & low %in% quietly(c(min(low[isFinite]), max(high[isFinite])))
+    if (!any(isEnd)) return(isFinite)
+    isFinite[isEnd] <- FALSE
+  }
+}
+# The model of the conditions with finite log odds, and for choices the model without condition. Other conditions add nothing to
+# the likelihood. There is no model where no condition has ratings on both sides of a category.
+laplaceFit <- function(rows, groups, isChoice) {
+  if (nlevels(rows$condition) < 2 || areEqual(rows$y)) return(NULL)
+  low <- tapply(rows$y, rows$condition, min)
+  high <- tapply(rows$y, rows$condition, max)
+  isFinite <- finiteConditions(low, high)
+  known <- withGroups(rows, groups)
+  rest <- droplevels(known$rows[isFinite[as.integer(rows$condition)], ])
+  values <- sort(unique(rest$y))
+  if (!all(vapply(values[-c(1, length(values))], function(y) any(isFinite & low < y & high > y), NA))) return(NULL)
+  isBinary <- length(values) < 3
+  if (isBinary) rest$y <- as.numeric(rest$y > values[1])
+  fit <- function(rows, fixed) {
+    fitted <- if (isBinary) binary(rows, fixed, known$groups) else cumulative(rows, fixed, known$groups)
+    if (all(fitted$sds < 50)) fitted  # otherwise the groups reproduce almost every answer
+  }
+  full <- if (any(isFinite)) fit(rest, fixedOf(rest)) else list()
+  if (!is.null(full)) list(full = full, null = if (isChoice) fit(known$rows, "1"), isFinite = isFinite)
+}
+logisticOf <- function(question, groups)
+  once(paste("logistic", length(groups), question), laplaceFit(answersOf(question), groups, TRUE))
+ordinalOf <- function(question, unit) once(paste("ordinal", question), {
+  rows <- answersOf(question)
+  rows$y <- floor(rows$y / unit + 0.5 + 1e-9)  # to multiples of the unit, halves up
+  laplaceFit(rows, plainGroups, FALSE)
+})
+# Numbers of a whole model; log odds of `a` minus those of the reference; without a reference, log odds of `a`.
+laplace <- function(question, a, reference, fitted) {
+  n <- list(n = sum(answers$question == question))
+  if (is.null(fitted)) return(n)
+  if (a == "") {
+    model <- fitted$full$model
+    found <- c(n, fitted$full$named, list(log_likelihood = if (is.null(model)) 0 else c(logLik(model))))
+    if (is.null(fitted$null)) return(found)
+    chi2 <- max(0, 2 * (found$log_likelihood - c(logLik(fitted$null$model))))
+    df <- length(fitted$isFinite) - 1
+    return(c(found, list(chi2 = chi2, df = df, p = pchisq(chi2, df, lower.tail = FALSE))))
+  }
+  if (!fitted$isFinite[1] || !fitted$isFinite[a]) return(list())
+  place <- if (reference == "") "(Intercept)" else paste0("condition", a)
+  estimate <- fitted$full$effects[[place]]
+  se <- sqrt(fitted$full$covariance[place, place])
+  ends <- exp(estimate + c(-1, 1) * qnorm(0.975) * se)
+  list(estimate = estimate, se = se, odds_ratio = exp(estimate), p = 2 * pnorm(-abs(estimate / se)), ci95_low = ends[1],
+       ci95_high = ends[2])
+}
+
+# ---- the numbers of expected.csv --------------------------------------------------------------------------------------------
+
+kinds <- c(linear = "^linear_|^model_|_fabrics_like_these$", logistic = "^logistic_", ordinal = "^ordinal_")
+packages <- list(linear = c("lme4", "lmerTest"), logistic = "lme4", ordinal = c("lme4", "ordinal"))
+
+computed <- function(g) {
+  switch(g$section,
+    matches = matches(g$question, g$a, g$low),
     ratings = ratings(g$question, g$a),
     comparison = comparison(g$question, g$a, g$b),
-    equivalence = equivalence(g$question, g$a, g$b, as.numeric(g$low), as.numeric(g$high)),
+    equivalence = equivalence(g$question, g$a, g$b, g$low, g$high),
+    above_chance_these_fabrics = , above_chance_fabrics_like_these = , claims_these_fabrics = , claims_fabrics_like_these =
+      claim(g$question, g$a, g$b, g$low, g$high, grepl("_these_fabrics$", g$section)),
+    linear_model = linearModel(g$question),
+    model_contrast = modelContrast(g$question, g$a, g$b),
+    logistic_model = laplace(g$question, g$a, g$b, logisticOf(g$question, plainGroups)),
+    logistic_model_crossed = laplace(g$question, g$a, g$b, logisticOf(g$question, crossedGroups)),
+    ordinal_model = laplace(g$question, g$a, g$b, ordinalOf(g$question, g$low)),
     stop("expected.csv has an unknown section: ", g$section))
 }
-# Holm's correction over all comparisons of a question.
-for (question in unique(groups$question)) {
-  at <- which(groups$section == "comparison" & groups$question == question)
-  p <- vapply(at, function(i) if (is.null(found[[i]]$p)) NA_real_ else found[[i]]$p, numeric(1))
-  adjusted <- p.adjust(p, "holm")
-  for (k in seq_along(at)) found[[at[k]]]$p_holm <- adjusted[k]
+
+groups <- expected[!duplicated(expected[c("section", "question", "a", "b")]), ]
+groups$kind <- ""
+for (kind in names(kinds)) groups$kind[grepl(kinds[[kind]], groups$section)] <- kind
+contrastCounts <- table(groups$question[groups$section == "claims_fabrics_like_these"])
+
+# Why a group of numbers is left out; empty where it is computed.
+whyLeftOut <- function(g) {
+  if (g$kind == "") return("")
+  lacking <- Filter(function(package) !requireNamespace(package, quietly = TRUE), packages[[g$kind]])
+  debian <- paste0("r-cran-", tolower(lacking), collapse = " ")
+  if (length(lacking) > 0) return(sprintf("needs %s (apt-get install %s)", paste(lacking, collapse = " and "), debian))
+  isLarge <- sum(answers$question == g$question) > mostAnswers[[g$kind]] ||
+    (g$section == "claims_fabrics_like_these" && contrastCounts[[g$question]] > mostContrasts)
+  if (isLarge) return("takes longer than minutes (Rscript analysis.R all)")
+  if (g$kind == "ordinal" && 2 %in% lengths(lapply(answersOf(g$question)[plainGroups], levels)))
+    "clmm needs at least 3 participants and 3 fabrics" else ""
 }
+groups$why <- vapply(seq_len(nrow(groups)), function(i) whyLeftOut(groups[i, ]), "")
+found <- lapply(seq_len(nrow(groups)), function(i) if (groups$why[i] == "") computed(groups[i, ]))
+# Holm's correction over all comparisons of a question, and over each family of claims.
+for (family in split(seq_len(nrow(groups)), paste(groups$section, groups$question)))
+  for (p in c("p", "p_equivalence")) {
+    values <- vapply(family, function(i) if (is.null(found[[i]][[p]])) NA_real_ else found[[i]][[p]], 0)
+    for (k in which(!is.na(values))) found[[family[k]]][[paste0(p, "_holm")]] <- p.adjust(values, "holm")[k]
+  }
 
 keyOf <- function(rows) paste(rows$section, rows$question, rows$a, rows$b, sep = "\r")
 place <- match(keyOf(expected), keyOf(groups))
-same <- logical(nrow(expected))
-computed <- rep(NA_real_, nrow(expected))
-for (i in seq_len(nrow(expected))) {
+here <- vapply(seq_along(place), function(i) {
   value <- found[[place[i]]][[expected$quantity[i]]]
-  if (!is.null(value) && is.finite(value)) computed[i] <- value
-  reported <- as.numeric(expected$value[i])
-  same[i] <- if (is.na(reported)) is.na(computed[i])
-             else !is.na(computed[i]) && abs(computed[i] - reported) <= 1e-9 + 1e-7 * abs(reported)
+  if (is.null(value) || is.na(value)) NA_real_ else value
+}, 0)
+# The difference from the report in units of the tolerance; beyond 1 the numbers differ.
+deviation <- function(i) {
+  kind <- groups$kind[place[i]]
+  name <- expected$quantity[i]
+  both <- c(here[i], expected$value[i])
+  if (anyNA(both)) return(if (all(is.na(both))) 0 else Inf)
+  if (both[1] == both[2]) return(0)
+  tolerance <- if (kind == "" || name == "n") 1e-7 else if (name == "log_likelihood") 1e-6 else tolerances[[kind]]
+  isLog <- kind != "" && grepl("^(p|p_.*|odds_ratio)$", name) || (kind == "ordinal" && grepl("^ci", name))
+  isSd <- grepl("^sd_", name)
+  if (isLog) both <- log(both)
+  if (isSd) both <- both^2
+  own <- found[[place[i]]]
+  least <- if (kind == "") 0 else if (isLog || name %in% c("t", "f", "chi2")) 1
+           else if (isSd) (if (is.null(own$sd_residual)) 1 else own$sd_residual^2) / 100
+           else if (grepl("^(estimate|ci)", name)) own$se
+  abs(diff(both)) / (1e-9 + tolerance * max(abs(both[2]), least))
 }
+isCompared <- groups$why[place] == ""
+isSame <- vapply(seq_along(place), function(i) !isCompared[i] || deviation(i) <= 1, NA)
 
-for (section in unique(expected$section)) {
-  own <- expected$section == section
-  cat(sprintf("%s: %d of %d\n", section, sum(same[own]), sum(own)))
+for (section in unique(expected$section[isCompared])) {
+  own <- expected$section == section & isCompared
+  cat(sprintf("%s: %d of %d\n", section, sum(isSame[own]), sum(own)))
 }
-for (i in head(which(!same), 20))
-  cat(sprintf("differs: %s %s %s %s %s: report %s, here %.15g\n", expected$section[i], expected$question[i], expected$a[i],
-              ifelse(is.na(expected$b[i]), "", expected$b[i]), expected$quantity[i], expected$value[i], computed[i]))
-cat("left out: mixed and ordinal models, bootstrap intervals, Bayes factors, order effects, signals, times\n")
-cat(sprintf("reproduced: %d of %d\n", sum(same), nrow(expected)))
-quit(status = if (all(same)) 0 else 1)
+for (i in head(which(!isSame), 20))
+  cat(sprintf("differs: %s %s %s %s %s: report %.15g, here %.15g\n", expected$section[i], expected$question[i], expected$a[i],
+              expected$b[i], expected$quantity[i], expected$value[i], here[i]))
+named <- function(names) paste(unique(names), collapse = ", ")
+for (left in split(groups, groups$why)) if (left$why[1] != "")
+  cat("left out: ", named(left$section), " of ", named(left$question), ": ", left$why[1], "\n", sep = "")
+constant <- setdiff(expected$question[expected$section == "ratings"], expected$question[expected$section == "linear_model"])
+if (length(constant) > 0)
+  cat("left out: mixed models of ", named(constant), ": all ratings under a condition are equal: variances are zero\n", sep = "")
+cat("left out: d', ANOVA, Friedman and Cochran tests, effect sizes, agreement, R squared, Bayes factors, intervals over trials\n")
+cat("left out: standard errors of logistic_model, speed, order effects, groups, signals, times\n")
+cat(sprintf("reproduced: %d of %d\n", sum(isSame[isCompared]), sum(isCompared)))
+quit(status = if (all(isSame)) 0 else 1)

@@ -1,5 +1,7 @@
 #include "reports/scripts/reproduction.h"
 
+#include <algorithm>
+#include <cmath>
 #include <variant>
 #include <vector>
 
@@ -18,7 +20,8 @@ using protocols::safeCell;
 /// Rows of one group of numbers: a condition, or a pair of conditions.
 class NumberRows {
 public:
-    NumberRows(std::string& text, const char* section, const std::string& question, const std::string& a, const std::string& b)
+    NumberRows(std::string& text, const std::string& section, const std::string& question, const std::string& a,
+               const std::string& b)
         : m_text(text), m_begin{section, safeCell(question), safeCell(a), safeCell(b), "", ""}
     {
     }
@@ -28,7 +31,7 @@ public:
         m_begin[5] = high;
         return *this;
     }
-    NumberRows& put(const char* quantity, const stats::Value& value)
+    NumberRows& put(const std::string& quantity, const stats::Value& value)
     {
         auto cells = m_begin;
         cells.insert(cells.end(), {quantity, value.exists() ? protocols::shortest(*value) : ""});
@@ -36,6 +39,16 @@ public:
         return *this;
     }
     NumberRows& count(const char* quantity, std::size_t number) { return put(quantity, static_cast<double>(number)); }
+    NumberRows& ends(const std::string& name, const stats::Interval& interval)
+    {
+        return put(name + "_low", interval.low).put(name + "_high", interval.high);
+    }
+    /// Standard deviation of a group of random effects: "sd_participant_condition".
+    NumberRows& sd(std::string group, const stats::Value& value)
+    {
+        std::replace(group.begin(), group.end(), ':', '_');
+        return put("sd_" + group, value);
+    }
 
 private:
     std::string& m_text;
@@ -52,8 +65,7 @@ void addComparisonNumbers(std::string& text, const std::string& question, const 
         .put("df", test.df)
         .put("p", test.p)
         .put("p_holm", one.pHolm)
-        .put("ci95_low", test.ci.low)
-        .put("ci95_high", test.ci.high)
+        .ends("ci95", test.ci)
         .put("d_z", test.dZ);
 }
 
@@ -66,15 +78,111 @@ void addEquivalenceNumbers(std::string& text, const std::string& question, const
         .put("mean_difference", test.estimate)
         .put("p_lower", test.pLower)
         .put("p_upper", test.pUpper)
-        .put("ci90_low", test.ci.low)
-        .put("ci90_high", test.ci.high);
+        .ends("ci90", test.ci);
 }
 
-void addNumbers(std::string& text, const StudyData& data, const std::string& question, const ChoiceAnalysis& choices)
+void addClaimNumbers(std::string& text, const std::string& question, const QuestionClaims& claims, bool hasModel = true)
 {
-    for (std::size_t c = 0; c < data.conditions.size(); ++c) {
+    for (const ContrastFinding& finding : claims.contrasts) {
+        if (!hasModel && finding.generalisation == stats::Generalisation::FabricsLikeThese) continue;
+        const stats::ContrastClaim& claim = finding.claim;
+        NumberRows rows(text, "claims_" + nameOf(finding.generalisation), question, finding.a, finding.b);
+        if (claims.bounds) rows.within(claims.bounds->first, protocols::shortest(claims.bounds->second));
+        rows.put("estimate", claim.mean.estimate)
+            .put("se", claim.mean.se)
+            .put("df", claim.mean.df)
+            .put("p", claim.difference.p)
+            .put("p_holm", claim.pAdjusted)
+            .put("p_equivalence", claim.equivalence.p)
+            .put("p_equivalence_holm", claim.pEquivalenceAdjusted)
+            .ends("ci95", claim.mean.ci95)
+            .ends("ci90", claim.mean.ci90);
+    }
+}
+
+void addChanceNumbers(std::string& text, const std::string& question, const ChoiceAnalysis& choices)
+{
+    for (const ChanceFinding& finding : choices.claims.aboveChance)
+        NumberRows(text, "above_chance_" + nameOf(finding.generalisation), question, finding.condition, "")
+            .within(1.0 / choices.alternatives, "")
+            .put("estimate", finding.claim.mean.estimate)
+            .put("se", finding.claim.mean.se)
+            .put("df", finding.claim.mean.df)
+            .put("p", finding.claim.above.p)
+            .put("p_holm", finding.claim.pAdjusted)
+            .ends("ci95", finding.claim.mean.ci95);
+}
+
+void addLinearModelNumbers(std::string& text, const std::string& question, const stats::RatingModel& fitted)
+{
+    NumberRows rows(text, "linear_model", question, "", "");
+    rows.count("n", fitted.model.rows)
+        .put("f", fitted.condition.f)
+        .put("df1", fitted.condition.df1)
+        .put("df2", fitted.condition.df2)
+        .put("p", fitted.condition.p);
+    for (const stats::RandomEffect& effect : fitted.model.random) rows.sd(effect.name, effect.sd);
+    rows.sd("residual", fitted.model.residualSd);
+}
+
+void addModelContrastNumbers(std::string& text, const std::string& question, const std::vector<ModelContrast>& contrasts)
+{
+    for (const ModelContrast& contrast : contrasts) {
+        const stats::MeanTest test = stats::testOfMean(contrast.mean, 0, stats::Tail::TwoSided);
+        NumberRows(text, "model_contrast", question, contrast.a, contrast.b)
+            .put("estimate", contrast.mean.estimate)
+            .put("se", contrast.mean.se)
+            .put("df", contrast.mean.df)
+            .put("t", test.t)
+            .put("p", test.p)
+            .ends("ci95", contrast.mean.ci95);
+    }
+}
+
+/// The first effect is that of the reference, which stands in column a alone. Without interactions, standard errors are those of
+/// lme4, which depend on the steps of its inner search: no other fit can compare them.
+void addLogisticNumbers(std::string& text, const char* section, const std::string& question, const stats::ChoiceModel& fitted,
+                        bool hasStandardErrors)
+{
+    const stats::LogisticMixedModel& model = fitted.model;
+    NumberRows rows(text, section, question, "", "");
+    rows.count("n", model.rows)
+        .put("log_likelihood", model.logLikelihood)
+        .put("chi2", model.chiSquared)
+        .put("df", model.df)
+        .put("p", model.p);
+    for (const stats::RandomIntercept& effect : model.random) rows.sd(effect.name, effect.sd);
+    for (std::size_t i = 0; i < model.fixed.size(); ++i) {
+        NumberRows effect(text, section, question, fitted.conditions[i], i == 0 ? "" : fitted.conditions.front());
+        effect.put("estimate", model.fixed[i].estimate);
+        if (hasStandardErrors) effect.put("se", model.fixed[i].se);
+    }
+}
+
+stats::Value oddsOf(const stats::Value& logOdds) { return logOdds.exists() ? stats::Value(std::exp(*logOdds)) : logOdds; }
+
+void addOrdinalNumbers(std::string& text, const std::string& question, const OrdinalRatings& ratings)
+{
+    const stats::OrdinalMixedModel& model = ratings.fitted.model;
+    const std::vector<std::string>& conditions = ratings.fitted.conditions;
+    NumberRows rows(text, "ordinal_model", question, "", "");
+    rows.within(ratings.unit, "").count("n", model.rows).put("log_likelihood", model.logLikelihood);
+    for (const stats::RandomIntercept& effect : model.random) rows.sd(effect.name, effect.sd);
+    for (std::size_t i = 0; i < model.fixed.size(); ++i)
+        NumberRows(text, "ordinal_model", question, conditions[i + 1], conditions.front())
+            .within(ratings.unit, "")
+            .put("estimate", model.fixed[i].estimate)
+            .put("se", model.fixed[i].se)
+            .put("p", model.fixed[i].p)
+            .put("odds_ratio", oddsOf(model.fixed[i].estimate))
+            .ends("ci95", {oddsOf(model.fixed[i].ci.low), oddsOf(model.fixed[i].ci.high)});
+}
+
+void addNumbers(std::string& text, const StudyAnalysis& analysis, const std::string& question, const ChoiceAnalysis& choices)
+{
+    for (std::size_t c = 0; c < analysis.data.conditions.size(); ++c) {
         const ConditionChoices& one = choices.conditions[c];
-        NumberRows(text, "matches", question, data.conditions[c], "")
+        NumberRows(text, "matches", question, analysis.data.conditions[c], "")
             .within(1.0 / choices.alternatives, "")
             .count("correct", one.count.correct)
             .count("trials", one.count.trials)
@@ -83,24 +191,41 @@ void addNumbers(std::string& text, const StudyData& data, const std::string& que
             .put("p_chance_participants", one.participantsAgainstChance.p);
     }
     for (const PairComparison& one : choices.comparisons) addComparisonNumbers(text, question, one);
+    addChanceNumbers(text, question, choices);
+    addClaimNumbers(text, question, choices.claims);
+    addLinearModelNumbers(text, question, choices.linearModel);
+    addLogisticNumbers(text, "logistic_model", question, choices.model, false);
+    addLogisticNumbers(text, "logistic_model_crossed", question, choices.crossedModel, true);
 }
 
-void addNumbers(std::string& text, const StudyData& data, const std::string& question, const RatingAnalysis& ratings)
+/// Ratings that are all equal under a condition. A mixed model then has variances at zero, where programs stop at different
+/// places and give different degrees of freedom.
+bool hasEqualRatings(const RatingAnalysis& ratings)
 {
-    for (std::size_t c = 0; c < data.conditions.size(); ++c) {
+    return std::ranges::any_of(ratings.conditions, [](const ConditionRatings& one) { return one.sd.exists() && *one.sd == 0; });
+}
+
+void addNumbers(std::string& text, const StudyAnalysis& analysis, const std::string& question, const RatingAnalysis& ratings)
+{
+    for (std::size_t c = 0; c < analysis.data.conditions.size(); ++c) {
         const ConditionRatings& one = ratings.conditions[c];
-        NumberRows(text, "ratings", question, data.conditions[c], "")
+        NumberRows(text, "ratings", question, analysis.data.conditions[c], "")
             .count("n", one.ratings)
             .put("mean", one.mean)
             .put("sd", one.sd)
-            .put("ci95_low", one.ci95.low)
-            .put("ci95_high", one.ci95.high);
+            .ends("ci95", one.ci95);
     }
     for (const PairComparison& one : ratings.comparisons) addComparisonNumbers(text, question, one);
     for (const PairEquivalence& one : ratings.equivalences) addEquivalenceNumbers(text, question, one);
+    const bool hasModel = !hasEqualRatings(ratings);
+    addClaimNumbers(text, question, ratings.claims, hasModel);
+    if (!hasModel) return;
+    addLinearModelNumbers(text, question, ratings.model);
+    addModelContrastNumbers(text, question, ratings.modelContrasts);
+    if (analysis.depth == Depth::Whole) addOrdinalNumbers(text, question, ratings.ordinal);
 }
 
-void addNumbers(std::string&, const StudyData&, const std::string&, const WordedAnalysis&) {}
+void addNumbers(std::string&, const StudyAnalysis&, const std::string&, const WordedAnalysis&) {}
 
 std::string scaleOf(const StudyData& data)
 {
@@ -119,6 +244,21 @@ std::string namesOf(const std::vector<std::string>& names)
     return text;
 }
 
+/// Sections of expected.csv.
+const std::vector<std::string> sections{"matches",
+                                        "ratings",
+                                        "comparison",
+                                        "equivalence",
+                                        "above_chance_these_fabrics",
+                                        "above_chance_fabrics_like_these",
+                                        "claims_these_fabrics",
+                                        "claims_fabrics_like_these",
+                                        "linear_model",
+                                        "model_contrast",
+                                        "logistic_model",
+                                        "logistic_model_crossed",
+                                        "ordinal_model"};
+
 std::string codebookCsv(const StudyData& data)
 {
     std::vector<std::string> questions;
@@ -135,13 +275,15 @@ std::string codebookCsv(const StudyData& data)
         {"answers.csv", "correct", "whole number", "", "0; 1", "of a choice: 1 is right"},
         {"answers.csv", "rating", "number", "points of the scale", safeCell(scaleOf(data)), "of a rating"},
         {"answers.csv", "seconds", "number", "s", "", "time that the report uses; empty where there is none"},
-        {"expected.csv", "section", "text", "", "matches; ratings; comparison; equivalence", "kind of test"},
+        {"expected.csv", "section", "text", "", safeCell(namesOf(sections)), "kind of test or model"},
         {"expected.csv", "question", "text", "", "", "id of the question"},
-        {"expected.csv", "a", "text", "", "", "condition, or the first of a pair"},
+        {"expected.csv", "a", "text", "", "", "condition, or the first of a pair; empty for a whole model"},
         {"expected.csv", "b", "text", "", "", "second condition of a pair; differences are a - b"},
-        {"expected.csv", "low", "number", "", "", "chance of a match, or the lower bound of equivalence"},
+        {"expected.csv", "low", "number", "", "",
+         "chance of a match, the lower bound of equivalence, or the unit to which an ordinal model rounds ratings"},
         {"expected.csv", "high", "number", "", "", "upper bound of equivalence"},
-        {"expected.csv", "quantity", "text", "", "", "name as in results.json; ci95_low and ci95_high are the ends of ci95"},
+        {"expected.csv", "quantity", "text", "", "",
+         "name as in results.json and statistics.json; ci95_low and ci95_high are the ends of ci95"},
         {"expected.csv", "value", "number", "", "", "as the report has it; empty where it does not exist"}};
     std::string text;
     for (const auto& row : rows) text += protocols::csvRow(row);
@@ -160,8 +302,7 @@ std::string expectedNumbersCsv(const StudyAnalysis& analysis)
 {
     std::string text = protocols::csvRow({"section", "question", "a", "b", "low", "high", "quantity", "value"});
     for (const QuestionAnalysis& question : analysis.questions)
-        std::visit([&](const auto& findings) { addNumbers(text, analysis.data, question.question.id, findings); },
-                   question.findings);
+        std::visit([&](const auto& findings) { addNumbers(text, analysis, question.question.id, findings); }, question.findings);
     return text;
 }
 

@@ -11,9 +11,10 @@ namespace reports {
 
 inline constexpr const char* reproductionFolder = "reproduce";
 
-/// A row a number of the main tables: matches against chance, means of ratings, paired comparisons, equivalence. Columns
-/// section, question, a, b, low, high, quantity, value; `low` and `high` are chance or the bounds of equivalence. A number that
-/// does not exist is empty.
+/// A row a number of the main tables: matches against chance, means of ratings, paired comparisons, equivalence, claims, and the
+/// linear, logistic and ordinal mixed models. Columns section, question, a, b, low, high, quantity, value; `low` and `high` are
+/// chance, the bounds of equivalence, or the unit of rounding (low). A number that does not exist is empty. Depth::Quick has no
+/// ordinal models. A question whose ratings are all equal under a condition has no rows of mixed models.
 std::string expectedNumbersCsv(const StudyAnalysis& analysis);
 
 /// A row an analysed answer that is right, wrong or a number.

@@ -12,6 +12,7 @@ std::span<const SectionHeading> sectionHeadings()
         SectionHeading{PageSection::Ratings, "ratings", "Ratings"},
         SectionHeading{PageSection::Words, "words", "Answers in words"},
         SectionHeading{PageSection::Claims, "claims", "Different, equivalent, or not decided"},
+        SectionHeading{PageSection::Sentences, "sentences", "Sentences for a paper"},
         SectionHeading{PageSection::Comparisons, "comparisons", "All pairs: participants' means"},
         SectionHeading{PageSection::Equivalence, "equivalence", "All pairs: equivalence of participants' means"},
         SectionHeading{PageSection::Effects, "effects", "Effect sizes, agreement, variances"},

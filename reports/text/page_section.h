@@ -12,6 +12,7 @@ enum class PageSection {
     Ratings,
     Words,
     Claims,
+    Sentences,
     Comparisons,
     Equivalence,
     Effects,

@@ -16,6 +16,7 @@ namespace {
 // squared. So neither an offset nor a slope over the image costs digits.
 constexpr std::size_t tileWidth = ssimTileWidth;
 constexpr std::size_t tileHeight = 64;
+constexpr std::size_t rowsAhead = 8;  ///< between a row and the row that is fetched meanwhile
 
 std::vector<double> weightsOf(SsimWindow window)
 {
@@ -54,6 +55,12 @@ std::string faultOf(const BasicImageView<Pixel>& a, const BasicImageView<Pixel>&
     const std::string side = std::to_string(window);
     if (a.width < window || a.height < window) return "the images are smaller than the " + side + "x" + side + " window";
     if (!(range > 0) || !std::isfinite(range)) return "the range must be a positive number";
+    return {};
+}
+
+template <typename Pixel>
+std::string pixelFaultOf(const BasicImageView<Pixel>& a, const BasicImageView<Pixel>& b)
+{
     if (std::string fault = pixelFault(a, "first"); !fault.empty()) return fault;
     return pixelFault(b, "second");
 }
@@ -120,9 +127,21 @@ public:
     double largest() const { return m_largest; }
 
 private:
+    /// Rows of a large image lie on pages of their own, so no hardware foresees the next one.
+    void fetch(std::size_t begin, std::size_t count) const
+    {
+        constexpr std::size_t line = 64 / sizeof(Pixel);
+        if (begin + count > m_a.values.size()) return;
+        for (std::size_t x = 0; x < count; x += line) {
+            __builtin_prefetch(&m_a.values[begin + x]);
+            __builtin_prefetch(&m_b.values[begin + x]);
+        }
+    }
+
     void filterRow(const SsimTile& tile, std::size_t y)
     {
         const std::size_t begin = (tile.top + y) * m_a.width + tile.left;
+        fetch(begin + rowsAhead * m_a.width, tile.width + m_window - 1);
         const std::size_t count = tile.width + m_window - 1;
         for (std::size_t x = 0; x < count; ++x) {
             m_rowA[x] = m_a.values[begin + x] * m_factor - m_terms.shiftA;
@@ -167,8 +186,11 @@ Ssim ssimOf(const BasicImageView<Pixel>& a, const BasicImageView<Pixel>& b, doub
         for (std::size_t left = 0; left < result.windowsAcross; left += tileWidth)
             sums.addTile(
                 {left, top, std::min(tileWidth, result.windowsAcross - left), std::min(tileHeight, result.windowsDown - top)});
-    if (!std::isfinite(sums.total()))
-        return refuse(result, "the pixels lie too far beyond the range for their squares to be written");
+    // Each pixel lies in a window, and a sum with a pixel that is not finite is not a number. So most images are read once.
+    if (!std::isfinite(sums.total())) {
+        fault = pixelFaultOf(a, b);
+        return refuse(result, fault.empty() ? "the pixels lie too far beyond the range for their squares to be written" : fault);
+    }
     const auto windows = static_cast<double>(result.windowsAcross * result.windowsDown);
     result.mean = std::clamp(sums.total() / windows, -1.0, 1.0);
     result.smallest = sums.smallest();

@@ -48,6 +48,7 @@ void addRescue(CLI::App& app, Action& action);
 void addNumbers(CLI::App& app, Action& action);  ///< describe, compare, metrics
 void addAnalyse(CLI::App& app, Action& action);
 void addPower(CLI::App& app, Action& action);
+void addProtocol(CLI::App& app, Action& action);  ///< protocol check, protocol show
 void addMerge(CLI::App& app, Action& action);
 void addBench(CLI::App& app, Action& action);
 void addDisplay(CLI::App& app, Action& action);

@@ -1,4 +1,4 @@
-// vis2hap export STUDY --out DIR [--format csv|json|script] [--public] [--with-log] [--with-samples]: answers after the
+// vis2hap export STUDY --out DIR [--format csv|json|script|psych-ds] [--public] [--with-log] [--with-samples]: answers after the
 // unblinding, before it progress and aggregates. With --participant ID the data of one person, for this person.
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -84,8 +84,11 @@ void addExport(CLI::App& app, Action& action)
     auto call = std::make_shared<ExportCall>();
     command->add_option("STUDY", call->study, "the study")->required();
     command->add_option("--out", call->out, "folder to write into")->required();
-    auto* format = command->add_option("--format", call->format, "csv, json, or script (sessions that `replay` takes)")
-                       ->check(CLI::IsMember({"csv", "json", "script"}))
+    auto* format = command
+                       ->add_option("--format", call->format,
+                                    "csv, json, script (sessions that `replay` takes), or psych-ds (a data set with metadata by "
+                                    "Psych-DS; new folder)")
+                       ->check(CLI::IsMember({"csv", "json", "script", "psych-ds"}))
                        ->capture_default_str();
     auto* withLog =
         command->add_flag("--with-log", call->withLog,

@@ -29,7 +29,7 @@ std::vector<leaks::Exporter> exportersOf(const database::StudyStore& store)
 {
     const database::Passphrase nobody = [] { return std::nullopt; };
     std::vector<leaks::Exporter> exporters;
-    for (const char* format : {"csv", "json", "script"})
+    for (const char* format : {"csv", "json", "script", "psych-ds"})
         exporters.push_back({std::string("export --format ") + format, [&store, format, nobody](const auto& folder) {
                                  exports::writeExport(store, folder / "out", {format, false, false}, nobody);
                              }});

@@ -117,6 +117,7 @@ int run(int argc, char** argv)
     study::commands::addNumbers(app, action);
     study::commands::addAnalyse(app, action);
     study::commands::addPower(app, action);
+    study::commands::addProtocol(app, action);
     study::commands::addMerge(app, action);
     study::commands::addBench(app, action);
     study::commands::addDisplay(app, action);

@@ -13,6 +13,7 @@
 #include "reports/write_report.h"
 #include "study/commands/command_line.h"
 #include "study/commands/parts/explanation.h"
+#include "study/commands/parts/friction_pictures.h"
 #include "study/commands/parts/json_output.h"
 #include "study/commands/parts/pair_options.h"
 #include "study/commands/parts/progress.h"
@@ -107,6 +108,8 @@ int report(const ReportCall& call, StageTimes times)
         return 0;
     }
     data->everyPair = call.everyPair;
+    const auto note = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
+    if (!call.study.empty() && !call.quick) data->pictures = frictionPictures(records::openStudy(call.study), *data, note);
     Progress progress("analysing");
     reports::AnalysisOptions options{call.quick ? reports::Depth::Quick : reports::Depth::Whole,
                                      call.resimulate ? resimulatedStudies : 0, [&](int done, int total, const std::string& step) {
@@ -114,13 +117,13 @@ int report(const ReportCall& call, StageTimes times)
                                          progress.show(done, total, step);
                                      }};
     const reports::StudyAnalysis analysis = reports::analyse(std::move(*data), options);
-    const auto note = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
     times.begin("writing tables, figures and pages");
     reports::writeReport(analysis, call.out, originOf(call),
                          call.pageOnly ? reports::WriteDocuments() : reports::allDocuments(note));
     times.end();
-    std::printf("%s\n%s/index.html\n", reports::overviewText(analysis).c_str(), call.out.c_str());
+    // Recorded before a word is printed: a reader such as `head` may close the pipe at any line.
     if (!call.study.empty()) recordAct(records::openStudy(call.study), "report", call.out);
+    std::printf("%s\n%s/index.html\n", reports::overviewText(analysis).c_str(), call.out.c_str());
     if (!call.checkWith.empty()) checkReport(call.out, call.checkWith);
     return 0;
 }

@@ -6,6 +6,7 @@
 #include "protocols/files/whole_file.h"
 #include "reports/documents/report_documents.h"
 #include "reports/write_report.h"
+#include "study/commands/parts/friction_pictures.h"
 #include "study/commands/parts/study_backup.h"
 #include "study/commands/passphrase_option.h"
 #include "study/commands/recorded_act.h"
@@ -93,6 +94,7 @@ app::ToolOutcome reported(const ToolCall& call)
         reports::writeProgressReport(records::blindedReport(call.store), call.out);
         return recorded(call, "report", "Blinded: progress, balance and flags. Results follow after the unblinding.\n");
     }
+    data->pictures = frictionPictures(call.store, *data, [](const std::string&) {});
     const reports::AnalysisOptions options{reports::Depth::Whole, 0, [&](int done, int total, const std::string& step) {
                                                call.progress(total > 0 ? 1.0 * done / total : 0.0, step);
                                            }};

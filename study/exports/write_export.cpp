@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <variant>
@@ -18,6 +19,7 @@
 #include "protocols/question_ids.h"
 #include "reports/formats/table_formats.h"
 #include "study/exports/codebook.h"
+#include "study/exports/psych_ds.h"
 #include "study/exports/public_files.h"
 #include "study/players/session_script.h"
 #include "study/records/blinded_report.h"
@@ -227,12 +229,41 @@ void writeAnswersCsv(const Export& job, const protocols::TakeBytes& take)
     take(rows);
 }
 
-void writeCsv(const Export& job)
+/// A table of an export; its name has no extension.
+struct ExportedTable {
+    std::string name;
+    std::function<void(const protocols::TakeBytes&)> make;
+};
+
+ExportedTable tableOf(const std::string& name, const std::string& csv)
 {
-    protocols::writeInPieces(
-        job.out / "answers.csv", [&](const protocols::TakeBytes& take) { writeAnswersCsv(job, take); }, protocols::Sync::Later);
-    write(job, "participants.csv", csvOf(participantRows(job), {"slot", "participant", "kind", "state", "protocol_version"}));
-    write(job, "codebook.csv", codebookCsv(job.protocol, job.facts.fabrics, columnsOf(job)));
+    return {name, [csv](const protocols::TakeBytes& take) { take(csv); }};
+}
+
+std::vector<ExportedTable> openTables(const Export& job)
+{
+    return {{"answers", [&job](const protocols::TakeBytes& take) { writeAnswersCsv(job, take); }},
+            tableOf("participants", csvOf(participantRows(job), {"slot", "participant", "kind", "state", "protocol_version"}))};
+}
+
+/// Progress, balance and flags; with the key also aggregates under K-labels.
+std::vector<ExportedTable> blindedTables(const reports::ProgressReport& report, const std::optional<ordered_json>& aggregates)
+{
+    std::vector<ExportedTable> tables;
+    for (const auto& table : report.tables) tables.push_back(tableOf(table.name, toCsv(table)));
+    if (aggregates)
+        tables.push_back(tableOf("conditions", csvOf(*aggregates, {"question", "condition", "n", "correct", "mean"})));
+    return tables;
+}
+
+void writeTables(const std::vector<ExportedTable>& tables, const std::function<fs::path(const std::string&)>& fileOf)
+{
+    for (const ExportedTable& table : tables) protocols::writeInPieces(fileOf(table.name), table.make, protocols::Sync::Later);
+}
+
+void writeCsvTables(const Export& job, const std::vector<ExportedTable>& tables)
+{
+    writeTables(tables, [&](const std::string& name) { return job.out / (name + ".csv"); });
 }
 
 /// Studies of earlier versions may not know it.
@@ -282,23 +313,6 @@ void writeJsonExport(const Export& job)
         job.out / "export.json", [&](const protocols::TakeBytes& take) { writeAnswersJson(job, take); }, protocols::Sync::Later);
 }
 
-/// Progress, balance and flags; with the key also aggregates under K-labels.
-void writeBlinded(const Export& job, const std::string& format, const std::optional<reports::StudyData>& data)
-{
-    const auto report = records::blindedReport(job.store);
-    const auto aggregates = data ? records::aggregatesOf(*data) : ordered_json();
-    if (format == "csv") {
-        for (const auto& table : report.tables) write(job, (table.name + ".csv").c_str(), toCsv(table));
-        if (data) write(job, "conditions.csv", csvOf(aggregates, {"question", "condition", "n", "correct", "mean"}));
-        return;
-    }
-    ordered_json json = headOf(job);
-    json["progress"] = ordered_json::parse(report.results)["progress"];
-    json["conditions"] = aggregates;
-    if (!data) json["why"] = {{"conditions", "the study is blinded, and nobody gave its passphrase"}};
-    write(job, "export.json", json.dump(1) + "\n");
-}
-
 /// "2026-11-25", UTC
 std::string today()
 {
@@ -309,23 +323,72 @@ std::string today()
     return text;
 }
 
+void writeDataset(const Export& job, const ExportForm& form, const std::vector<ExportedTable>& tables,
+                  const std::vector<CodebookColumn>& columns)
+{
+    PsychDsDataset dataset = psychDsDataset(job.store, job.facts, form, columns);
+    dataset.day = today();
+    protocols::makeFolders(job.out / "data", protocols::Sync::Later);
+    writeTables(tables, [&](const std::string& name) { return job.out / "data" / dataFileName(job.facts.name, name); });
+    write(job, "dataset_description.json", datasetDescription(dataset));
+    write(job, "README.md", datasetReadme(dataset));
+    write(job, "CHANGES.md", datasetChanges(dataset));
+    write(job, ".psychds-ignore", datasetIgnoreList(dataset));
+    if (dataset.hasRawData) protocols::makeFolders(job.out / "data/raw", protocols::Sync::Later);
+    if (!dataset.hasMaterials) return;
+    protocols::makeFolders(job.out / "materials", protocols::Sync::Later);
+    for (const auto& version : job.store.protocolVersions())
+        write(job, ("materials/protocol-" + std::to_string(version.version) + ".json").c_str(), version.json);
+}
+
+void writeOpen(const Export& job, const ExportForm& form)
+{
+    if (form.format == "json") return writeJsonExport(job);
+    const auto columns = codebookOf(job.protocol, job.facts.fabrics, columnsOf(job));
+    if (form.format == "psych-ds") return writeDataset(job, form, openTables(job), columns);
+    writeCsvTables(job, openTables(job));
+    write(job, "codebook.csv", codebookCsv(columns));
+}
+
+/// Progress, balance and flags; with the key also aggregates under K-labels.
+void writeBlinded(const Export& job, const ExportForm& form, const std::optional<reports::StudyData>& data)
+{
+    const auto report = records::blindedReport(job.store);
+    const auto aggregates = data ? std::optional(records::aggregatesOf(*data)) : std::nullopt;
+    const auto tables = blindedTables(report, aggregates);
+    if (form.format == "csv") return writeCsvTables(job, tables);
+    if (form.format == "psych-ds") return writeDataset(job, form, tables, blindedCodebookOf(job.protocol, data.has_value()));
+    ordered_json json = headOf(job);
+    json["progress"] = ordered_json::parse(report.results)["progress"];
+    json["conditions"] = aggregates.value_or(ordered_json());
+    if (!data) json["why"] = {{"conditions", "the study is blinded, and nobody gave its passphrase"}};
+    write(job, "export.json", json.dump(1) + "\n");
+}
+
 void writePublicFiles(const Export& job, const ExportForm& form)
 {
     write(job, "LICENSE.txt", licenceText(job.facts.name, form.licence));
     write(job, "CITATION.cff", citationText(job.facts.name, form.licence, form.authors, today()));
 }
 
-/// Throws badInput where nothing can be published. Files of an earlier export may hold what a public one leaves out.
-void requirePublishable(const database::StudyStore& store, const fs::path& out, const ExportForm& form)
+/// Throws badInput where the folder holds files. Those of an earlier export may hold what a public one leaves out, and a data
+/// set consists of all files in its folder.
+void requireOwnFolder(const fs::path& out, const std::string& what)
 {
     if (fs::exists(out) && (!fs::is_directory(out) || !fs::is_empty(out)))
-        throw protocols::badInput({"a public export needs a folder of its own", out.string(), "a new or an empty folder",
-                                   "name another folder with --out"});
+        throw protocols::badInput(
+            {what + " needs a folder of its own", out.string(), "a new or an empty folder", "name another folder with --out"});
+}
+
+/// Throws badInput where nothing can be published.
+void requirePublishable(const database::StudyStore& store, const ExportForm& form)
+{
     const auto refuse = [&](const std::string& what, const std::string& expected) {
         throw protocols::badInput({what, store.folder().folder.string(), expected, "export without --public"});
     };
     if (!store.unblinding()) refuse("a blinded study cannot be published", "a study that is unblinded");
-    if (form.format != "csv") refuse("--public writes tables only, not " + form.format, "--format csv, or none");
+    if (form.format != "csv" && form.format != "psych-ds")
+        refuse("--public writes tables only, not " + form.format, "--format csv or psych-ds, or none");
     if (form.withLog || form.withSamples) refuse("--public leaves out the log and the samples of fingers", "neither option");
 }
 
@@ -334,7 +397,6 @@ void requirePublishable(const database::StudyStore& store, const fs::path& out, 
 void writeExport(const database::StudyStore& store, const fs::path& out, const ExportForm& form,
                  const database::Passphrase& passphrase)
 {
-    const std::string& format = form.format;
     auto facts = store.facts();
     const auto protocol = records::protocolOf(facts);
     const bool blinded = !store.unblinding();
@@ -345,20 +407,21 @@ void writeExport(const database::StudyStore& store, const fs::path& out, const E
              "of a presentation could give its condition away",
              store.folder().folder.string(), "a study that is unblinded, or no --with-samples",
              "export without --with-samples, or unblind the study first"});
-    if (form.isPublic) requirePublishable(store, out, form);
+    const bool isDataset = form.format == "psych-ds";
+    if (form.isPublic || isDataset) requireOwnFolder(out, form.isPublic ? "a public export" : "a data set");
+    if (form.isPublic) requirePublishable(store, form);
     protocols::FolderDraft draft(out, protocols::Earlier::FilesJoined);
     const Export job{store, facts, protocol, naming ? &*naming : nullptr, draft.path(), form.isPublic};
-    if (format == "script")
+    if (form.format == "script")
         players::writeScripts(job.store, job.naming, job.out);
     else if (blinded)
-        writeBlinded(job, format, records::studyData(store, passphrase));
-    else if (format == "csv")
-        writeCsv(job);
+        writeBlinded(job, form, records::studyData(store, passphrase));
     else
-        writeJsonExport(job);
+        writeOpen(job, form);
     if (form.isPublic) writePublicFiles(job, form);
-    if (form.withSamples) write(job, "finger_samples.csv", records::fingerSamplesCsv(store, {}, naming));
-    if (form.withLog) records::writeExportedLog(store, draft.path());
+    const std::string beside = isDataset ? "data/raw/" : "";
+    if (form.withSamples) write(job, (beside + "finger_samples.csv").c_str(), records::fingerSamplesCsv(store, {}, naming));
+    if (form.withLog) records::writeExportedLog(store, draft.path() / beside);
     draft.putInPlace();
 }
 

@@ -10,16 +10,16 @@
 namespace study::exports {
 
 struct ExportForm {
-    std::string format;        ///< "csv", "json" or "script"
-    bool withLog = false;      ///< the log, too: log.csv, acts.csv and log.txt
-    bool withSamples = false;  ///< samples of the finger, too: finger_samples.csv; unblinded studies only
-    /// Leaves out days, notes and words, and adds LICENSE.txt and CITATION.cff; "csv" of unblinded studies only.
+    std::string format;        ///< "csv", "json", "script" or "psych-ds", which writes a data set by that specification
+    bool withLog = false;      ///< the log, too: log.csv, acts.csv and log.txt, for "psych-ds" in data/raw
+    bool withSamples = false;  ///< samples of the finger, too: finger_samples.csv, beside the log; unblinded studies only
+    /// Leaves out days, notes and words, and adds LICENSE.txt and CITATION.cff; "csv" and "psych-ds" of unblinded studies only.
     bool isPublic = false;
     std::string licence = {};  ///< SPDX identifier
     std::vector<std::string> authors = {};
 };
 
-/// `out`: a folder that need not exist; a public export takes a new or empty one only.
+/// `out`: a folder that need not exist; a public export and "psych-ds" take a new or empty one only.
 void writeExport(const database::StudyStore& store, const std::filesystem::path& out, const ExportForm& form,
                  const database::Passphrase& passphrase);
 

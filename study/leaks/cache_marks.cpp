@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/utf8.h"
 #include "protocols/files/whole_file.h"
 
 namespace study::leaks {
@@ -49,13 +50,31 @@ std::vector<std::string> codesOfStimuli(const fs::path& stimuli)
     return codes;
 }
 
+/// The text before the first byte of an array. Among some hundred codes, one of three or four characters stands in the bytes of
+/// arrays by chance.
+std::string_view textBefore(std::string_view bytes)
+{
+    const auto isOfArray = [](char c) { return (c >= 0 && c < ' ' && c != '\n' && c != '\t' && c != '\r') || c == 0x7F; };
+    const auto end = static_cast<std::size_t>(std::ranges::find_if(bytes, isOfArray) - bytes.begin());
+    return bytes.substr(0, std::min(end, protocols::firstByteThatIsNotUtf8(bytes).value_or(bytes.size())));
+}
+
+/// A number of JSON, such as a width: three digits after a colon, a comma or a bracket are no code.
+bool isJsonNumber(const std::string& text, std::size_t at, const std::string& code)
+{
+    if (!std::ranges::all_of(code, [](unsigned char c) { return std::isdigit(c) != 0; })) return false;
+    const std::size_t before = at == 0 ? std::string::npos : text.find_last_not_of(" \n", at - 1);
+    return before != std::string::npos && (text[before] == ':' || text[before] == ',' || text[before] == '[');
+}
+
 /// Whether the text holds the code as a word of its own: the digits of a code are no news within those of a long number.
 bool holdsWord(const std::string& text, const std::string& code)
 {
     const auto isPart = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-'; };
     for (auto at = text.find(code); at != std::string::npos; at = text.find(code, at + 1)) {
         const std::size_t end = at + code.size();
-        if ((at == 0 || !isPart(text[at - 1])) && (end == text.size() || !isPart(text[end]))) return true;
+        const bool isWord = (at == 0 || !isPart(text[at - 1])) && (end == text.size() || !isPart(text[end]));
+        if (isWord && !isJsonNumber(text, at, code)) return true;
     }
     return false;
 }
@@ -93,7 +112,7 @@ std::vector<std::string> codesInCache(const fs::path& cache, const std::set<std:
     for (const auto& file : fs::directory_iterator(cache, ignored)) {
         std::string text = file.path().filename().string() + "\n";
         try {
-            text += protocols::beginningOf(file.path(), readFromBeginning);
+            text += textBefore(protocols::beginningOf(file.path(), readFromBeginning));
         } catch (const protocols::Error&) {
             continue;  // removed meanwhile, or no file
         }

@@ -15,7 +15,8 @@ namespace study::leaks {
 /// time of their last change and by their last use. Empty where the cache has fewer entries than there are stimuli.
 std::vector<FileMark> marksOfCache(const std::filesystem::path& cache, const std::filesystem::path& stimuli);
 
-/// One line for each entry whose name or first 64 kB hold one of `codes`. The rest of an entry are numbers of its arrays.
+/// One line for each entry whose name, or whose text within its first 64 kB, holds one of `codes` as a word. The bytes of arrays
+/// and the numbers of JSON are no text.
 std::vector<std::string> codesInCache(const std::filesystem::path& cache, const std::set<std::string>& codes);
 
 }  // namespace study::leaks

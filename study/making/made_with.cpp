@@ -19,7 +19,8 @@ ordered_json textOrNull(const std::string& text) { return text.empty() ? ordered
 
 }  // namespace
 
-std::string madeWith(const NewStudy& request, const std::string& weightsSha256, const std::map<std::string, std::string>& prompts)
+std::string madeWith(const NewStudy& request, const std::string& weightsSha256, const std::map<std::string, std::string>& prompts,
+                     const std::map<std::string, std::string>& ownImagesSha256)
 {
     ordered_json made{{"program", request.programVersion}, {"commit", textOrNull(request.programCommit)}};
     made["compiler"] = "GCC " __VERSION__;
@@ -35,6 +36,7 @@ std::string madeWith(const NewStudy& request, const std::string& weightsSha256, 
                         // Of conditions whose id carries no quality.
                         {"quality", rendering::settingsOf(rendering::RenderRequest().generation.quality)}};
     for (const auto& [key, bytes] : prompts) made["prompts_sha256"][key] = protocols::sha256(bytes);
+    if (!ownImagesSha256.empty()) made["own_images_sha256"] = ownImagesSha256;
     return made.dump();
 }
 

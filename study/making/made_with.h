@@ -8,8 +8,10 @@
 namespace study::making {
 
 /// A JSON object for StudyFacts::madeWith. A commit that the build did not know, and weights that no condition needs, are null.
-/// `prompts`: bytes of the recordings by key, whose hashes are kept.
+/// `prompts`: bytes of the recordings by key, whose hashes are kept. `ownImagesSha256`: by
+/// condition of the lab's own.
 std::string madeWith(const NewStudy& request, const std::string& weightsSha256,
-                     const std::map<std::string, std::string>& prompts = {});
+                     const std::map<std::string, std::string>& prompts = {},
+                     const std::map<std::string, std::string>& ownImagesSha256 = {});
 
 }  // namespace study::making

@@ -65,7 +65,7 @@ database::StudyFacts factsOf(const NewStudy& request, const StudyMaterial& mater
     for (const auto& fabric : facts.fabrics) facts.fabricNames[fabric] = material.dataset.fabric(fabric).name;
     facts.createdAt = session::SystemClock().wallTime();
     facts.programVersion = request.programVersion;
-    facts.madeWith = madeWith(request, facts.modelSha256, prompts);
+    facts.madeWith = madeWith(request, facts.modelSha256, prompts, material.own.sha256);
     facts.hasPassphrase = request.passphrase.has_value();
     if (!facts.hasPassphrase) facts.stamps.emplace_back(database::noPassphraseStamp);
     return facts;

@@ -17,7 +17,7 @@ std::string plannedWork(const StudyMaterial& material)
 {
     const auto& protocol = material.protocol;
     const std::size_t fabrics = material.fabrics.size(), conditions = protocol.conditions.size();
-    const auto signals = rendering::signalsFor(std::span<const protocols::ConditionId>(protocol.conditions));
+    const auto signals = rendering::signalsFor(std::span<const protocols::ConditionId>(material.render.conditions));
     std::string list;
     for (const auto signal : signals) list += (list.empty() ? "" : ", ") + times(fabrics, nameOf(signal));
     const double megabytes =
@@ -28,7 +28,7 @@ std::string plannedWork(const StudyMaterial& material)
     text += "  signals, each at most once: " + list + "\n";
     text += std::string("  generators: ") +
             (needsGenerators(signals) ? "one start of vis2hap-nn for all photographs whose signals are not kept\n" : "none\n");
-    text += "  ranges: " + times(conditions, std::to_string(fabrics) + " maps") +
+    text += "  ranges: " + times(material.render.conditions.size(), std::to_string(fabrics) + " maps") +
             "; friction images: " + std::to_string(fabrics * conditions) + ", sealed, " + protocols::fixed(megabytes, 0) +
             " MB\n";
     text += "  for familiarisation: at most " + std::to_string(protocol.familiarisationFabrics) + " images of other fabrics\n";

@@ -132,9 +132,12 @@ bool hasSamplesFor(const Dataset& dataset, const protocols::FabricId& fabric, co
 
 }  // namespace
 
-StudyImages imagesFor(const NewStudy& request, const StudyMaterial& material, const database::StudyFacts& facts,
-                      const StudyProgress& progress)
+namespace {
+
+StudyImages renderedOrKept(const NewStudy& request, const StudyMaterial& material, const database::StudyFacts& facts,
+                           const StudyProgress& progress)
 {
+    if (material.render.conditions.empty()) return {};
     const std::string key = imageFolderKey(facts, material.render) + (request.evenStrange ? ", even strange" : "");
     if (!request.images.empty())
         if (auto kept = readImageFolder(request.images, key, material.render))
@@ -142,12 +145,24 @@ StudyImages imagesFor(const NewStudy& request, const StudyMaterial& material, co
     return rendered(request, material, key, facts, progress);
 }
 
+}  // namespace
+
+StudyImages imagesFor(const NewStudy& request, const StudyMaterial& material, const database::StudyFacts& facts,
+                      const StudyProgress& progress)
+{
+    StudyImages images = renderedOrKept(request, material, facts, progress);
+    images.byCondition.insert(material.own.images.begin(), material.own.images.end());
+    images.warnings.insert(images.warnings.end(), material.own.warnings.begin(), material.own.warnings.end());
+    return images;
+}
+
 FamiliarisationImages familiarisationFor(const NewStudy& request, const StudyMaterial& material)
 {
     const Dataset& dataset = material.dataset;
     rendering::RenderRequest render;
+    if (material.render.conditions.empty()) return {};
     // The last condition of the protocol is the richest. One image of each fabric is enough for familiarisation.
-    render.conditions = {material.protocol.conditions.back()};
+    render.conditions = {material.render.conditions.back()};
     render.generation.model = request.model;
     render.cache = request.cache;
     const auto signals = rendering::signalsFor(std::span<const protocols::ConditionId>(render.conditions));

@@ -51,6 +51,11 @@ std::vector<protocols::FabricId> fabricsFor(const protocols::Protocol& protocol,
     return fabrics;
 }
 
+std::string counted(std::size_t conditions)
+{
+    return conditions == 1 ? "1 condition shows" : std::to_string(conditions) + " conditions show";
+}
+
 void readModel(const NewStudy& request, StudyMaterial& material)
 {
     namespace models = rendering::models;
@@ -72,7 +77,10 @@ StudyMaterial materialFor(const NewStudy& request)
     readProtocol(request, material);
     material.dataset = rendering::fabrics::readDataset(request.dataset);
     material.fabrics = fabricsFor(material.protocol, material.dataset, request.seed);
-    const auto signals = rendering::signalsFor(std::span<const protocols::ConditionId>(material.protocol.conditions));
+    for (const auto& id : material.protocol.conditions)
+        if (!material.protocol.ownImages.contains(id)) material.render.conditions.push_back(id);
+    material.own = readOwnImages(material.protocol, request.protocol.parent_path(), material.fabrics);
+    const auto signals = rendering::signalsFor(std::span<const protocols::ConditionId>(material.render.conditions));
     if (needsGenerators(signals)) readModel(request, material);
     const auto chosen =
         chooseSamples(material.dataset, material.fabrics, signals, material.model ? &material.model->summary : nullptr,
@@ -82,10 +90,12 @@ StudyMaterial materialFor(const NewStudy& request)
             "Some samples shown in this study were among the training samples of the generators (--allow-training-samples).");
     material.render.fabrics = material.fabrics;
     material.render.rangeOver = material.fabrics;
-    material.render.conditions = material.protocol.conditions;
     material.render.samples = chosen.samples;
     material.render.generation.model = request.model;
     material.render.cache = request.cache;
+    if (!material.own.images.empty())
+        material.stamps.push_back(counted(material.own.images.size()) +
+                                  " ready images that this program did not make. How they were made is not known to it.");
     return material;
 }
 

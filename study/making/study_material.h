@@ -10,6 +10,7 @@
 #include "rendering/composition/render_fabrics.h"
 #include "rendering/models/model_card_fields.h"
 #include "study/making/new_study.h"
+#include "study/making/own_images.h"
 
 namespace study::making {
 
@@ -20,7 +21,8 @@ struct StudyMaterial {
     std::vector<protocols::FabricId> fabrics;
     std::optional<rendering::models::ModelCardFields> model;  ///< none where no condition needs generated signals
     std::filesystem::path control;                            ///< weights of the L1-only control; empty where there are none
-    rendering::RenderRequest render;                          ///< the conditions over the fabrics, with their samples
+    rendering::RenderRequest render;                          ///< the rendered conditions over the fabrics, with their samples
+    OwnImages own;                                            ///< ready images of the lab's own conditions
     std::vector<std::string> stamps;                          ///< sentences that every report must carry
 };
 

@@ -138,6 +138,10 @@ ScriptedPlace placeFrom(const Entry& entry)
         place.condition = protocols::catchTrialId();
         return place;
     }
+    if (protocols::faultOf(condition) && protocols::faultOfOwnId(condition).empty()) {
+        place.condition = protocols::ConditionId(condition);  // of the lab's own; a study that has none finds no such answer
+        return place;
+    }
     try {
         place.condition = protocols::conditionIdFrom(condition);
     } catch (const protocols::Error& unknown) {

@@ -36,6 +36,17 @@ Plan planOf(const StudyStore& store, const database::Enrolment& enrolment)
     return plan;
 }
 
+/// Whether a text of JSON holds a NUL, which is written as \u0000; a backslash before it makes it a text of six characters.
+bool holdsNul(const std::string& json)
+{
+    for (std::size_t at = json.find("\\u0000"); at != std::string::npos; at = json.find("\\u0000", at + 1)) {
+        std::size_t backslashes = 0;
+        while (backslashes < at && json[at - backslashes - 1] == '\\') ++backslashes;
+        if (backslashes % 2 == 0) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 Driver::Driver(StudyStore& store, const protocols::ParticipantId& participant, database::ParticipantKind kind,
@@ -107,16 +118,18 @@ std::optional<Refusal> Driver::send(const EventBody& body)
     const std::int64_t atNs = m_clock.monotonicNs();
     auto outcome = apply(m_plan, m_state, {body, atNs});
     if (auto* refusal = std::get_if<Refusal>(&outcome)) return std::move(*refusal);
+    std::string payload = payloadJson(body, m_operatedBy);
+    if (holdsNul(payload)) return Refusal{"The text holds a NUL character, which ends texts in other programs. Remove it."};
     const std::vector<Effect> effects = std::get<SessionStep>(outcome).effects;
-    commit(body, atNs, std::move(std::get<SessionStep>(outcome)));
+    commit(body, std::move(payload), atNs, std::move(std::get<SessionStep>(outcome)));
     letOut(effects);
     return std::nullopt;
 }
 
-void Driver::commit(const EventBody& body, std::int64_t atNs, SessionStep step)
+void Driver::commit(const EventBody& body, std::string payload, std::int64_t atNs, SessionStep step)
 {
     StudyStore::Append entry = entryOf(m_plan, m_state, step.next, body, atNs);
-    entry.event = {0, m_participant, step.next.sitting, kindOf(body), payloadJson(body, m_operatedBy), atNs, m_clock.wallTime()};
+    entry.event = {0, m_participant, step.next.sitting, kindOf(body), std::move(payload), atNs, m_clock.wallTime()};
     if (std::holds_alternative<Answered>(body)) entry.finger = m_finger.unstored(entry.answers.front().trial);
     if (entry.voids) entry.finger = m_finger.unstored(*entry.voids);
     entry.storedAtNs = m_clock.monotonicNs();
@@ -175,7 +188,7 @@ void Driver::pauseAfterFault()
     auto outcome = apply(m_plan, m_state, {Paused{}, atNs});
     auto* step = std::get_if<SessionStep>(&outcome);
     if (!step) return;  // the session is over
-    commit(Paused{}, atNs, std::move(*step));
+    commit(Paused{}, payloadJson(Paused{}, m_operatedBy), atNs, std::move(*step));
     try {
         m_display.clear();
     } catch (const protocols::Error&) {

@@ -46,7 +46,7 @@ public:
 
 private:
     void replayLog();
-    void commit(const EventBody& body, std::int64_t atNs, SessionStep step);
+    void commit(const EventBody& body, std::string payload, std::int64_t atNs, SessionStep step);
     void letOut(const std::vector<Effect>& effects);
     void perform(const Effect& effect);
     void prefetchIfPossible(const protocols::SealedCode& code);

@@ -141,7 +141,7 @@ fs::path everyCopyOf(const fs::path& study)
     for (const bool isBlinded : {true, false}) {
         const QString at = out + (isBlinded ? "blinded-" : "open-");
         if (!isBlinded) run({"unblind", folder, "--who", "promises", "--why", "measures the erasure"});
-        for (const char* format : {"csv", "json", "script"})
+        for (const char* format : {"csv", "json", "script", "psych-ds"})
             run(QStringList{"export", folder, "--out", at + format, "--format", format, "--with-log"} +
                 (isBlinded ? QStringList() : QStringList{"--with-samples"}));
         run({"export", folder, "--out", at + "person", "--participant", "S01"});

@@ -200,7 +200,7 @@ private Q_SLOTS:
         const auto two = [&](const QString& one, const QString& other) { return key(qPrintable(one + ", " + other)); };
         QTest::newRow("no label") << key(R"("aa": {"fabric": "F01", "condition": "f"})");
         QTest::newRow("number for a fabric") << key(R"("aa": {"fabric": 1, "condition": "f", "label": "K1"})");
-        QTest::newRow("unknown condition") << key(qPrintable(entry("aa", "F01", "g")));
+        QTest::newRow("impossible condition") << key(qPrintable(entry("aa", "F01", "g@fast")));
         QTest::newRow("file code twice") << two(entry("aa", "F01", "f"), entry("aa", "F02", "f"));
         QTest::newRow("rendering twice") << two(entry("aa", "F01", "f"), entry("ab", "F01", "f"));
         QTest::newRow("label with two meanings") << two(entry("aa", "F01", "f"), entry("ab", "F01", "h"));

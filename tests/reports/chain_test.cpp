@@ -95,7 +95,7 @@ private Q_SLOTS:
     {
         StudyData data = studyOfQualities();
         data.simulated = true;
-        const auto figures = chainFigures(reports::analyse(std::move(data)));
+        const auto figures = chainFigures(reports::analyse(std::move(data)), reports::FigureWidth::TwoColumns);
         QCOMPARE(figures.size(), std::size_t{1});
         const QString svg = QString::fromStdString(figures[0].svg);
         // Time and error of 3 renderings, 4 questions and bits per second; no point where a value is missing.
@@ -112,7 +112,7 @@ private Q_SLOTS:
         data.prices[1][PriceMeasure::ReliefError] = {0.0, {0.0, 0.0}};
         data.prices[2][PriceMeasure::Milliseconds] = {1e-7, {-1.0, 1e12}};
         data.responses.clear();
-        const auto figures = chainFigures(reports::analyse(std::move(data)));
+        const auto figures = chainFigures(reports::analyse(std::move(data)), reports::FigureWidth::TwoColumns);
         const QString svg = QString::fromStdString(figures[0].svg);
         QVERIFY(!svg.contains("nan") && !svg.contains("inf\""));
         QCOMPARE(svg.count("<circle"), 2 + 3);  // the time of 0 ms has no place on a logarithmic axis
@@ -125,7 +125,7 @@ private Q_SLOTS:
         const auto analysis = reports::analyse(std::move(data));
         QVERIFY(resultsOf(analysis)["chain"].is_null());
         QVERIFY(chainTables(analysis).empty());
-        QVERIFY(chainFigures(analysis).empty());
+        QVERIFY(chainFigures(analysis, reports::FigureWidth::TwoColumns).empty());
         QVERIFY(reportPage(analysis, {}, {}, "").find("id=\"chain\"") == std::string::npos);
     }
 

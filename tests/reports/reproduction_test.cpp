@@ -7,6 +7,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 #include <fstream>
+#include <map>
 
 #include "protocols/files/csv_table.h"
 #include "protocols/files/whole_file.h"
@@ -35,21 +36,47 @@ std::string studyCsv(bool isDegenerate)
     return csv;
 }
 
-/// Exit code and output of a script in its folder.
-std::pair<int, QString> ran(const QString& program, const QString& script, const fs::path& folder)
-{
-    QProcess process;
-    process.setWorkingDirectory(QString::fromStdString(folder.string()));
-    process.setProcessChannelMode(QProcess::MergedChannels);
-    process.start(program, {script});
-    if (!process.waitForFinished(120'000)) return {-1, "did not end"};
-    return {process.exitCode(), QString::fromUtf8(process.readAll())};
-}
-
 bool has(const QString& program)
 {
     if (QStandardPaths::findExecutable(program).isEmpty()) return false;
     return program != "python3" || QProcess::execute("python3", {"-c", "import scipy"}) == 0;
+}
+
+/// Exit code and output of a script in its folder.
+std::pair<int, QString> ran(const QString& program, const QString& script, const fs::path& folder,
+                            const QProcessEnvironment& environment = QProcessEnvironment::systemEnvironment())
+{
+    QProcess process;
+    process.setProcessEnvironment(environment);
+    process.setWorkingDirectory(QString::fromStdString(folder.string()));
+    process.setProcessChannelMode(QProcess::MergedChannels);
+    process.start(program, {script});
+    if (!process.waitForFinished(280'000)) return {-1, "did not end"};
+    return {process.exitCode(), QString::fromUtf8(process.readAll())};
+}
+
+/// Replaces the value in the first row that begins with `start`; false where no row does.
+bool setNumber(const fs::path& folder, const QString& start, const QString& value)
+{
+    auto rows = QString::fromStdString(protocols::readWholeFile(folder / "expected.csv")).split('\n');
+    const auto row = std::find_if(rows.begin(), rows.end(), [&](const QString& one) { return one.startsWith(start); });
+    if (row == rows.end()) return false;
+    *row = row->section(',', 0, -2) + "," + value;
+    protocols::writeWholeFile(folder / "expected.csv", rows.join('\n').toStdString());
+    return true;
+}
+
+/// Whether every number that the script compared agrees.
+bool isReproduced(const QString& said)
+{
+    const auto counts = QRegularExpression("reproduced: (\\d+) of (\\d+)\n").match(said);
+    return counts.hasMatch() && counts.captured(1) == counts.captured(2) && counts.captured(2).toInt() > 50;
+}
+
+bool hasPackageOfR(const QString& package)
+{
+    return has("Rscript") &&
+           QProcess::execute("Rscript", {"-e", "quit(status = !requireNamespace('" + package + "', quietly = TRUE))"}) == 0;
 }
 
 }  // namespace
@@ -61,8 +88,22 @@ private Q_SLOTS:
     {
         const auto analysis = reports::analyse(reports::readAnswersCsv(smallStudy()), {.depth = reports::Depth::Quick});
         const auto table = protocols::csvTableFrom(reports::expectedNumbersCsv(analysis), "expected.csv");
-        // 3 conditions of 5 numbers for each of Q1, Q2 and Q3; 3 pairs of 9 numbers each; 3 pairs of 6 numbers for Q2 and Q3.
-        QCOMPARE(table.rows.size(), std::size_t(3 * 3 * 5 + 3 * 3 * 9 + 2 * 3 * 6));
+        std::map<std::string, int> rows;
+        for (const auto& row : table.rows) ++rows[row[0]];
+        // Q1 is a choice, Q2 and Q3 are ratings; three conditions make three pairs.
+        const std::map<std::string, int> wanted{{"matches", 3 * 5},
+                                                {"ratings", 2 * 3 * 5},
+                                                {"comparison", 3 * 3 * 9},
+                                                {"equivalence", 2 * 3 * 6},
+                                                {"above_chance_these_fabrics", 3 * 7},
+                                                {"above_chance_fabrics_like_these", 3 * 7},
+                                                {"claims_these_fabrics", 3 * 3 * 11},
+                                                {"claims_fabrics_like_these", 3 * 3 * 11},
+                                                {"linear_model", 3 * 10},
+                                                {"model_contrast", 2 * 3 * 7},
+                                                {"logistic_model", 10},
+                                                {"logistic_model_crossed", 15}};
+        QVERIFY(rows == wanted);
         const auto answers = protocols::csvTableFrom(reports::analysedAnswersCsv(analysis.data), "answers.csv");
         QCOMPARE(answers.rows.size(), analysis.data.responses.size());
     }
@@ -94,19 +135,58 @@ private Q_SLOTS:
         }
         reports::writeReproduction(reports::analyse(reports::readAnswersCsv(answers), {.depth = reports::Depth::Quick}), folder);
         const auto [code, said] = ran(program, script, folder);
+        QCOMPARE(program == "Rscript" && study == "degenerate" && !said.contains("mixed models of Q2: all ratings"), false);
         QVERIFY2(code == 0, qPrintable(said));
-        const auto counts = QRegularExpression("reproduced: (\\d+) of (\\d+)\n").match(said);
-        QVERIFY2(counts.hasMatch() && counts.captured(1) == counts.captured(2) && counts.captured(2).toInt() > 50,
-                 qPrintable(said));
+        QVERIFY2(isReproduced(said), qPrintable(said));
         // One number of the report is made wrong.
-        auto rows = QString::fromStdString(protocols::readWholeFile(folder / "expected.csv")).split('\n');
-        const auto mean = std::find_if(rows.begin(), rows.end(), [](const QString& row) { return row.contains(",mean,"); });
-        QVERIFY(mean != rows.end());
-        *mean = mean->section(',', 0, -2) + ",99";
-        protocols::writeWholeFile(folder / "expected.csv", rows.join('\n').toStdString());
+        QVERIFY(setNumber(folder, "ratings,Q2,f,,,,mean,", "99") || setNumber(folder, "ratings,Q2,v_grey,,,,mean,", "99"));
         const auto [wrong, words] = ran(program, script, folder);
         QCOMPARE(wrong, 1);
         QVERIFY2(words.contains("differs: ratings Q2"), qPrintable(words));
+    }
+
+    void modelsAreComputedInR()
+    {
+        for (const char* package : {"lme4", "lmerTest", "ordinal"})
+            if (!hasPackageOfR(package))
+                QSKIP(qPrintable(QString("R or its package %1 is not installed, so no mixed model was compared").arg(package)));
+        QTemporaryDir place;
+        const fs::path folder(place.path().toStdString());
+        reports::writeReproduction(reports::analyse(reports::readAnswersCsv(smallStudy())), folder);
+        const auto [code, said] = ran("Rscript", "analysis.R", folder);
+        QVERIFY2(code == 0 && isReproduced(said), qPrintable(said));
+        for (const char* line : {"claims_fabrics_like_these: 99 of 99", "above_chance_fabrics_like_these: 21 of 21",
+                                 "linear_model: 30 of 30", "model_contrast: 42 of 42", "logistic_model: 10 of 10",
+                                 "logistic_model_crossed: 15 of 15", "ordinal_model: 32 of 32"})
+            QVERIFY2(said.contains(line), qPrintable(said));
+        // One number of each model is made wrong by 1 % or more.
+        const std::map<QString, QString> wrongNumbers{{"claims_fabrics_like_these,Q2,v_grey,h&f,-0.5,0.5,df,", "1"},
+                                                      {"linear_model,Q2,,,,,f,", "9"},
+                                                      {"model_contrast,Q3,v_grey,h&f,,,se,", "1"},
+                                                      {"logistic_model,Q1,,,,,chi2,", "9"},
+                                                      {"logistic_model_crossed,Q1,,,,,log_likelihood,", "-50"},
+                                                      {"ordinal_model,Q2,h&f,v_grey,1,,p,", "0.5"}};
+        for (const auto& [start, value] : wrongNumbers) QVERIFY2(setNumber(folder, start, value), qPrintable(start));
+        const auto [wrong, words] = ran("Rscript", "analysis.R", folder);
+        QCOMPARE(wrong, 1);
+        for (const auto& [start, value] : wrongNumbers)
+            QVERIFY2(words.contains("differs: " + start.section(',', 0, 1).replace(',', ' ')), qPrintable(words));
+    }
+
+    void modelsAreLeftOutWithoutTheirPackages()
+    {
+        if (!has("Rscript")) QSKIP("R is not installed, so its script is not run");
+        QTemporaryDir place;
+        const fs::path folder(place.path().toStdString());
+        reports::writeReproduction(reports::analyse(reports::readAnswersCsv(smallStudy()), {.depth = reports::Depth::Quick}),
+                                   folder);
+        auto environment = QProcessEnvironment::systemEnvironment();
+        for (const char* libraries : {"R_LIBS", "R_LIBS_SITE", "R_LIBS_USER"}) environment.insert(libraries, place.path());
+        const auto [code, said] = ran("Rscript", "analysis.R", folder, environment);
+        if (!said.contains("needs lme4")) QSKIP("lme4 lies among the packages of R itself, so it cannot be hidden");
+        QVERIFY2(code == 0 && isReproduced(said), qPrintable(said));
+        QVERIFY2(said.contains("needs lme4 and lmerTest (apt-get install r-cran-lme4 r-cran-lmertest)"), qPrintable(said));
+        QVERIFY2(said.contains("claims_these_fabrics: 99 of 99") && !said.contains("linear_model: "), qPrintable(said));
     }
 };
 

@@ -208,8 +208,9 @@ private Q_SLOTS:
             for (int i = 0; i < numbers.size(); ++i)  // a tenth of a pixel may round either way
                 QVERIFY2(std::fabs(numbers[i] - keptNumbers[i]) < 0.11, qPrintable(names.last() + QString::number(i)));
         }
-        QCOMPARE(names, (QStringList{"matches_Q1", "ratings", "participants_Q2", "participants_Q3", "contrasts_Q1",
-                                     "contrasts_Q2", "contrasts_Q3", "speed_accuracy_Q1", "conditional_accuracy_Q1"}));
+        QCOMPARE(names, (QStringList{"matches_Q1", "ratings", "confusion_Q1", "by_fabric_Q2", "by_fabric_Q3", "participants_Q2",
+                                     "participants_Q3", "contrasts_Q1", "contrasts_Q2", "contrasts_Q3", "speed_accuracy_Q1",
+                                     "conditional_accuracy_Q1"}));
     }
 
     void captionsSayWhatIsDrawn()

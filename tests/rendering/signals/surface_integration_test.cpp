@@ -11,6 +11,7 @@
 #include "protocols/random.h"
 #include "rendering/images/true_map.h"
 #include "rendering/signals/cosine_transform.h"
+#include "rendering/signals/mirrored_columns.h"
 #include "tests/rendering/refusal.h"
 #include "tests/rendering/shared_data.h"
 
@@ -55,6 +56,18 @@ Slopes forwardSlopes(const cv::Mat& height, const Pitch& pitch)
                 slopes.y.at<double>(i, j) = (height.at<double>(i + 1, j) - height.at<double>(i, j)) / pitch.y;
         }
     return slopes;
+}
+
+/// The dense system of one column of second differences with mirrored borders.
+cv::Mat denseColumn(int rows, double stiffness)
+{
+    cv::Mat system = cv::Mat::zeros(rows, rows, CV_64FC1);
+    for (int i = 0; i < rows; ++i) {
+        system.at<double>(i, i) += 2 + stiffness;
+        system.at<double>(i, std::max(i - 1, 0)) -= 1;
+        system.at<double>(i, std::min(i + 1, rows - 1)) -= 1;
+    }
+    return system;
 }
 
 /// numpy.gradient: central differences, one-sided at the borders.
@@ -390,6 +403,43 @@ private Q_SLOTS:
         QVERIFY(residual({known.slopes.x, -known.slopes.y}, surfacePitch) > 0.3);
         QCOMPARE(residual({cv::Mat::zeros(4, 4, CV_64FC1), cv::Mat::zeros(4, 4, CV_64FC1)}, {}), 0.0);
         QVERIFY(residual({cv::Mat::ones(1, 9, CV_64FC1), cv::Mat::zeros(1, 9, CV_64FC1)}, {}) < 1e-12);
+    }
+
+    void columnsFollowTheirDenseSystem()
+    {
+        const std::vector<double> stiffness{0, 0, 1e-5, 0.01, 1, 4, 1e6};
+        for (const int rows : {1, 2, 3, 40, 300}) {
+            const cv::Mat values = randomImage(rows, static_cast<int>(stiffness.size()));
+            cv::Mat found = values.clone(), single;
+            values.convertTo(single, CV_32F);
+            solveMirroredColumns(found, stiffness);
+            solveMirroredColumns(single, stiffness);
+            for (int j = 0; j < values.cols; ++j) {
+                const double free = stiffness[static_cast<std::size_t>(j)] > 0 ? 0 : 1;
+                const cv::Mat wanted = values.col(j) - free * cv::mean(values.col(j))[0];
+                const cv::Mat reached = denseColumn(rows, stiffness[static_cast<std::size_t>(j)]) * found.col(j);
+                const double size = std::max(1.0, cv::norm(found.col(j), cv::NORM_INF));
+                QVERIFY(largestDifference(reached, wanted) < 1e-12 * size);
+                QVERIFY(free == 0 || std::abs(cv::mean(found.col(j))[0]) < 1e-12 * size);
+                QVERIFY(largestDifference(single.col(j), found.col(j)) < 1e-5 * size);  // sums of 300 rounded values
+            }
+        }
+    }
+
+    void stretchedPixelsKeepTheirDigits_data()
+    {
+        QTest::addColumn<double>("ratio");
+        for (const double ratio : {1e-3, 0.01, 0.1, 1.0, 15.9, 16.1, 100.0, 1e3}) QTest::addRow("%g", ratio) << ratio;
+    }
+
+    void stretchedPixelsKeepTheirDigits()
+    {
+        QFETCH(double, ratio);
+        // Least squares weigh the two directions by the square of the ratio, and rounding with them.
+        const double limit = 1e-12 + 1e-14 * std::pow(std::max(ratio, 1 / ratio), 2);
+        const Pitch pitch{0.01 * ratio, 0.01};
+        const cv::Mat height = centred(randomImage(37, 41));
+        QVERIFY(largestDifference(integrate(forwardSlopes(height, pitch), pitch, SlopeKind::Forward), height) < limit);
     }
 
     void highPassHalvesAWaveOfTheCutOff()

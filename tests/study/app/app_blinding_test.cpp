@@ -238,7 +238,8 @@ QMap<QString, QByteArray> AppBlindingTest::writtenOf(const QString& study)
     };
     run({"study", "status", study});
     run({"study", "plan", study, "--csv", out + "/plan.csv"});
-    for (const char* format : {"csv", "json", "script"}) run({"export", study, "--out", out + "/" + format, "--format", format});
+    for (const char* format : {"csv", "json", "script", "psych-ds"})
+        run({"export", study, "--out", out + "/" + format, "--format", format});
     auto written = contentsOf(out);
     written["(output)"] = output;
     return written;

@@ -86,7 +86,7 @@ private Q_SLOTS:
         QTest::newRow("doubled") << "[" + good + "," + good + "]"
                                  << "[]"
                                  << "two answers to Q2 for v_grey, F03";
-        QTest::newRow("unknown condition") << R"([{"question":"Q2","condition":"w","fabric":"F03","answer":5}])"
+        QTest::newRow("unknown condition") << R"([{"question":"Q2","condition":"w w","fabric":"F03","answer":5}])"
                                            << "[]"
                                            << "h_g&f_g";
         QTest::newRow("unknown question") << R"([{"question":"Q9","condition":"f","fabric":"F03","answer":5}])"

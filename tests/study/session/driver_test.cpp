@@ -264,6 +264,18 @@ private Q_SLOTS:
         QCOMPARE(answers[4].record.note, std::string());
     }
 
+    void aTextWithANulIsRefusedAndNothingIsStored()
+    {
+        OpenSession session(newStudy(), "S01");
+        session.playUntilAnswers(1);
+        const auto events = session.store.events(ParticipantId("S01")).size();
+        const auto refusal = session.driver->send(Noted{std::string("soft\0ware", 9)});
+        QVERIFY(refusal && refusal->reason.find("NUL") != std::string::npos);
+        QCOMPARE(session.store.events(ParticipantId("S01")).size(), events);
+        QVERIFY(!session.driver->send(Noted{"the six characters \\u0000 are a text"}));
+        QVERIFY(!session.driver->send(Noted{"a backslash \\"}));
+    }
+
     void aDisplayThatFailsPausesTheSessionAndLosesNothing()
     {
         const auto folder = newStudy();

@@ -1,0 +1,176 @@
+#include "study/making/session_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "protocols/counterbalancing.h"
+#include "protocols/files/number_text.h"
+#include "protocols/records/balance.h"
+#include "stats/power/power.h"
+
+namespace study::making {
+
+namespace {
+
+using nlohmann::ordered_json;
+using protocols::Phase;
+using protocols::Protocol;
+
+constexpr std::uint64_t shownSeed = 1;
+constexpr double largestEffect = 10;  ///< scale points, or log odds
+
+std::string counted(int n, const std::string& what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); }
+
+std::string answersText(const protocols::AnswerKind& kind)
+{
+    return std::visit(
+        protocols::Overloaded{
+            [](const protocols::ForcedChoice& choice) { return "one of " + counted(choice.alternatives, "piece"); },
+            [](const protocols::Rating& rating) {
+                const protocols::RatingScale& scale = rating.scale;
+                const auto number = [](protocols::Tenths tenths) { return protocols::shortest(tenths.value / 10.0); };
+                const std::string words =
+                    scale.labels.empty() ? "" : ", in words (" + scale.labels.front() + " … " + scale.labels.back() + ")";
+                return number(scale.min) + " to " + number(scale.max) + " in steps of " + number(scale.step) + words;
+            },
+            [](const protocols::SameDifferent&) { return std::string("same or different"); },
+            [](const protocols::FreeText&) { return std::string("words"); },
+        },
+        kind);
+}
+
+ordered_json phaseJson(const Protocol& protocol, const Phase& phase)
+{
+    ordered_json json{{"questions", ordered_json::array()}};
+    for (const protocols::Question& question : phase.questions)
+        json["questions"].push_back({{"id", question.id.value}, {"text", question.text}, {"answer", answersText(question.kind)}});
+    json["pieces_on_tray"] = protocols::piecesOnTray(phase.task);
+    json["instructions"] = ordered_json::array();
+    for (const protocols::BlockInstruction& instruction : phase.instructions)
+        json["instructions"].push_back(instruction.id.value);
+    const int presentations = protocol.presentationsPerPhase() * phase.runs() + phase.catchTrials;
+    json["presentations"] = presentations;
+    json["catch_trials"] = phase.catchTrials;
+    json["minutes"] = presentations * protocol.secondsPerPresentation / 60;
+    return json;
+}
+
+stats::StudyDesign designOf(const Protocol& protocol)
+{
+    stats::StudyDesign design;
+    design.participants = static_cast<std::size_t>(protocol.participants);
+    design.fabrics = static_cast<std::size_t>(protocol.fabricCount);
+    design.conditions = protocol.conditions.size();
+    return design;
+}
+
+ordered_json detected(const std::string& question, const std::string& claim, const stats::Value& effect, const std::string& unit)
+{
+    ordered_json json{{"question", question}, {"claim", claim}, {"unit", unit}};
+    json["smallest"] = effect.exists() ? ordered_json(*effect) : ordered_json();
+    if (!effect.exists()) json["why"] = effect.why();
+    return json;
+}
+
+ordered_json ratingPower(const Protocol& protocol, const protocols::Question& question)
+{
+    const stats::StudyDesign design = designOf(protocol);
+    const stats::RatingTruth truth;
+    const auto power = [&](double effect) {
+        return stats::tTestPower(protocol.participants, effect / truth.sdOfDifference(design));
+    };
+    return detected(question.id.value, "difference of two conditions, these fabrics",
+                    protocol.participants < 2 ? stats::Value::undefined("needs at least 2 participants")
+                                              : stats::smallestDetectable(power, largestEffect),
+                    "scale points");
+}
+
+ordered_json choicePower(const Protocol& protocol, const protocols::Question& question)
+{
+    const double chance = 1.0 / protocols::alternativesOf(question.kind);
+    const stats::BinomialPlan plan{.trials = static_cast<long long>(protocol.participants) * protocol.fabricCount,
+                                   .chance = chance};
+    const auto power = [&](double above) { return stats::binomialPower(plan, std::min(1.0, chance + above)); };
+    const stats::Value above = stats::smallestDetectable(power, 1 - chance);
+    return detected(question.id.value, "one condition above chance, these answers",
+                    above.exists() ? stats::Value(chance + *above) : above, "share right");
+}
+
+ordered_json powerOf(const Protocol& protocol)
+{
+    ordered_json rows = ordered_json::array();
+    for (const Phase& phase : protocol.phases)
+        for (const protocols::Question& question : phase.questions) {
+            if (std::holds_alternative<protocols::Rating>(question.kind) && protocol.conditions.size() > 1)
+                rows.push_back(ratingPower(protocol, question));
+            if (protocols::alternativesOf(question.kind) > 1) rows.push_back(choicePower(protocol, question));
+        }
+    return rows;
+}
+
+std::string word(const ordered_json& object, const char* key) { return object[key].get<std::string>(); }
+
+std::string fixed(double value, int decimals) { return protocols::fixed(value, decimals); }
+
+std::string phaseText(const ordered_json& phase, std::size_t number)
+{
+    std::string text = "phase " + std::to_string(number) + ": " + counted(phase["presentations"], "presentation") + ", about " +
+                       fixed(phase["minutes"], 0) + " minutes, " + counted(phase["pieces_on_tray"], "piece") + " on the tray";
+    if (const int blank = phase["catch_trials"]; blank > 0) text += ", " + std::to_string(blank) + " of them with blank glass";
+    text += "\n";
+    if (!phase["instructions"].empty()) {
+        text += "  under the instructions";
+        for (const auto& id : phase["instructions"]) text += " " + id.get<std::string>();
+        text += ", in an order that is balanced over the participants\n";
+    }
+    for (const auto& question : phase["questions"])
+        text += "  " + word(question, "id") + ": \"" + word(question, "text") + "\" (" + word(question, "answer") + ")\n";
+    return text;
+}
+
+}  // namespace
+
+ordered_json sessionPlan(const Protocol& protocol)
+{
+    ordered_json json{{"schema", "vis2hap.session_plan/1"}, {"name", protocol.name}, {"participants", protocol.participants}};
+    json["fabrics"] = protocol.fabricCount;
+    json["conditions"] = ordered_json::array();
+    for (const protocols::ConditionId& id : protocol.conditions) json["conditions"].push_back(id.value);
+    json["language"] = protocol.language;
+    json["phases"] = ordered_json::array();
+    for (const Phase& phase : protocol.phases) json["phases"].push_back(phaseJson(protocol, phase));
+    const int presentations = protocol.presentations();
+    json["presentations_per_participant"] = presentations;
+    json["answers_per_participant"] = protocol.answersPerParticipant();
+    json["minutes_per_participant"] = protocol.minutesPerParticipant();
+    json["breaks"] = protocol.breakAfterPresentations > 0 ? (presentations - 1) / protocol.breakAfterPresentations : 0;
+    json["sittings"] = protocol.sittingsPerParticipant();
+    json["answers"] = protocol.answersPerParticipant() * protocol.participants;
+    json.update(protocols::jsonOf(protocols::balanceOf(protocols::drawDesign(protocol, shownSeed), protocol)));
+    json["detects"] = powerOf(protocol);
+    return json;
+}
+
+std::string textOf(const ordered_json& plan)
+{
+    std::string text = word(plan, "name") + "\n" + counted(plan["participants"], "participant") + ", " +
+                       counted(plan["fabrics"], "fabric") + ", " + counted(int(plan["conditions"].size()), "condition") + ":";
+    for (const auto& id : plan["conditions"]) text += " " + id.get<std::string>();
+    text += "\n\neach participant: " + counted(plan["presentations_per_participant"], "presentation") + ", " +
+            counted(plan["answers_per_participant"], "answer") + ", about " + fixed(plan["minutes_per_participant"], 0) +
+            " minutes without breaks; " + counted(plan["breaks"], "break") + ", " + counted(plan["sittings"], "sitting") + "\n";
+    for (std::size_t i = 0; i < plan["phases"].size(); ++i) text += phaseText(plan["phases"][i], i + 1);
+    text += "the whole study: " + counted(plan["answers"], "answer") + "\n\nbalance of the running orders (seed " +
+            std::to_string(shownSeed) + "):\n";
+    for (const auto& range : plan["balance"])
+        text += "  " + word(range, "what") + ": " + std::to_string(range["min"].get<int>()) + " to " +
+                std::to_string(range["max"].get<int>()) + "\n";
+    text += "\nwhat the study can detect with a power of 80 %, under the usual assumptions (`vis2hap power` prints them):\n";
+    for (const auto& row : plan["detects"])
+        text += "  " + word(row, "question") + ", " + word(row, "claim") + ": " +
+                (row["smallest"].is_null() ? word(row, "why") : fixed(row["smallest"], 2) + " " + word(row, "unit")) + "\n";
+    return text;
+}
+
+}  // namespace study::making

@@ -1,0 +1,20 @@
+// What a protocol asks of a lab, before anything is made: the session phase by phase, counts, minutes, the balance that the
+// design can reach, and what the study can detect.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "protocols/protocol.h"
+
+namespace study::making {
+
+/// Schema vis2hap.session_plan/1. The balance is that of the design of seed 1; another seed reaches one alike. The smallest
+/// effects with 80 % power hold under the usual assumptions of `power` (RatingTruth, ChoiceTruth): ratings for the t test of
+/// the participants' means, choices for the exact test of one condition against chance.
+nlohmann::ordered_json sessionPlan(const protocols::Protocol& protocol);
+
+/// The same object as lines for people.
+std::string textOf(const nlohmann::ordered_json& sessionPlan);
+
+}  // namespace study::making

@@ -1,0 +1,176 @@
+// `vis2hap protocol check` and `protocol show`: what somebody sees who writes a protocol for the first time.
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "protocols/files/whole_file.h"
+#include "protocols/protocol_json.h"
+#include "tests/support/program.h"
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+namespace {
+
+/// Ten faults, each on a line of its own.
+constexpr const char* tenFaults = R"({
+  "$schema": "../protocol.schema.json",
+  "schema": "vis2hap.protocol/1",
+  "name": "",
+  "participants": 0,
+  "fabrics": 1000,
+  "conditions": ["v_grey", "h_g", "Größe"],
+  "phases": [
+    {"questions": ["Q1"], "alternatives": 1},
+    {"questions": ["2nd"], "scale": {"min": 0, "max": 10}},
+    {"questions": ["Q3"]}
+  ],
+  "question_texts": {"2nd": "How?", "Q3": "And?"},
+  "planned": [["h_g", "h"]],
+  "seconds_per_presentation": "long",
+  "sitting_minute": 60
+}
+)";
+
+}  // namespace
+
+class ProtocolCommandTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void tenFaultsAreToldAtOnceEachWithItsLineAndColumn()
+    {
+        const QString file = written("ten.json", tenFaults);
+        const auto result = support::runProgram({"protocol", "check", file});
+        QCOMPARE(result.exitCode, 2);
+        const QStringList lines = result.out.trimmed().split('\n');
+        const std::pair<int, const char*> expected[] = {{4, "name"},
+                                                        {5, "participants: 0"},
+                                                        {6, "fabrics: 1000"},
+                                                        {7, "Größe"},
+                                                        {9, "alternatives: 1"},
+                                                        {10, "2nd"},
+                                                        {11, "phases[2]"},
+                                                        {14, "'h'"},
+                                                        {15, "seconds_per_presentation: \"long\""},
+                                                        {16, "sitting_minute"}};
+        QVERIFY2(lines.size() == 11, qPrintable(result.out));
+        for (int i = 0; i < 10; ++i) {
+            const QString place = QString("%1:%2:").arg(file).arg(expected[i].first);
+            QVERIFY2(lines[i].startsWith(place) && lines[i].contains(QString::fromUtf8(expected[i].second)),
+                     qPrintable(lines[i]));
+        }
+        QVERIFY2(lines[10].contains("10 faults"), qPrintable(lines[10]));
+        // The column of the 'ö' counts characters, not bytes.
+        QVERIFY2(lines[3].startsWith(file + ":7:35:"), qPrintable(lines[3]));
+    }
+
+    void jsonHasTheSameFaults()
+    {
+        const auto result = support::runProgram({"protocol", "check", written("ten.json", tenFaults), "--json"});
+        QCOMPARE(result.exitCode, 2);
+        const Json json = Json::parse(result.out.toStdString());
+        QCOMPARE(json["schema"], "vis2hap.protocol_check/1");
+        QCOMPARE(json["sound"], false);
+        QCOMPARE(json["faults"].size(), std::size_t(10));
+        QCOMPARE(json["faults"][1]["line"], 5);
+        QCOMPARE(json["faults"][1]["column"], 19);
+    }
+
+    void everyExampleIsSoundAndShown()
+    {
+        int examples = 0;
+        for (const auto& entry : fs::directory_iterator(fs::path(VIS2HAP_SOURCE_DIR) / "protocols" / "examples")) {
+            if (entry.path().extension() != ".json") continue;
+            const QString file = QString::fromStdString(entry.path().string());
+            const auto checked = support::mustRun({"protocol", "check", file});
+            QVERIFY2(checked.out.contains("no fault"), qPrintable(checked.out));
+            const auto shown = support::mustRun({"protocol", "show", file});
+            const auto protocol = protocols::readProtocol(entry.path());
+            for (const QString& words : {QString("%1 presentation").arg(protocol.presentations()),
+                                         QString("%1 answer").arg(protocol.answersPerParticipant()),
+                                         QString("balance of the running orders"), QString("can detect")})
+                QVERIFY2(shown.out.contains(words), qPrintable(words + " in " + shown.out));
+            ++examples;
+        }
+        QCOMPARE(examples, 5);
+    }
+
+    /// The numbers of the paper's study: 63 renderings twice, 252 answers, three in a hundred Q1 by Wilson at most.
+    void thePaperStudyIsShown()
+    {
+        const QString file = QString(VIS2HAP_SOURCE_DIR) + "/protocols/vis2hap.json";
+        const Json plan = Json::parse(support::mustRun({"protocol", "show", file, "--json"}).out.toStdString());
+        QCOMPARE(plan["presentations_per_participant"], 126);
+        QCOMPARE(plan["answers_per_participant"], 252);
+        QCOMPARE(plan["answers"], 2520);
+        QCOMPARE(plan["minutes_per_participant"].get<double>(), 52.5);
+        QCOMPARE(plan["phases"].size(), std::size_t(2));
+        QCOMPARE(plan["phases"][0]["pieces_on_tray"], 3);
+        // 70 answers to a condition: 31 right (p = .044) are the fewest above chance; `power` has the same t test.
+        for (const Json& row : plan["detects"]) QVERIFY(row["smallest"].is_number());
+        QVERIFY(std::abs(plan["detects"][1]["smallest"].get<double>() - 0.73) < 0.01);
+        for (const Json& range : plan["balance"]) QVERIFY(range["max"] >= range["min"]);
+    }
+
+    void aPilotOfOneIsShownWithWhatItCannotTell()
+    {
+        const QString file = QString(VIS2HAP_SOURCE_DIR) + "/protocols/examples/pilot.json";
+        const auto shown = support::mustRun({"protocol", "show", file});
+        QVERIFY2(shown.out.contains("1 participant,") && shown.out.contains("needs at least 2 participants"),
+                 qPrintable(shown.out));
+    }
+
+    void filesThatAreNoProtocolHaveOneClearLine_data()
+    {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("missing") << m_folder.filePath("none.json") << "none.json";
+        QTest::newRow("a folder") << m_folder.path() << m_folder.path();
+        QTest::newRow("no JSON") << written("text.json", "name: study\n") << "line 1, column";
+        QTest::newRow("a comma too many") << written("comma.json", "{\n  \"name\": \"x\",\n}\n") << "line 3, column 1";
+        QTest::newRow("UTF-16") << written("utf16.json", QByteArray("\xFF\xFE{\0}\0", 6)) << "UTF-8";
+        QTest::newRow("a list") << written("list.json", "[]") << "1 fault";
+    }
+
+    void filesThatAreNoProtocolHaveOneClearLine()
+    {
+        QFETCH(QString, file);
+        QFETCH(QString, words);
+        const auto result = support::runProgram({"protocol", "check", file});
+        QCOMPARE(result.exitCode, 2);
+        QVERIFY2((result.out + result.err).contains(words), qPrintable(result.out + result.err));
+    }
+
+    void tenThousandLinesAreCheckedInSeconds()
+    {
+        QByteArray text =
+            "{\n  \"schema\": \"vis2hap.protocol/1\",\n  \"name\": \"long\",\n  \"participants\": 1,\n  \"fabrics\": 2,\n"
+            "  \"conditions\": [\"h\", \"f\"],\n  \"phases\": [{\"questions\": [\"Q1\"], \"alternatives\": 2}],\n"
+            "  \"question_texts\": {\n";
+        for (int i = 0; i < 10000; ++i) text += "    \"X" + QByteArray::number(i) + "\": \"?\",\n";
+        text += "    \"Q1\": \"Which?\"\n  }\n}\n";
+        QElapsedTimer timer;
+        timer.start();
+        const auto result = support::runProgram({"protocol", "check", written("long.json", text)});
+        QCOMPARE(result.exitCode, 2);
+        QVERIFY(result.out.contains("'X9999'"));
+        QVERIFY2(timer.elapsed() < 10000, qPrintable(QString::number(timer.elapsed())));
+    }
+
+private:
+    QString written(const QString& name, const QByteArray& text)
+    {
+        QFile file(m_folder.filePath(name));
+        file.open(QIODevice::WriteOnly);
+        file.write(text);
+        return file.fileName();
+    }
+
+    QTemporaryDir m_folder;
+};
+
+QTEST_GUILESS_MAIN(ProtocolCommandTest)
+#include "protocol_command_test.moc"

@@ -24,6 +24,12 @@ constexpr double figureMm = 160;  ///< text of an A4 page
 constexpr double tableWidthPt = 250, leastWidthPt = 150;
 constexpr double cellPadding = 12;  ///< points, between two columns
 
+/// Word processors break a cell of no-break spaces inside a word.
+std::string wrappable(const std::string& html)
+{
+    return QString::fromStdString(html).replace(QChar(QChar::Nbsp), QChar(' ')).replace("&nbsp;", " ").toStdString();
+}
+
 /// A part of a table with widths of its columns, which a word processor would otherwise make equal.
 std::string htmlOf(const Table& table, const TablePart& part, const std::string& caption)
 {
@@ -41,8 +47,8 @@ std::string htmlOf(const Table& table, const TablePart& part, const std::string&
     for (const auto& row : table.rows) {
         body += "<tr>";
         for (const PartColumn& column : part.columns)
-            body +=
-                std::string("<td") + (column.isNumber ? " style=\"text-align:right\">" : ">") + row[column.index].html + "</td>";
+            body += std::string("<td") + (column.isNumber ? " style=\"text-align:right\">" : ">") +
+                    wrappable(row[column.index].html) + "</td>";
         body += "</tr>\n";
     }
     return html + "</colgroup><thead><tr>" + head + "</tr></thead><tbody>\n" + body + "</tbody></table>\n";

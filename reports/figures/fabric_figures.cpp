@@ -12,17 +12,10 @@ namespace {
 
 constexpr std::size_t mostFabrics = 40;
 
-std::vector<HeatMapLabel> fabricLabels(const StudyData& data)
+std::vector<HeatMapLabel> labelsOf(const std::vector<std::string>& names)
 {
     std::vector<HeatMapLabel> labels;
-    for (const std::string& fabric : data.fabrics) labels.push_back({svgLabel(fabric), labelLength(fabric)});
-    return labels;
-}
-
-std::vector<HeatMapLabel> conditionLabels(const StudyData& data)
-{
-    std::vector<HeatMapLabel> labels;
-    for (const std::string& condition : data.conditions) labels.push_back({svgLabel(condition), labelLength(condition)});
+    for (const std::string& name : names) labels.push_back({svgLabel(name), labelLength(name)});
     return labels;
 }
 
@@ -40,8 +33,8 @@ Figure confusionFigure(const StudyAnalysis& analysis, const AnalysedQuestion<Cho
                 .description = figure.caption,
                 .rowTitle = "fabric rendered",
                 .columnTitle = "fabric chosen",
-                .rows = fabricLabels(analysis.data),
-                .columns = fabricLabels(analysis.data),
+                .rows = labelsOf(analysis.data.fabrics),
+                .columns = labelsOf(analysis.data.fabrics),
                 .cells = {},
                 .low = 0,
                 .high = 1,
@@ -73,8 +66,8 @@ Figure ratingsByFabric(const StudyAnalysis& analysis, const AnalysedQuestion<Rat
                 .description = figure.caption,
                 .rowTitle = "fabric",
                 .columnTitle = analysis.data.blinded ? "masked condition" : "condition",
-                .rows = fabricLabels(analysis.data),
-                .columns = conditionLabels(analysis.data),
+                .rows = labelsOf(analysis.data.fabrics),
+                .columns = labelsOf(analysis.data.conditions),
                 .cells = {},
                 .low = scale.min,
                 .high = scale.max,

@@ -43,8 +43,8 @@ int check(const ProtocolCall& call)
     if (checked.faults.empty())
         std::printf("%s: no fault; `vis2hap protocol show %s` draws the session\n", call.file.c_str(), call.file.c_str());
     else
-        std::printf("%s: %zu %s; README has a table of the fields, and protocols/vis2hap.json is an example\n", call.file.c_str(),
-                    checked.faults.size(), checked.faults.size() == 1 ? "fault" : "faults");
+        std::printf("%s: %zu %s; protocols/protocol.schema.json describes each field, and protocols/examples has examples\n",
+                    call.file.c_str(), checked.faults.size(), checked.faults.size() == 1 ? "fault" : "faults");
     return checked.faults.empty() ? 0 : badFile;
 }
 

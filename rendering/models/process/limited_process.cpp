@@ -20,6 +20,7 @@
 #include <thread>
 
 #include "protocols/files/errors.h"
+#include "rendering/models/process/process_family.h"
 
 extern char** environ;  // NOLINT: declared by the C library.
 
@@ -83,17 +84,22 @@ void limit(__rlimit_resource resource, std::uint64_t most)
 /// functions that are safe in signal handlers are called.
 struct Preparation {
     pid_t parent = 0;
-    int output = -1, input = -1;  ///< descriptors, or -1 for those of the parent
+    int output = -1, errors = -1, input = -1;  ///< descriptors, or -1 for those of the parent
+    bool withDescendants = false;
     ProcessLimits limits;
 };
 
 [[noreturn]] void becomeProgram(const Preparation& preparation, const char* program, char* const* words, char* const* variables,
                                 int report)
 {
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (::getppid() != preparation.parent) ::_exit(127);  // The parent died before the line above.
-    ::signal(SIGXFSZ, SIG_IGN);                           // NOLINT: a write beyond the limit then fails with a reason.
-#ifndef __SANITIZE_ADDRESS__                              // Its shadow memory alone exceeds every limit.
+    if (preparation.withDescendants) {
+        stayBehindAsKeeper(preparation.parent, report);
+    } else {
+        ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+        if (::getppid() != preparation.parent) ::_exit(127);  // The parent died before the line above.
+    }
+    ::signal(SIGXFSZ, SIG_IGN);  // NOLINT: a write beyond the limit then fails with a reason.
+#ifndef __SANITIZE_ADDRESS__     // Its shadow memory alone exceeds every limit.
     limit(RLIMIT_DATA, preparation.limits.memoryBytes);
 #endif
     limit(RLIMIT_FSIZE, preparation.limits.fileBytes);
@@ -102,7 +108,7 @@ struct Preparation {
     if (preparation.input >= 0) ::dup2(preparation.input, STDIN_FILENO);
     if (preparation.output >= 0) {
         ::dup2(preparation.output, STDOUT_FILENO);
-        ::dup2(preparation.output, STDERR_FILENO);
+        ::dup2(preparation.errors, STDERR_FILENO);
     }
     ::execve(program, words, variables);
     const int reason = errno;
@@ -110,11 +116,15 @@ struct Preparation {
     ::_exit(127);
 }
 
-protocols::Error cannotStartProcess(const std::filesystem::path& program, int reason)
+protocols::Error cannotStartProcess(const std::filesystem::path& program, int reason, const std::string& nextStep)
 {
     return protocols::environmentFault({program.filename().string() + " cannot be started: " + std::strerror(reason),
-                                        program.string(), "an executable file",
-                                        "install libtorch-dev and libopenblas0-pthread, then build again"});
+                                        program.string(), "an executable file", nextStep});
+}
+
+int openedForAppending(const std::filesystem::path& file)
+{
+    return ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
 }
 
 /// Closed with this value.
@@ -181,22 +191,35 @@ std::vector<std::string> ownEnvironment()
 LimitedProcess::LimitedProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                                const std::vector<std::string>& environment, const std::optional<std::filesystem::path>& output,
                                const ProcessLimits& limits)
-    : m_program(program), m_timeLimit(limits.time), m_started(steady_clock::now())
+    : LimitedProcess(program, arguments, ProcessSurroundings{.environment = environment, .output = output}, limits)
 {
-    std::vector<std::string> words{program.string()}, variables = environment;
+}
+
+LimitedProcess::LimitedProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                               const ProcessSurroundings& surroundings, const ProcessLimits& limits)
+    : m_program(program),
+      m_timeLimit(limits.time),
+      m_started(steady_clock::now()),
+      m_withDescendants(surroundings.withDescendants)
+{
+    const auto& output = surroundings.output;
+    const auto cannotStart = [&](int reason) { return cannotStartProcess(program, reason, surroundings.ifItCannotStart); };
+    std::vector<std::string> words{program.string()}, variables = surroundings.environment;
     words.insert(words.end(), arguments.begin(), arguments.end());
     const std::vector<char*> wordPointers = cPointers(words), variablePointers = cPointers(variables);
     OpenDescriptor in(output ? ::open("/dev/null", O_RDONLY | O_CLOEXEC) : -1);
-    OpenDescriptor out(output ? ::open(output->c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600) : -1);
-    if (output && (in.number < 0 || out.number < 0)) throw cannotStartProcess(program, errno);
+    OpenDescriptor out(output ? openedForAppending(*output) : -1);
+    OpenDescriptor errors(output && surroundings.errors ? openedForAppending(*surroundings.errors) : -1);
+    if (output && (in.number < 0 || out.number < 0 || (surroundings.errors && errors.number < 0))) throw cannotStart(errno);
     std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw cannotStartProcess(program, errno);
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw cannotStart(errno);
     OpenDescriptor from(ends[0]), to(ends[1]);
-    const Preparation preparation{::getpid(), out.number, in.number, limits};
+    const Preparation preparation{::getpid(), out.number,        errors.number < 0 ? out.number : errors.number,
+                                  in.number,  m_withDescendants, limits};
     m_child = ::fork();
     if (m_child < 0) {
         m_child = 0;
-        throw cannotStartProcess(program, errno);
+        throw cannotStart(errno);
     }
     if (m_child == 0) becomeProgram(preparation, program.c_str(), wordPointers.data(), variablePointers.data(), to.number);
     to.close();
@@ -206,7 +229,7 @@ LimitedProcess::LimitedProcess(const std::filesystem::path& program, const std::
     }
     if (count == static_cast<ssize_t>(sizeof reason)) {
         kill();
-        throw cannotStartProcess(program, reason);
+        throw cannotStart(reason);
     }
 }
 
@@ -215,13 +238,23 @@ LimitedProcess::~LimitedProcess() { kill(); }
 void LimitedProcess::kill()
 {
     if (m_child == 0) return;
-    ::kill(m_child, SIGKILL);
+    ::kill(m_child, m_withDescendants ? SIGTERM : SIGKILL);  // The keeper of a family kills it and ends.
+    ::kill(m_child, SIGCONT);
     while (::waitpid(m_child, nullptr, 0) < 0 && errno == EINTR) {
     }
     m_child = 0;
 }
 
 int LimitedProcess::wait()
+{
+    if (const std::optional<int> status = statusInTime()) return *status;
+    throw protocols::environmentFault(
+        {m_program.filename().string() + " did not finish in time and was ended", m_program.string(),
+         "an end within " + std::to_string(m_timeLimit->count()) + " s",
+         std::string("close other programs and try again, or set ") + timeVariable + " to more seconds"});
+}
+
+std::optional<int> LimitedProcess::statusInTime()
 {
     const OpenDescriptor process(static_cast<int>(::syscall(SYS_pidfd_open, m_child, 0)));
     while (true) {
@@ -240,10 +273,7 @@ int LimitedProcess::wait()
         if (m_timeLimit) left = std::chrono::duration_cast<milliseconds>(m_started + *m_timeLimit - steady_clock::now());
         if (left && left->count() <= 0) {
             kill();
-            throw protocols::environmentFault(
-                {m_program.filename().string() + " did not finish in time and was ended", m_program.string(),
-                 "an end within " + std::to_string(m_timeLimit->count()) + " s",
-                 std::string("close other programs and try again, or set ") + timeVariable + " to more seconds"});
+            return std::nullopt;
         }
         waitForEnd(process, left);
     }

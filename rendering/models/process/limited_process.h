@@ -28,15 +28,28 @@ ProcessLimits trainingLimits();
 /// A measurement of the generators (`vis2hap bench`): an hour.
 ProcessLimits benchLimits();
 
+/// What a process runs in.
+struct ProcessSurroundings {
+    std::vector<std::string> environment;              ///< exactly these variables, "NAME=VALUE"
+    std::optional<std::filesystem::path> output = {};  ///< file for its standard output; its standard input is empty
+    std::optional<std::filesystem::path> errors = {};  ///< file for its standard error; absent: that of `output`
+    bool withDescendants = false;                      ///< nothing that it starts outlives it
+    std::string ifItCannotStart = "install libtorch-dev and libopenblas0-pthread, then build again";  ///< what to do then
+};
+
 class LimitedProcess {
 public:
+    /// Starts `program` within limits and surroundings; both files are appended to. Without `output` it has the input and output
+    /// of this process. Throws environmentFault where it cannot be started.
+    LimitedProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                   const ProcessSurroundings& surroundings, const ProcessLimits& limits);
     /// Starts `program` with exactly the variables `environment`. Its standard output and error are appended to `output`, and its
     /// standard input is empty; without `output` it has those of this process. Throws environmentFault where it cannot be
     /// started.
     LimitedProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                    const std::vector<std::string>& environment, const std::optional<std::filesystem::path>& output,
                    const ProcessLimits& limits);
-    /// Kills the process if it still runs.
+    /// Kills the process if it still runs, with its descendants where they belong to it.
     ~LimitedProcess();
     LimitedProcess(const LimitedProcess&) = delete;
     LimitedProcess& operator=(const LimitedProcess&) = delete;
@@ -47,6 +60,9 @@ public:
     /// dies with that thread. Throws environmentFault where the time limit was reached; the process is then killed.
     int wait();
 
+    /// The same; nothing where the time limit was reached.
+    std::optional<int> statusInTime();
+
 private:
     void kill();
 
@@ -54,6 +70,7 @@ private:
     std::optional<std::chrono::seconds> m_timeLimit;
     std::chrono::steady_clock::time_point m_started;
     pid_t m_child = 0;  ///< 0 after its end
+    bool m_withDescendants = false;
 };
 
 /// Variables of this process, "NAME=VALUE".

@@ -138,6 +138,70 @@ private Q_SLOTS:
         QVERIFY(::kill(child, 0) != 0 && errno == ESRCH);
     }
 
+    /// Children, and those that detached themselves, end with the program: at its end, at its limit and with its parent.
+    void descendantsEndWithTheProgram_data()
+    {
+        QTest::addColumn<QString>("last");
+        QTest::addColumn<int>("expected");
+        QTest::newRow("at its end") << "exit 3" << 3;
+        QTest::newRow("killed") << "kill -9 $$" << -9;
+        QTest::newRow("at its limit") << "sleep 100" << -1;
+    }
+
+    void descendantsEndWithTheProgram()
+    {
+        QFETCH(QString, last);
+        QFETCH(int, expected);
+        ProcessLimits limits = wide();
+        limits.time = std::chrono::seconds(1);
+        fs::remove(at("children"));
+        const std::string note = " & echo $! >> '" + at("children").string() + "'; ";
+        const std::string command = "sleep 100" + note + "setsid sleep 100" + note + "(sleep 100" + note + ") ; " + last.toStdString();
+        LimitedProcess process(
+            "/bin/sh", {"-c", command},
+            models::ProcessSurroundings{
+                .environment = models::ownEnvironment(), .output = at("output"), .errors = at("errors"), .withDescendants = true},
+            limits);
+        const auto status = process.statusInTime();
+        QCOMPARE(!status ? -1 : WIFEXITED(*status) ? WEXITSTATUS(*status) : -WTERMSIG(*status), expected);
+        const QStringList children =
+            QString::fromStdString(protocols::readWholeFile(at("children"))).split('\n', Qt::SkipEmptyParts);
+        QCOMPARE(children.size(), 3);
+        for (const QString& child : children) QVERIFY2(ended(child.toInt()), qPrintable(child));
+    }
+
+    void outputAndErrorsMayBeApart()
+    {
+        for (const char* file : {"output", "errors"}) fs::remove(at(file));
+        LimitedProcess process("/bin/sh", {"-c", "echo out; echo err >&2"},
+                               models::ProcessSurroundings{.environment = {}, .output = at("output"), .errors = at("errors")},
+                               wide());
+        QCOMPARE(process.wait(), 0);
+        QCOMPARE(protocols::readWholeFile(at("output")), std::string("out\n"));
+        QCOMPARE(protocols::readWholeFile(at("errors")), std::string("err\n"));
+    }
+
+    void descendantsDieWithTheParentOfTheProgram()
+    {
+        fs::remove(at("children"));
+        const pid_t parent = ::fork();
+        if (parent == 0) {
+            const LimitedProcess child(
+                "/bin/sh", {"-c", "setsid sleep 100 & echo $! > '" + at("children").string() + "'; sleep 100"},
+                models::ProcessSurroundings{
+                    .environment = models::ownEnvironment(), .output = at("output"), .withDescendants = true},
+                wide());
+            while (true) ::pause();
+        }
+        QTRY_VERIFY_WITH_TIMEOUT(!protocols::readIfPossible(at("children")).value_or("").empty(), 10000);
+        const pid_t child = QString::fromStdString(protocols::readWholeFile(at("children"))).trimmed().toInt();
+        QVERIFY(!ended(child));
+        ::kill(parent, SIGKILL);
+        ::waitpid(parent, nullptr, 0);
+        const qint64 lived = msUntilEnd(child, 2000);
+        QVERIFY2(lived >= 0, qPrintable(QString::number(lived)));
+    }
+
     void limitsAreThoseAskedFor()
     {
         ProcessLimits limits = wide();

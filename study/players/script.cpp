@@ -123,7 +123,21 @@ ScriptedResponse responseIn(const Entry& entry)
     return protocols::Tenths{static_cast<int>(std::lround(tenths))};
 }
 
-ScriptedPlace placeFrom(const Entry& entry)
+/// A condition of the program, one of the study's own, or "catch". An answer to a condition that the study does not show is never
+/// used, so scripts of a larger study fit.
+protocols::ConditionId conditionIn(const Entry& entry, const protocols::Protocol& protocol)
+{
+    const std::string text = entry.text("condition");
+    const protocols::ConditionId id(text);
+    if (id == protocols::catchTrialId() || isOwnCondition(protocol, id)) return id;
+    const auto unknown = protocols::faultOf(text);
+    if (!unknown) return protocols::conditionIdFrom(text);
+    std::string known;
+    for (const protocols::ConditionId& one : protocol.conditions) known += (known.empty() ? "" : ", ") + one.value;
+    throw entry.fault("condition", unknown->what, "a condition of the study: " + known);
+}
+
+ScriptedPlace placeFrom(const Entry& entry, const protocols::Protocol& protocol)
 {
     ScriptedPlace place;
     if (entry.has("attempt")) place.attempt = entry.whole("attempt", 1);
@@ -133,28 +147,15 @@ ScriptedPlace placeFrom(const Entry& entry)
     }
     if (entry.has("instruction")) place.instruction = protocols::InstructionId(entry.text("instruction"));
     place.fabric = protocols::FabricId(entry.text("fabric"));
-    const std::string condition = entry.text("condition");
-    if (condition == protocols::catchTrialId().value) {
-        place.condition = protocols::catchTrialId();
-        return place;
-    }
-    if (protocols::faultOf(condition) && protocols::faultOfOwnId(condition).empty()) {
-        place.condition = protocols::ConditionId(condition);  // of the lab's own; a study that has none finds no such answer
-        return place;
-    }
-    try {
-        place.condition = protocols::conditionIdFrom(condition);
-    } catch (const protocols::Error& unknown) {
-        throw entry.fault("condition", unknown.what(), "");
-    }
+    place.condition = conditionIn(entry, protocol);
     return place;
 }
 
-ScriptedAnswer answerFrom(const Entry& entry)
+ScriptedAnswer answerFrom(const Entry& entry, const protocols::Protocol& protocol)
 {
     ScriptedAnswer answer;
     answer.question = protocols::QuestionId(entry.text("question"));
-    answer.place = placeFrom(entry);
+    answer.place = placeFrom(entry, protocol);
     answer.response = responseIn(entry);
     answer.seconds = entry.has("seconds") ? entry.seconds("seconds", 1e-9) : 1.0;
     if (entry.has("touch_seconds")) answer.touchSeconds = entry.seconds("touch_seconds", 0);
@@ -290,7 +291,8 @@ Script scriptFromJson(std::string_view text, const std::string& where, const pro
     if (root.has("events") && !root["events"].is_array())
         throw root.fault("events", "the events are no list", "\"events\": [...]");
     for (std::size_t i = 0; i < root["answers"].size(); ++i)
-        script.answers.push_back(answerFrom({document, "/answers/" + std::to_string(i), "answer " + std::to_string(i + 1)}));
+        script.answers.push_back(
+            answerFrom({document, "/answers/" + std::to_string(i), "answer " + std::to_string(i + 1)}, protocol));
     for (std::size_t i = 0; i < root["events"].size(); ++i)
         script.events.push_back(eventFrom({document, "/events/" + std::to_string(i), "event " + std::to_string(i + 1)}));
     checkQuestions(script, protocol);

@@ -89,6 +89,9 @@ private Q_SLOTS:
         QTest::newRow("unknown condition") << R"([{"question":"Q2","condition":"w w","fabric":"F03","answer":5}])"
                                            << "[]"
                                            << "h_g&f_g";
+        QTest::newRow("misspelt condition of one's own") << R"([{"question":"Q2","condition":"mien","fabric":"F03","answer":5}])"
+                                                         << "[]"
+                                                         << "unknown condition 'mien'; expected a condition of the study: v_grey";
         QTest::newRow("unknown question") << R"([{"question":"Q9","condition":"f","fabric":"F03","answer":5}])"
                                           << "[]"
                                           << "Q9";

@@ -45,10 +45,11 @@ void checkConditions(const Protocol& p, Faults& faults)
     std::set<ConditionId> seen;
     for (std::size_t i = 0; i < p.conditions.size(); ++i) {
         const ConditionId& id = p.conditions[i];
-        if (const auto own = p.ownImages.find(id); own != p.ownImages.end()) {
+        if (isOwnCondition(p, id)) {
             if (const std::string fault = faultOfOwnId(id.value); !fault.empty())
                 faults.push_back(element("conditions", i) + ".id: " + fault);
-            if (own->second.empty())
+            const auto images = p.ownImages.find(id);
+            if (images != p.ownImages.end() && images->second.empty())
                 faults.push_back(element("conditions", i) + ".images: is empty, expected the folder of the images");
         } else if (const auto fault = faultOf(id.value))
             faults.push_back(element("conditions", i) + ": " + fault->what + ", expected " + fault->expected);
@@ -224,6 +225,11 @@ std::vector<PlannedContrast> contrastsInOrder(const Protocol& protocol)
     return contrasts;
 }
 
+bool isOwnCondition(const Protocol& protocol, const ConditionId& id)
+{
+    return protocol.ownImages.contains(id) || protocol.ownPrograms.contains(id);
+}
+
 const Question* questionWith(const Protocol& protocol, const QuestionId& id)
 {
     for (const Phase& phase : protocol.phases)
@@ -294,7 +300,8 @@ std::vector<std::string> fixedPartsChanged(const Protocol& kept, const Protocol&
     std::vector<std::string> parts;
     if (kept.participants != changed.participants) parts.emplace_back("participants");
     if (kept.fabricCount != changed.fabricCount || kept.fabrics != changed.fabrics) parts.emplace_back("fabrics");
-    if (kept.conditions != changed.conditions) parts.emplace_back("conditions");
+    if (kept.conditions != changed.conditions || kept.ownImages != changed.ownImages || kept.ownPrograms != changed.ownPrograms)
+        parts.emplace_back("conditions");
     if (fixedPhasesOf(kept) != fixedPhasesOf(changed)) parts.emplace_back("phases");
     if (kept.swatchCodes != changed.swatchCodes) parts.emplace_back("swatches");
     if (kept.prompts != changed.prompts) parts.emplace_back("prompts");  // the study holds the recordings of its first protocol

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -70,6 +71,8 @@ struct Protocol {
     /// Conditions of the lab's own: the folder with a ready friction image for each fabric. A relative one lies beside the
     /// protocol. Every id stands in `conditions`, too.
     std::map<ConditionId, std::string> ownImages;
+    /// Conditions of the lab's own whose images a program makes. The lab names the program when it makes the study.
+    std::set<ConditionId> ownPrograms;
     std::vector<Phase> phases;
     std::pair<double, double> equivalenceBounds{-0.5, 0.5};  ///< scale points
     std::vector<PlannedContrast> planned;
@@ -108,6 +111,9 @@ struct Protocol {
 
 /// The planned contrasts in their order, but the primary one first.
 std::vector<PlannedContrast> contrastsInOrder(const Protocol& protocol);
+
+/// Whether the condition is one of the lab's own, by ready images or by a program.
+bool isOwnCondition(const Protocol& protocol, const ConditionId& id);
 
 /// The question with this id; null where the protocol asks no such question.
 const Question* questionWith(const Protocol& protocol, const QuestionId& id);

@@ -118,14 +118,26 @@ void readFabrics(const ProtocolPart& document, Protocol& protocol)
         protocol.fabrics.empty() ? document.whole("fabrics", mostFabrics) : static_cast<int>(protocol.fabrics.size());
 }
 
+/// A condition of the lab's own: {"id": ..., "images": FOLDER} or {"id": ..., "program": true}.
+void readOwnCondition(const ProtocolPart& part, const std::string& place, Protocol& protocol)
+{
+    const ConditionId id = protocol.conditions.emplace_back(part.text("id", ""));
+    if (part.has("images") == part.has("program"))
+        part.faults().add(place + ": has " + (part.has("images") ? "both" : "neither") +
+                          " of 'images' and 'program', expected one of them");
+    if (part.has("program") && !part.has("images"))
+        protocol.ownPrograms.insert(id);
+    else
+        protocol.ownImages[id] = part.text("images", "?");
+}
+
 void readConditions(const ProtocolPart& document, Protocol& protocol)
 {
     if (const json& list = document.raw("conditions"); list.is_array()) {
         for (std::size_t i = 0; i < list.size(); ++i) {
             if (list[i].is_object()) {
-                const ProtocolPart part(list[i], "conditions[" + std::to_string(i) + "]", document.faults());
-                protocol.conditions.emplace_back(part.text("id", ""));
-                protocol.ownImages[protocol.conditions.back()] = part.text("images", "");
+                readOwnCondition(ProtocolPart(list[i], "conditions[" + std::to_string(i) + "]", document.faults()),
+                                 "conditions[" + std::to_string(i) + "]", protocol);
             } else {
                 protocol.conditions.push_back(conditionFrom(list[i].is_string() ? list[i].get<std::string>() : ""));
             }

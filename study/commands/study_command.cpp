@@ -41,10 +41,11 @@ std::string listOf(const std::vector<database::FamiliarisationItem>& items)
 making::MadeStudy madeWithProgress(const making::NewStudy& request, StageTimes& stages)
 {
     Progress images("friction images");
-    StagesShown comparison;
+    StagesShown comparison, programs;
     return making::makeStudy(
         request, {[&](int done, int total, const std::string& what) { images.show(done, total, what); },
                   [&](const std::string& stage, int done, int total) { comparison.show(stage, done, total); },
+                  [&](const std::string& stage, int done, int total) { programs.show(stage, done, total); },
                   [&](const std::string& text) { stages.print(text); }, [&](const std::string& name) { stages.begin(name); }});
 }
 
@@ -137,6 +138,8 @@ void addNew(CLI::App& study, Action& action)
     auto* command = study.add_subcommand("new", "make a study from a data set and a protocol");
     auto call = std::make_shared<making::NewStudy>();
     auto passphrase = std::make_shared<PassphraseOption>();
+    auto programs = std::make_shared<std::vector<std::string>>();
+    auto programSeconds = std::make_shared<int>(static_cast<int>(call->programLimits.time.count()));
     auto hasNone = std::make_shared<bool>(false), noCache = std::make_shared<bool>(false);
     call->programVersion = versionText();
     call->programCommit = commitText();
@@ -145,6 +148,18 @@ void addNew(CLI::App& study, Action& action)
     command->add_option("--protocol", call->protocol, "protocol file (default: the paper's study)");
     command->add_option("--model", call->model, "weights of the generators (default: the shipped ones)");
     command->add_option("--control", call->control, "weights of an L1-only control of the model, compared in the report");
+    command
+        ->add_option(
+            "--program", *programs,
+            "ID=COMMAND: the program that makes the images of a condition with \"program\": true; runs once a fabric, as "
+            "COMMAND PHOTOGRAPH IMAGE")
+        ->allow_extra_args(false);
+    command->add_option("--program-seconds", *programSeconds, "time limit of a program for one fabric")
+        ->check(CLI::Range(1, 86400))
+        ->capture_default_str();
+    command->add_option("--program-memory", call->programLimits.memoryMib, "memory limit of a program, MiB")
+        ->check(CLI::Range(16, 1048576))
+        ->capture_default_str();
     command->add_option("--participants", call->participants, "number of participants (default: the protocol's)")
         ->check(CLI::Range(1, 10000));
     command->add_option("--seed", call->seed, "seed of fabrics, samples and running orders")->capture_default_str();
@@ -160,10 +175,12 @@ void addNew(CLI::App& study, Action& action)
     addPassphraseOption(*command, *passphrase);
     command->add_flag("--no-passphrase", *hasNone,
                       "for simulated studies and tests: leave the allocation key open in the folder; the report says so");
-    command->callback([call, command, passphrase, hasNone, noCache, &action] {
+    command->callback([call, command, programs, programSeconds, passphrase, hasNone, noCache, &action] {
         action.surroundings = Surroundings::Core;
         action.handlesStudy = true;
-        action.work = [call, command, passphrase, hasNone, noCache] {
+        action.work = [call, command, programs, programSeconds, passphrase, hasNone, noCache] {
+            for (const std::string& text : *programs) call->programs.push_back(making::ownProgramFrom(text));
+            call->programLimits.time = std::chrono::seconds(*programSeconds);
             call->cache = cacheUnless(*noCache);
             if (!*hasNone) call->passphrase = newPassphrase(*passphrase);
             StageTimes stages(isExplained(*command));

@@ -17,10 +17,22 @@ using nlohmann::ordered_json;
 
 ordered_json textOrNull(const std::string& text) { return text.empty() ? ordered_json() : ordered_json(text); }
 
+ordered_json jsonOf(const UsedProgram& used, const NewStudy& request)
+{
+    return {{"program", used.program.program.filename().string()},
+            {"folder", used.program.program.parent_path().string()},
+            {"sha256", used.sha256},
+            {"arguments", used.program.arguments},
+            {"files_sha256", used.filesSha256},
+            {"images_sha256", used.imagesSha256},
+            {"seconds_at_most", request.programLimits.time.count()},
+            {"memory_mib_at_most", request.programLimits.memoryMib}};
+}
+
 }  // namespace
 
 std::string madeWith(const NewStudy& request, const std::string& weightsSha256, const std::map<std::string, std::string>& prompts,
-                     const std::map<std::string, std::string>& ownImagesSha256)
+                     const StudyMaterial& material)
 {
     ordered_json made{{"program", request.programVersion}, {"commit", textOrNull(request.programCommit)}};
     made["compiler"] = "GCC " __VERSION__;
@@ -36,7 +48,8 @@ std::string madeWith(const NewStudy& request, const std::string& weightsSha256, 
                         // Of conditions whose id carries no quality.
                         {"quality", rendering::settingsOf(rendering::RenderRequest().generation.quality)}};
     for (const auto& [key, bytes] : prompts) made["prompts_sha256"][key] = protocols::sha256(bytes);
-    if (!ownImagesSha256.empty()) made["own_images_sha256"] = ownImagesSha256;
+    if (!material.own.sha256.empty()) made["own_images_sha256"] = material.own.sha256;
+    for (const UsedProgram& used : material.programs) made["programs"][used.program.condition.value] = jsonOf(used, request);
     return made.dump();
 }
 

@@ -65,7 +65,7 @@ database::StudyFacts factsOf(const NewStudy& request, const StudyMaterial& mater
     for (const auto& fabric : facts.fabrics) facts.fabricNames[fabric] = material.dataset.fabric(fabric).name;
     facts.createdAt = session::SystemClock().wallTime();
     facts.programVersion = request.programVersion;
-    facts.madeWith = madeWith(request, facts.modelSha256, prompts, material.own.sha256);
+    facts.madeWith = madeWith(request, facts.modelSha256, prompts, material);
     facts.hasPassphrase = request.passphrase.has_value();
     if (!facts.hasPassphrase) facts.stamps.emplace_back(database::noPassphraseStamp);
     return facts;
@@ -146,8 +146,10 @@ MadeStudy makeStudy(const NewStudy& request, const StudyProgress& progress)
     };
     requireFreePlace(request);
     begin("reading the protocol, drawing samples");
-    const StudyMaterial material = materialFor(request);
+    StudyMaterial material = materialFor(request);
     if (progress.planned) progress.planned(plannedWork(material));
+    if (!request.programs.empty()) begin("images by programs of the lab");
+    addProgramImages(request, material, progress.programs);
     begin("the hash of the data set");
     const auto prompts = readPrompts(material.protocol, request.protocol);
     MadeStudy made;

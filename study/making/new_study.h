@@ -13,15 +13,18 @@
 #include "database/study_store.h"
 #include "protocols/records/balance.h"
 #include "rendering/cache/result_cache.h"
+#include "study/making/own_program.h"
 
 namespace study::making {
 
 struct NewStudy {
     std::filesystem::path study;
     std::filesystem::path dataset;
-    std::filesystem::path protocol;         ///< empty: the protocol of the paper
-    std::filesystem::path model;            ///< empty: the shipped weights
-    std::filesystem::path control;          ///< L1-only control of the model; empty: the shipped one of the shipped weights
+    std::filesystem::path protocol;    ///< empty: the protocol of the paper
+    std::filesystem::path model;       ///< empty: the shipped weights
+    std::filesystem::path control;     ///< L1-only control of the model; empty: the shipped one of the shipped weights
+    std::vector<OwnProgram> programs;  ///< of the conditions that the protocol leaves to the lab
+    ProgramLimits programLimits;
     std::optional<int> participants;        ///< replaces the number of the protocol
     std::uint64_t seed = 1;                 ///< for fabrics, samples and running orders
     std::optional<std::uint64_t> keySeed;   ///< for tests; otherwise a secret of the system
@@ -51,6 +54,8 @@ using StepProgress = std::function<void(int done, int total, const std::string& 
 struct StudyProgress {
     StepProgress images = {};
     std::function<void(const std::string& stage, int done, int total)> comparison = {};
+    /// Of the images that programs of the lab make.
+    std::function<void(const std::string& stage, int done, int total)> programs = {};
     /// For `--explain`: the plan of the whole study as counts (planned_work.h), and the name of each stage before it begins.
     std::function<void(const std::string& text)> planned = {};
     std::function<void(const std::string& name)> stage = {};

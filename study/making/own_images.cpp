@@ -47,20 +47,42 @@ void requireFiles(const protocols::ConditionId& condition, const fs::path& folde
 cv::Mat readOwn(const fs::path& file)
 {
     cv::Mat image = rendering::readImage(file);
-    const bool fits =
-        image.type() == CV_8UC1 && image.cols == rendering::displayWidthPx && image.rows == rendering::displayHeightPx;
-    if (fits) return image;
-    const int bits = static_cast<int>(8 * image.elemSize1());
-    throw protocols::badInput({"the image has " + std::to_string(image.cols) + " x " + std::to_string(image.rows) + " pixels, " +
-                                   std::to_string(image.channels()) + (image.channels() == 1 ? " channel" : " channels") +
-                                   " of " + std::to_string(bits) + " bits",
-                               file.string(),
-                               std::to_string(rendering::displayWidthPx) + " x " + std::to_string(rendering::displayHeightPx) +
-                                   " pixels of the display, 1 channel of 8 bits (bright: high friction)",
-                               "convert the image"});
+    if (const std::string fault = faultOfOwnImage(image); !fault.empty())
+        throw protocols::badInput({"the image has " + fault, file.string(), expectedOwnImage(), "convert the image"});
+    return image;
 }
 
 }  // namespace
+
+std::string expectedOwnImage()
+{
+    return std::to_string(rendering::displayWidthPx) + " x " + std::to_string(rendering::displayHeightPx) +
+           " pixels of the display, 1 channel of 8 bits (bright: high friction)";
+}
+
+std::string faultOfOwnImage(const cv::Mat& image)
+{
+    const bool fits =
+        image.type() == CV_8UC1 && image.cols == rendering::displayWidthPx && image.rows == rendering::displayHeightPx;
+    if (fits) return {};
+    return std::to_string(image.cols) + " x " + std::to_string(image.rows) + " pixels, " + std::to_string(image.channels()) +
+           (image.channels() == 1 ? " channel" : " channels") + " of " + std::to_string(8 * image.elemSize1()) + " bits";
+}
+
+void addOwnImages(OwnImages& own, const protocols::ConditionId& condition, std::map<protocols::FabricId, cv::Mat> images)
+{
+    std::string bytes;
+    for (const auto& [fabric, image] : images) {
+        double least = 0, most = 0;
+        cv::minMaxLoc(image, &least, &most);
+        if (least == most)
+            own.warnings.push_back("the image of " + fabric.value + " under " + condition.value +
+                                   " has one level: no participant can feel a texture on it");
+        bytes += rendering::pgmBytes(image);
+    }
+    own.sha256[condition.value] = protocols::sha256(bytes);
+    own.images[condition] = std::move(images);
+}
 
 OwnImages readOwnImages(const protocols::Protocol& protocol, const fs::path& beside,
                         const std::vector<protocols::FabricId>& fabrics)
@@ -69,18 +91,9 @@ OwnImages readOwnImages(const protocols::Protocol& protocol, const fs::path& bes
     for (const auto& [condition, name] : protocol.ownImages) {
         const fs::path folder = fs::path(name).is_absolute() ? fs::path(name) : beside / name;
         requireFiles(condition, folder, fabrics);
-        std::string bytes;
-        for (const auto& fabric : fabrics) {
-            cv::Mat image = readOwn(*fileOf(folder, fabric));
-            double least = 0, most = 0;
-            cv::minMaxLoc(image, &least, &most);
-            if (least == most)
-                own.warnings.push_back("the image of " + fabric.value + " under " + condition.value +
-                                       " has one level: no participant can feel a texture on it");
-            bytes += rendering::pgmBytes(image);
-            own.images[condition][fabric] = std::move(image);
-        }
-        own.sha256[condition.value] = protocols::sha256(bytes);
+        std::map<protocols::FabricId, cv::Mat> images;
+        for (const auto& fabric : fabrics) images[fabric] = readOwn(*fileOf(folder, fabric));
+        addOwnImages(own, condition, std::move(images));
     }
     return own;
 }

@@ -137,6 +137,7 @@ ordered_json sessionPlan(const Protocol& protocol)
     json["fabrics"] = protocol.fabricCount;
     json["conditions"] = ordered_json::array();
     for (const protocols::ConditionId& id : protocol.conditions) json["conditions"].push_back(id.value);
+    for (const protocols::ConditionId& id : protocol.ownPrograms) json["programs"].push_back(id.value);
     json["language"] = protocol.language;
     json["phases"] = ordered_json::array();
     for (const Phase& phase : protocol.phases) json["phases"].push_back(phaseJson(protocol, phase));
@@ -157,6 +158,9 @@ std::string textOf(const ordered_json& plan)
     std::string text = word(plan, "name") + "\n" + counted(plan["participants"], "participant") + ", " +
                        counted(plan["fabrics"], "fabric") + ", " + counted(int(plan["conditions"].size()), "condition") + ":";
     for (const auto& id : plan["conditions"]) text += " " + id.get<std::string>();
+    for (const auto& id : plan.value("programs", ordered_json::array()))
+        text += "\n" + id.get<std::string>() + " comes from a program of yours: `vis2hap study new --program " +
+                id.get<std::string>() + "=COMMAND`";
     text += "\n\neach participant: " + counted(plan["presentations_per_participant"], "presentation") + ", " +
             counted(plan["answers_per_participant"], "answer") + ", about " + fixed(plan["minutes_per_participant"], 0) +
             " minutes without breaks; " + counted(plan["breaks"], "break") + ", " + counted(plan["sittings"], "sitting") + "\n";

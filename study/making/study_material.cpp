@@ -56,6 +56,17 @@ std::string counted(std::size_t conditions)
     return conditions == 1 ? "1 condition shows" : std::to_string(conditions) + " conditions show";
 }
 
+/// "python3 (SHA-256 0123456789ab...) with render.py (SHA-256 ...)". The stamp stands in blinded reports, so it has no condition.
+std::string inBrief(const UsedProgram& used)
+{
+    const auto named = [](const std::filesystem::path& file, const std::string& sha256) {
+        return file.filename().string() + " (SHA-256 " + sha256.substr(0, 12) + "…)";
+    };
+    std::string text = named(used.program.program, used.sha256);
+    for (const auto& [file, sha256] : used.filesSha256) text += " with " + named(file, sha256);
+    return text;
+}
+
 void readModel(const NewStudy& request, StudyMaterial& material)
 {
     namespace models = rendering::models;
@@ -75,12 +86,15 @@ StudyMaterial materialFor(const NewStudy& request)
 {
     StudyMaterial material;
     readProtocol(request, material);
+    requirePrograms(material.protocol, request.programs,
+                    request.protocol.empty() ? "the paper's protocol" : request.protocol.string());
     material.dataset = rendering::fabrics::readDataset(request.dataset);
     material.fabrics = fabricsFor(material.protocol, material.dataset, request.seed);
     for (const auto& id : material.protocol.conditions)
-        if (!material.protocol.ownImages.contains(id)) material.render.conditions.push_back(id);
+        if (!isOwnCondition(material.protocol, id)) material.render.conditions.push_back(id);
     material.own = readOwnImages(material.protocol, request.protocol.parent_path(), material.fabrics);
-    const auto signals = rendering::signalsFor(std::span<const protocols::ConditionId>(material.render.conditions));
+    auto signals = rendering::signalsFor(std::span<const protocols::ConditionId>(material.render.conditions));
+    if (!request.programs.empty()) signals.push_back(rendering::Signal::Photograph);
     if (needsGenerators(signals)) readModel(request, material);
     const auto chosen =
         chooseSamples(material.dataset, material.fabrics, signals, material.model ? &material.model->summary : nullptr,
@@ -97,6 +111,21 @@ StudyMaterial materialFor(const NewStudy& request)
         material.stamps.push_back(counted(material.own.images.size()) +
                                   " ready images that this program did not make. How they were made is not known to it.");
     return material;
+}
+
+void addProgramImages(const NewStudy& request, StudyMaterial& material,
+                      const std::function<void(const std::string& stage, int done, int total)>& progress)
+{
+    if (request.programs.empty()) return;
+    ProgramImages made = imagesOfPrograms(request.programs, material.dataset, material.fabrics, material.render.samples,
+                                          request.programLimits, progress);
+    material.own.images.merge(made.own.images);
+    material.own.sha256.merge(made.own.sha256);
+    material.own.warnings.insert(material.own.warnings.end(), made.own.warnings.begin(), made.own.warnings.end());
+    for (const UsedProgram& used : made.used)
+        material.stamps.push_back("A program of the laboratory made the images of one condition: " + inBrief(used) +
+                                  ". How it makes them is not known to this program.");
+    material.programs = std::move(made.used);
 }
 
 std::string hashOfDataset(const NewStudy& request, const Dataset& dataset)

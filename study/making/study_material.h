@@ -2,6 +2,7 @@
 // impossible request is refused at once.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "rendering/models/model_card_fields.h"
 #include "study/making/new_study.h"
 #include "study/making/own_images.h"
+#include "study/making/program_images.h"
 
 namespace study::making {
 
@@ -22,13 +24,18 @@ struct StudyMaterial {
     std::optional<rendering::models::ModelCardFields> model;  ///< none where no condition needs generated signals
     std::filesystem::path control;                            ///< weights of the L1-only control; empty where there are none
     rendering::RenderRequest render;                          ///< the rendered conditions over the fabrics, with their samples
-    OwnImages own;                                            ///< ready images of the lab's own conditions
+    OwnImages own;                                            ///< images of the lab's own conditions
+    std::vector<UsedProgram> programs;                        ///< that made some of them
     std::vector<std::string> stamps;                          ///< sentences that every report must carry
 };
 
 /// Throws badInput: a protocol with faults, a data set with too few fabrics or without a needed signal, only samples that
 /// the model was trained on.
 StudyMaterial materialFor(const NewStudy& request);
+
+/// Runs the programs of the request and adds their images, with a stamp for each.
+void addProgramImages(const NewStudy& request, StudyMaterial& material,
+                      const std::function<void(const std::string& stage, int done, int total)>& progress);
 
 /// SHA-256 over the data set; the request's cache remembers the hashes of its files.
 std::string hashOfDataset(const NewStudy& request, const rendering::fabrics::Dataset& dataset);

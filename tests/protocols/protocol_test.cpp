@@ -185,6 +185,14 @@ private Q_SLOTS:
             "conditions[0]: unknown quality 'slow' in 'h_g@slow', expected fast, balanced or accurate after the @");
         row("quality without a choice", "v_grey", "v_grey@fast",
             "conditions[0]: 'v_grey@fast' has a quality, which changes nothing of v_grey, expected 'v_grey'");
+        row("own condition without images", "\"v_grey\"", "{\"id\": \"mine\"}",
+            "conditions[0]: has neither of 'images' and 'program', expected one of them");
+        row("own condition of both kinds", "\"v_grey\"", "{\"id\": \"mine\", \"images\": \"a\", \"program\": true}",
+            "conditions[0]: has both of 'images' and 'program', expected one of them");
+        row("command in the protocol", "\"v_grey\"", "{\"id\": \"mine\", \"program\": \"rm *\"}",
+            "conditions[0].program: \"rm *\", expected true, because the lab names the program");
+        row("program of the program's condition", "\"v_grey\"", "{\"id\": \"h\", \"program\": true}",
+            "conditions[0].id: 'h' is a condition of the program");
         row("doubled condition", "v_grey", "h_g&f_g", "conditions[1]: 'h_g&f_g' is named twice");
         row("too many alternatives", "\"alternatives\": 3", "\"alternatives\": 4", "phases[0].alternatives: 4 of 3 fabrics");
         row("swaps of one piece", "\"max\": 10}", "\"max\": 10}, \"few_swaps\": true",

@@ -1,19 +1,26 @@
-// vis2hap simulate STUDY [--in-memory --out DIR] [--mishaps]: simulated participants feel the friction images and answer through
-// the same session engine as human participants, into the study or in memory. With --shard a part of those in memory.
+// vis2hap simulate STUDY [--in-memory --out DIR] [--mishaps] [--plant FILE]: simulated participants feel the friction images and
+// answer through the same session engine as human participants, into the study or in memory. With --shard a part of those in
+// memory.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "database/keys.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/sha256.h"
+#include "protocols/files/whole_file.h"
 #include "reports/text/plain_words.h"
 #include "study/commands/command_line.h"
 #include "study/commands/parts/progress.h"
 #include "study/commands/parts/shard_option.h"
 #include "study/commands/passphrase_option.h"
 #include "study/players/expected_touch.h"
+#include "study/players/planted_effects.h"
+#include "study/players/player_answers.h"
+#include "study/records/stored_study.h"
 #include "study/session/stimuli.h"
 #include "study/simulation/simulate_through_store.h"
 #include "study/simulation/simulation_analysis.h"
@@ -29,7 +36,7 @@ using database::SlotState;
 using database::StudyStore;
 
 struct SimulateCall {
-    std::string study, dataset, out;
+    std::string study, dataset, out, plant;
     bool inMemory = false, mishaps = false;
     std::optional<int> participants;
     std::uint64_t seed = 1;
@@ -70,22 +77,61 @@ players::Percepts perceptsOf(const StudyStore& store, const protocols::Allocatio
 
 players::MishapRates mishapsOf(const SimulateCall& call) { return call.mishaps ? players::usualMishaps : players::MishapRates{}; }
 
+/// The effects of --plant FILE; empty without it.
+struct Planting {
+    players::PlantedEffects effects;
+    std::string sha256;
+};
+
+Planting plantingOf(const SimulateCall& call, const StudyStore& store, const std::vector<protocols::ParticipantId>& toPlay)
+{
+    Planting planting;
+    if (call.plant.empty()) return planting;
+    const std::string text = protocols::readWholeFile(call.plant);
+    planting.effects = players::plantedEffectsFromJson(text, call.plant, records::protocolOf(store.facts()));
+    planting.sha256 = protocols::sha256(text);
+    std::set<protocols::ParticipantId> known(toPlay.begin(), toPlay.end());
+    for (const auto& enrolment : store.enrolments()) known.insert(enrolment.participant);
+    for (const auto& careless : planting.effects.careless)
+        if (!known.contains(careless))
+            throw protocols::badInput(
+                {"the careless participant " + careless.value + " takes no part", call.plant,
+                 toPlay.empty() ? "a participant of the study" : toPlay.front().value + " to " + toPlay.back().value,
+                 "correct \"careless\""});
+    return planting;
+}
+
+/// Names the planted effects beside the program, so that the log of each sitting holds them.
+std::string playedBy(const Planting& planting)
+{
+    return versionText() + (planting.sha256.empty() ? "" : ", planted effects of SHA-256 " + planting.sha256.substr(0, 16));
+}
+
 int simulateIntoStudy(const SimulateCall& call)
 {
     StudyStore store({call.study}, StudyStore::Access::Write);
     const auto participants = participantsToPlay(store, call.participants);
+    const Planting planting = plantingOf(call, store, participants);
     const auto key = readAllocationKeyForTestDriver(store, ParticipantKind::Simulated, passphraseFrom(call.passphrase));
     auto bank = session::stimuliOf(store);
     const auto percepts = perceptsOf(store, key, bank, call.dataset);
+    simulation::StoreSimulation simulation{call.seed, mishapsOf(call), session::operatedBy({}, playedBy(planting))};
+    if (!call.plant.empty())
+        simulation.judge = [&](const protocols::ParticipantId& participant) {
+            auto usual = std::make_shared<players::SimulatedParticipant>(percepts, call.seed, participant.value);
+            return plantedJudge(
+                planting.effects, [&key](const protocols::BlindedTrial& trial) -> const auto& { return key.entryOf(trial); },
+                participant, call.seed,
+                [usual](const auto& trial, const auto& question) { return players::simulatedAnswer(*usual, trial, question); });
+        };
     {
         Progress progress("simulated participants");
-        simulation::simulateThroughStore(
-            store, bank, percepts, participants, {call.seed, mishapsOf(call), session::operatedBy({}, versionText())},
-            [&](std::size_t done) {
-                progress.show(static_cast<int>(done), static_cast<int>(participants.size()), participants[done - 1].value);
-            });
+        simulation::simulateThroughStore(store, bank, percepts, participants, simulation, [&](std::size_t done) {
+            progress.show(static_cast<int>(done), static_cast<int>(participants.size()), participants[done - 1].value);
+        });
     }
-    std::printf("%s: %zu simulated participants answered\n", call.study.c_str(), participants.size());
+    std::printf("%s: %zu simulated participants answered%s\n", call.study.c_str(), participants.size(),
+                call.plant.empty() ? "" : (" with the planted effects of " + call.plant).c_str());
     std::printf("  log head %s\n", textOf(store.head()).c_str());
     return 0;
 }
@@ -145,6 +191,9 @@ int simulateOnlyInMemory(const SimulateCall& call)
 
 int simulate(const SimulateCall& call)
 {
+    if (call.inMemory && !call.plant.empty())
+        throw protocols::badInput({"--plant was given together with --in-memory", "--plant " + call.plant,
+                                   "a simulation into the study", "leave one of them out"});
     if (call.inMemory) return simulateOnlyInMemory(call);
     if (call.shard.isGiven())
         throw protocols::badInput({"--shard belongs to a simulation in memory", "--shard " + call.shard.number,
@@ -200,6 +249,7 @@ void addSimulate(CLI::App& app, Action& action)
     command->add_option("--out", call->out, "folder for the results of --in-memory");
     command->add_flag("--mishaps", call->mishaps,
                       "let presentations be voided, answers corrected, steps refused, and participants withdraw");
+    command->add_option("--plant", call->plant, "file with effects to plant and careless participants, for teaching");
     addShardOptions(*command, call->shard);
     addPassphraseOption(*command, call->passphrase);
     command->callback([call, &action] {

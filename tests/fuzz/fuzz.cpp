@@ -5,6 +5,11 @@
 //   fuzz READER [--seconds N] [--seed S]        one reader; 5 s and seed 1 unless told
 //   fuzz --all [--seconds N] [--seed S]         every reader, as many at a time as there are cores
 //   fuzz READER --file FILE                     one input, such as one that an earlier run kept
+//   fuzz ... --record FILE                      adds a line for each reader that ended without a fault
+//   fuzz --owed FILE [--seconds N]              the readers whose lines in FILE sum up to less than N seconds
+//
+// Seconds are those of the processor, so that a busy machine does not shorten a run. tests/fuzz/long_runs.csv is the record of
+// the long runs.
 //
 // A reader may return or refuse with protocols::Error. A crash, a report of a sanitizer, any other exception, and an input that
 // takes more than 5 s of the processor or 60 s in all end the run with exit code 1. The input is kept, and its name is printed.
@@ -15,17 +20,22 @@
 #include <unistd.h>
 
 #include <QCoreApplication>
-#include <chrono>
+#include <array>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <optional>
+#include <sstream>
 #include <thread>
 
+#include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/temporary_folder.h"
+#include "protocols/files/whole_file.h"
 #include "protocols/random.h"
 #include "tests/fuzz/coverage.h"
 #include "tests/fuzz/readers.h"
@@ -43,7 +53,7 @@ struct Call {
     bool isList = false, isAll = false;
     double seconds = 5;
     std::uint64_t seed = 1;
-    std::optional<std::string> file;
+    std::optional<std::string> file, record, owed;
 };
 
 // The input at work, for handlers that must not allocate.
@@ -111,9 +121,36 @@ std::string nextInput(const std::vector<std::string>& corpus, std::size_t larges
     return text;
 }
 
+/// Seconds of the processor that this process has used.
+double workedSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// What a run without a fault found.
+struct Run {
+    double seconds = 0;
+    std::uint64_t taken = 0, refused = 0;
+    std::size_t corpus = 0;
+};
+
+/// One write adds the line, so that readers side by side do not mix theirs.
+void addToRecord(const fuzz::Reader& reader, const Call& call, const Run& run)
+{
+    const std::time_t now = std::time(nullptr);
+    std::array<char, 16> day{};
+    std::strftime(day.data(), day.size(), "%F", std::gmtime(&now));
+    std::ostringstream line;
+    line << reader.name << ',' << call.seed << ',' << static_cast<long>(run.seconds) << ',' << run.taken << ',' << run.refused
+         << ',' << run.corpus << ',' << day.data() << '\n';
+    const std::string text = line.str();
+    const int file = ::open(call.record->c_str(), O_WRONLY | O_APPEND | O_CREAT, 0644);
+    if (file < 0 || ::write(file, text.data(), text.size()) != static_cast<ssize_t>(text.size())) {
+        std::fprintf(stderr, "fuzz: %s cannot be written\n", call.record->c_str());
+        std::_Exit(2);
+    }
+    ::close(file);
+}
+
 void fuzzOne(const fuzz::Reader& reader, const Call& call)
 {
-    using Clock = std::chrono::steady_clock;
     keptAs = (fs::temp_directory_path() / ("vis2hap-fuzz-" + reader.name + "-" + std::to_string(call.seed))).string();
     auto random = protocols::Random::stream(call.seed, reader.name);
     std::vector<std::string> corpus = reader.makeCorpus ? reader.makeCorpus() : reader.corpus;
@@ -121,19 +158,22 @@ void fuzzOne(const fuzz::Reader& reader, const Call& call)
         std::fprintf(stderr, "fuzz: %s refuses its sound input\n", reader.name.c_str());
         std::_Exit(1);
     }
-    std::uint64_t taken = 0, refused = 0;
-    const auto end = Clock::now() + std::chrono::duration<double>(call.seconds);
+    Run run;
+    const double begin = workedSeconds();
     do {
         fuzz::hasNewCoverage();
         const std::string input = nextInput(corpus, reader.largestInput, random);
         fuzz::hasNewCoverage();  // what the mutations reach does not count
-        ++(outcomeOf(reader, input) == Outcome::Taken ? taken : refused);
+        ++(outcomeOf(reader, input) == Outcome::Taken ? run.taken : run.refused);
         if (fuzz::hasNewCoverage()) corpus.push_back(input);
-    } while (Clock::now() < end);
+        run.seconds = workedSeconds() - begin;
+    } while (run.seconds < call.seconds);
+    run.corpus = corpus.size();
     std::printf("%-20s seed %llu, %.0f s: %llu taken, %llu refused, corpus of %zu\n", reader.name.c_str(),
-                static_cast<unsigned long long>(call.seed), call.seconds, static_cast<unsigned long long>(taken),
-                static_cast<unsigned long long>(refused), corpus.size());
+                static_cast<unsigned long long>(call.seed), run.seconds, static_cast<unsigned long long>(run.taken),
+                static_cast<unsigned long long>(run.refused), run.corpus);
     std::fflush(stdout);
+    if (call.record) addToRecord(reader, call, run);
 }
 
 /// Runs the reader in this process. Returns the exit code.
@@ -179,13 +219,31 @@ int runAll(const Call& call, const char* program)
         if (running == most) waitForOne();
         const std::string seconds = std::to_string(call.seconds), seed = std::to_string(call.seed);
         if (::fork() == 0) {
-            ::execl(program, program, name.c_str(), "--seconds", seconds.c_str(), "--seed", seed.c_str(), nullptr);
+            ::execl(program, program, name.c_str(), "--seconds", seconds.c_str(), "--seed", seed.c_str(),
+                    call.record ? "--record" : nullptr, call.record ? call.record->c_str() : nullptr, nullptr);
             std::_Exit(1);
         }
         ++running;
     }
     while (running > 0) waitForOne();
     return code;
+}
+
+/// Prints the readers that the record does not show for `call.seconds` yet. Returns the exit code.
+int showOwed(const Call& call)
+{
+    std::map<std::string, double> seconds;
+    const protocols::CsvTable record = protocols::csvTableFrom(protocols::readWholeFile(*call.owed), *call.owed);
+    const auto reader = record.column("reader"), worked = record.column("seconds");
+    if (!reader || !worked) {
+        std::fprintf(stderr, "fuzz: %s has no columns reader and seconds\n", call.owed->c_str());
+        return 2;
+    }
+    for (std::size_t row = 0; row < record.rows.size(); ++row)
+        seconds[record.rows[row][*reader]] += protocols::numberAt(record, row, *worked);
+    for (const std::string& name : namesOfReaders())
+        if (seconds[name] < call.seconds) std::puts(name.c_str());
+    return 0;
 }
 
 std::optional<Call> callFrom(const std::vector<std::string>& words)
@@ -203,12 +261,16 @@ std::optional<Call> callFrom(const std::vector<std::string>& words)
             call.seed = std::strtoull(words[++i].c_str(), nullptr, 10);
         else if (words[i] == "--file" && hasValue)
             call.file = words[++i];
+        else if (words[i] == "--record" && hasValue)
+            call.record = words[++i];
+        else if (words[i] == "--owed" && hasValue)
+            call.owed = words[++i];
         else if (!words[i].starts_with("--") && call.reader.empty())
             call.reader = words[i];
         else
             return std::nullopt;
     }
-    const int wanted = int(call.isList) + int(call.isAll) + int(!call.reader.empty());
+    const int wanted = int(call.isList) + int(call.isAll) + int(call.owed.has_value()) + int(!call.reader.empty());
     return wanted == 1 ? std::optional(call) : std::nullopt;
 }
 
@@ -227,13 +289,16 @@ int main(int argc, char** argv)
     const QCoreApplication application(argc, argv);  // Qt loads its SQLite driver as a plug-in
     const auto call = callFrom({argv + 1, argv + argc});
     if (!call) {
-        std::fputs("fuzz: expected --list, --all or READER, with --seconds N, --seed S or --file FILE\n", stderr);
+        std::fputs(
+            "fuzz: expected --list, --all, --owed FILE or READER, with --seconds N, --seed S, --record FILE or --file FILE\n",
+            stderr);
         return 2;
     }
     __sanitizer_set_death_callback(keepPresent);
     std::signal(SIGALRM, endSlowInput);
     std::signal(SIGPROF, endSlowInput);
     if (call->isAll) return runAll(*call, argv[0]);
+    if (call->owed) return showOwed(*call);
     if (!call->isList) return runReader(*call);
     for (const std::string& name : namesOfReaders()) std::puts(name.c_str());
     return 0;

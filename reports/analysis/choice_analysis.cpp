@@ -23,12 +23,32 @@ std::vector<CountCorrect> countsByFabric(const StudyData& data, const std::vecto
     return counts;
 }
 
+std::size_t placeAmong(const std::vector<std::string>& names, const std::string& name)
+{
+    return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+/// Whether a pair was the same follows from what was said, and whether that was right. Undefined where other programs recorded
+/// only right and wrong.
+stats::MatchSensitivity matchesOf(const StudyData& data, const std::vector<const StudyResponse*>& responses)
+{
+    std::vector<stats::MatchAnswer> answers;
+    for (const StudyResponse* response : responses) {
+        const auto* given = std::get_if<ChosenAnswer>(&response->content);
+        if (given == nullptr || !given->answer) continue;
+        const bool saidSame = *given->answer == "same";
+        answers.push_back({placeAmong(data.participants, response->participant), placeAmong(data.fabrics, response->fabric),
+                           saidSame == given->correct, saidSame});
+    }
+    return stats::matchSensitivity(answers);
+}
+
 ConditionChoices analyseCondition(const StudyData& data, const AnswerCells& cells, const std::string& question,
-                                  const std::string& condition, int alternatives)
+                                  const std::string& condition, const RightOrWrong& scoring)
 {
     const auto responses = cells.of(question, condition);
     const std::vector<double> values = valuesOf(responses);
-    const double chance = 1.0 / alternatives;
+    const double chance = 1.0 / scoring.alternatives;
     ConditionChoices choices;
     choices.count = {correctAmong(values), values.size()};
     const auto correct = static_cast<long long>(choices.count.correct);
@@ -39,9 +59,15 @@ ConditionChoices analyseCondition(const StudyData& data, const AnswerCells& cell
         trials > 0 ? stats::Value(matches / static_cast<double>(trials)) : stats::Value::undefined("there are no trials");
     choices.againstChance = stats::binomialTest(correct, trials, chance);
     choices.participantsAgainstChance = stats::oneSampleTTest(cells.participantMeans(question, condition), {.mu = chance});
-    const auto sensitivity = stats::forcedChoice(correct, trials, alternatives);
-    choices.dPrime = sensitivity.dPrime;
-    choices.dPrimeSe = sensitivity.seDPrime;
+    if (scoring.isSameDifferent) {
+        choices.matches = matchesOf(data, responses);
+        choices.dPrime = choices.matches->dPrime.estimate;
+        choices.dPrimeSe = choices.matches->seDPrime;
+    } else {
+        const auto sensitivity = stats::forcedChoice(correct, trials, scoring.alternatives);
+        choices.dPrime = sensitivity.dPrime;
+        choices.dPrimeSe = sensitivity.seDPrime;
+    }
     choices.byFabric = countsByFabric(data, responses);
     return choices;
 }
@@ -86,15 +112,33 @@ ChoiceConfusion confusionOf(const StudyData& data, const AnswerCells& cells, con
     return confusion;
 }
 
+/// d' and its intervals become those of hits and false alarms.
+void takeMatches(std::vector<ClusteredSensitivity>& sensitivities, const StudyData& data,
+                 const std::vector<ConditionChoices>& conditions)
+{
+    for (ClusteredSensitivity& one : sensitivities) {
+        const stats::ClusteredIndex& dPrime = conditions[placeAmong(data.conditions, one.condition)].matches->dPrime;
+        one.dPrime = dPrime.estimate;
+        one.ci95 = one.generalisation == stats::Generalisation::TheseFabrics ? dPrime.overParticipants : dPrime.overBoth;
+    }
+}
+
 }  // namespace
 
-ChoiceAnalysis analyseChoices(const StudyData& data, const AnswerCells& cells, const std::string& question, int alternatives,
-                              Depth depth)
+DPrimeRule ruleOfDPrime(const ChoiceAnalysis& choices)
 {
+    const bool isSameDifferent = !choices.conditions.empty() && choices.conditions.front().matches.has_value();
+    return isSameDifferent ? DPrimeRule::OfHits : DPrimeRule::OfShare;
+}
+
+ChoiceAnalysis analyseChoices(const StudyData& data, const AnswerCells& cells, const std::string& question,
+                              const RightOrWrong& scoring, Depth depth)
+{
+    const int alternatives = scoring.alternatives;
     ChoiceAnalysis analysis;
     analysis.alternatives = alternatives;
     for (const std::string& condition : data.conditions)
-        analysis.conditions.push_back(analyseCondition(data, cells, question, condition, alternatives));
+        analysis.conditions.push_back(analyseCondition(data, cells, question, condition, scoring));
     adjustForConditions(analysis.conditions);
     analysis.cochran = stats::cochranTest(cells.completeSuccesses(question));
     analyseParticipants(analysis, cells, question);
@@ -108,6 +152,7 @@ ChoiceAnalysis analyseChoices(const StudyData& data, const AnswerCells& cells, c
     analysis.claims = claimsOf(data, cells, question, alternatives, anova, analysis.linearModel, depth);
     analysis.effects = choiceEffects(analysis.claims, anova, answers, analysis.crossedModel);
     analysis.sensitivities = clusteredSensitivities(analysis.claims, alternatives);
+    if (scoring.isSameDifferent) takeMatches(analysis.sensitivities, data, analysis.conditions);
     analysis.speed = analyseSpeed(data, cells, question, alternatives, analysis.claims);
     analysis.accuracyBySpeed = accuracyBySpeed(data, cells, question);
     analysis.instructions = analyseInstructions(data, question, alternatives);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "reports/data/analysis_options.h"
 #include "stats/models/crossed_study.h"
 #include "stats/tests/binomial.h"
+#include "stats/tests/match_sensitivity.h"
 #include "stats/tests/rank_tests.h"
 #include "stats/tests/t_tests.h"
 
@@ -33,9 +35,10 @@ struct ConditionChoices {
     stats::BinomialTest againstChance;       ///< over trials, one-sided against 1/m; its Wilson and Clopper-Pearson intervals
     stats::Value pHolm;                      ///< p of that test after Holm's correction over the conditions
     stats::TTest participantsAgainstChance;  ///< the participants' shares against 1/m, two-sided
-    stats::Value dPrime;                     ///< does not depend on m
+    stats::Value dPrime;                     ///< does not depend on m; of hits and false alarms in a same-different question
     stats::Value dPrimeSe;
-    std::vector<CountCorrect> byFabric;  ///< in the order of the study's fabrics
+    std::optional<stats::MatchSensitivity> matches;  ///< of a same-different question
+    std::vector<CountCorrect> byFabric;              ///< in the order of the study's fabrics
 };
 
 struct ParticipantShare {
@@ -70,7 +73,9 @@ struct ChoiceAnalysis {
     InstructionAnalysis instructions;  ///< empty where no block instructs the participant
 };
 
-ChoiceAnalysis analyseChoices(const StudyData& data, const AnswerCells& cells, const std::string& question, int alternatives,
-                              Depth depth);
+DPrimeRule ruleOfDPrime(const ChoiceAnalysis& choices);
+
+ChoiceAnalysis analyseChoices(const StudyData& data, const AnswerCells& cells, const std::string& question,
+                              const RightOrWrong& scoring, Depth depth);
 
 }  // namespace reports

@@ -132,6 +132,12 @@ void flagSlotBias(const Examination& one)
             }
         if (trials < one.rules.fewestAnswers) continue;
         const auto [favourite, times] = favouriteOf(counts);
+        if (choice->isSameDifferent) {
+            if (times == trials)
+                one.flag(FlagKind::SlotBias,
+                         question.id + ": " + names[favourite] + " was given in all " + std::to_string(trials) + " trials");
+            continue;
+        }
         const auto test =
             stats::binomialTest(static_cast<long long>(times), static_cast<long long>(trials), 1.0 / choice->alternatives);
         const double p = std::min(1.0, *test.pGreater * choice->alternatives);
@@ -220,7 +226,9 @@ std::vector<std::string> ruleSentences(const QualityRules& rules)
             std::to_string(rules.fewestCatchRatings) + " ratings of blank glass.",
         "slot_bias: the participant chose one tray slot more often than 1/m (exact binomial test, p times the number of slots "
         "below " +
-            protocols::shortest(rules.slotBiasP) + ").",
+            protocols::shortest(rules.slotBiasP) +
+            "). A participant may say \"same\" more readily than \"different\"; here only one who always gave the same of both "
+            "words is flagged.",
         "voided_presentations: these presentations were invalid. They are kept, not analysed, and were presented again.",
         "A share is judged from " + std::to_string(rules.fewestAnswers) + " answers on. Flagged data stay in the main analysis.",
     };

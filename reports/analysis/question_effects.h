@@ -63,8 +63,12 @@ const stats::VarianceComponent* componentOf(const QuestionEffects& effects, cons
 /// two conditions, with its unit ("scale points", "log odds"); or why nothing is known.
 std::string fabricSentence(const QuestionEffects& effects, const std::string& unit);
 
+/// What d' follows from: the share correct of a choice, or the hits and false alarms of a same-different question.
+enum class DPrimeRule { OfShare, OfHits };
+
 /// d' of the mean share correct under one condition, for one generalisation, and the interval that follows from that of the
-/// share. Its low end is 0 where the share may be at chance; its high end is infinite where every choice may be right.
+/// share. Its low end is 0 where the share may be at chance; its high end is infinite where every choice may be right. In a
+/// same-different question d' and its interval are those of hits and false alarms (match_sensitivity.h).
 struct ClusteredSensitivity {
     std::string condition;
     stats::Generalisation generalisation = stats::Generalisation::TheseFabrics;

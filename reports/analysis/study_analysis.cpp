@@ -25,7 +25,7 @@ QuestionFindings findingsOf(const StudyData& data, const AnswerCells& cells, con
 {
     return std::visit(protocols::Overloaded{
                           [&](const RightOrWrong& choice) -> QuestionFindings {
-                              return analyseChoices(data, cells, question.id, choice.alternatives, depth);
+                              return analyseChoices(data, cells, question.id, choice, depth);
                           },
                           [&](const NumberOnScale& scale) -> QuestionFindings {
                               return analyseRatings(data, cells, question.id, extended(scale, data, cells), depth);

@@ -5,8 +5,12 @@ namespace reports {
 Scoring scoringOf(const protocols::AnswerKind& kind)
 {
     return std::visit(protocols::Overloaded{
-                          [](const protocols::ForcedChoice& choice) -> Scoring { return RightOrWrong{choice.alternatives}; },
-                          [](const protocols::SameDifferent&) -> Scoring { return RightOrWrong{2}; },
+                          [](const protocols::ForcedChoice& choice) -> Scoring {
+                              return RightOrWrong{choice.alternatives, false};
+                          },
+                          [](const protocols::SameDifferent&) -> Scoring {
+                              return RightOrWrong{2, true};
+                          },
                           [](const protocols::Rating& rating) -> Scoring {
                               return NumberOnScale{rating.scale.min.inScaleUnits(), rating.scale.max.inScaleUnits()};
                           },

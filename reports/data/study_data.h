@@ -60,7 +60,8 @@ enum class TimesTaken {
 
 /// How the answers to a question are analysed. Several kinds of answer can share one scoring.
 struct RightOrWrong {
-    int alternatives = 3;  ///< answers of which one is right
+    int alternatives = 3;          ///< answers of which one is right
+    bool isSameDifferent = false;  ///< the answers are "same" and "different": sensitivity is that of hits and false alarms
     bool operator==(const RightOrWrong&) const = default;
 };
 struct NumberOnScale {

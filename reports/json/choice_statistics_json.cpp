@@ -92,6 +92,20 @@ Json crossedModelPart(const StudyData&, const ChoiceAnalysis& choices)
     return part;
 }
 
+/// What a same-different question adds to d'.
+void putMatches(Json& row, const stats::MatchSensitivity& matches)
+{
+    row["rule"] = "hits and false alarms";
+    row["hits"] = matches.counts.hits;
+    row["same_pairs"] = matches.counts.same;
+    row["false_alarms"] = matches.counts.falseAlarms;
+    row["different_pairs"] = matches.counts.different;
+    put(row, "hit_rate", matches.hitRate);
+    put(row, "false_alarm_rate", matches.falseAlarmRate);
+    put(row, "criterion", matches.criterion.estimate);
+    put(row, "criterion_ci95", matches.criterion.overParticipants);
+}
+
 Json sensitivityPart(const StudyData& data, const ChoiceAnalysis& choices)
 {
     Json part = Json::object();
@@ -99,8 +113,9 @@ Json sensitivityPart(const StudyData& data, const ChoiceAnalysis& choices)
         Json row = Json::object();
         put(row, "d_prime", choices.conditions[i].dPrime);
         put(row, "se", choices.conditions[i].dPrimeSe);
+        if (const auto& matches = choices.conditions[i].matches) putMatches(row, *matches);
         row["generalises_to"] = theseTrials;
-        row["clustered"] = clusteredSensitivityRows(choices.sensitivities, data.conditions[i]);
+        row["clustered"] = clusteredSensitivityRows(choices.sensitivities, data.conditions[i], ruleOfDPrime(choices));
         putReasonsLast(row);
         part[data.conditions[i]] = std::move(row);
     }

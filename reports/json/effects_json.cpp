@@ -85,7 +85,7 @@ Json componentsJson(const QuestionEffects& effects, const std::string& unit)
     return part;
 }
 
-/// d' at one end of an interval, with the reason where it is at the end of its range.
+/// d' of a share, or at one end of its interval, with the reason where it is at the end of its range.
 void putSensitivity(Json& row, const std::string& key, const stats::Value& dPrime)
 {
     if (dPrime.exists() && std::isinf(*dPrime)) return putNull(row, key, "at a share of 1 d' has no upper bound");
@@ -109,7 +109,8 @@ void putEffects(Json& statistics, const std::string& question, const QuestionEff
     statistics["variance_components"][question] = componentsJson(effects, unit);
 }
 
-Json clusteredSensitivityRows(const std::vector<ClusteredSensitivity>& sensitivities, const std::string& condition)
+Json clusteredSensitivityRows(const std::vector<ClusteredSensitivity>& sensitivities, const std::string& condition,
+                              DPrimeRule rule)
 {
     Json rows = Json::array();
     for (const ClusteredSensitivity& one : sensitivities) {
@@ -117,9 +118,12 @@ Json clusteredSensitivityRows(const std::vector<ClusteredSensitivity>& sensitivi
         Json row{{"generalises_to", nameOf(one.generalisation)}};
         put(row, "share", one.share);
         put(row, "share_ci95", one.shareCi95);
-        putSensitivity(row, "d_prime", one.dPrime);
-        putSensitivity(row, "d_prime_low", one.ci95.low);
-        putSensitivity(row, "d_prime_high", one.ci95.high);
+        const auto putIndex = rule == DPrimeRule::OfShare
+                                  ? &putSensitivity
+                                  : +[](Json& to, const std::string& key, const stats::Value& index) { put(to, key, index); };
+        putIndex(row, "d_prime", one.dPrime);
+        putIndex(row, "d_prime_low", one.ci95.low);
+        putIndex(row, "d_prime_high", one.ci95.high);
         putReasonsLast(row);
         rows.push_back(std::move(row));
     }

@@ -17,6 +17,7 @@ std::vector<std::string> effectKeys();
 void putEffects(Json& statistics, const std::string& question, const QuestionEffects& effects, const std::string& unit);
 
 /// Rows of d' with intervals from the clustered intervals of the share, by condition.
-Json clusteredSensitivityRows(const std::vector<ClusteredSensitivity>& sensitivities, const std::string& condition);
+Json clusteredSensitivityRows(const std::vector<ClusteredSensitivity>& sensitivities, const std::string& condition,
+                              DPrimeRule rule);
 
 }  // namespace reports

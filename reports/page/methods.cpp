@@ -91,6 +91,20 @@ std::string unitParagraph()
            "(Student's t) are those of the participants' means.";
 }
 
+/// Empty where no question asks for same or different.
+std::string hitsSentences(const ChoiceQuestions& questions)
+{
+    const bool isAsked = std::any_of(questions.begin(), questions.end(),
+                                     [](const auto& question) { return ruleOfDPrime(question.findings) == DPrimeRule::OfHits; });
+    if (!isAsked) return "";
+    return " In a question of same or different, d\u2032 is z(hit rate) \u2212 z(false-alarm rate). A hit is &ldquo;same&rdquo; "
+           "said of a pair that was the same. d\u2032 does not depend on how readily a participant says &ldquo;same&rdquo;; the "
+           "criterion c measures that. 1/2 is added to each count and 1 to each number of pairs (Hautus 1995). Intervals are by "
+           "the jackknife: over participants, or over participants and fabrics. The answers of all participants are pooled. So "
+           "d\u2032 comes out somewhat too small where their criteria differ. The share correct is tested against 1/2, because "
+           "half of the pairs are the same: whoever feels no difference gets half of them right on average.";
+}
+
 std::string matchesParagraph(const StudyData& data, const ChoiceQuestions& questions)
 {
     return "<b>Matches.</b> &ldquo;Matches per rendering&rdquo; is the share correct times the number of participants (" +
@@ -103,7 +117,8 @@ std::string matchesParagraph(const StudyData& data, const ChoiceQuestions& quest
            "the "
            "mean share. The ends of its interval are the d\u2032 of the ends of the interval of the share: 0 at or below chance, "
            "unbounded at 1. The CSV file also has the two-sided t test of the participants' shares against " +
-           chanceText(questions) + ". Choices have no equivalence test, because the protocol states no bounds for them.";
+           chanceText(questions) + ". Choices have no equivalence test, because the protocol states no bounds for them." +
+           hitsSentences(questions);
 }
 
 std::string pairsParagraph()

@@ -66,6 +66,51 @@ Table matchesByFabricTable(const StudyAnalysis& analysis, const ChoiceQuestion& 
     return table;
 }
 
+/// What participants said to pairs that were the same, and to pairs that differed.
+Table hitsTable(const StudyAnalysis& analysis, const ChoiceQuestion& question)
+{
+    Table table{
+        lowerCase(question.id()) + "_hits",
+        question.id() +
+            ": “same” said of pairs that were the same (hits) and of pairs that differed (false alarms); sensitivity d′ and "
+            "criterion c with 95 % intervals over participants, for these fabrics. c above 0: “different” is said more readily",
+        {"condition",
+         {"hits", ColumnUse::InCsv},
+         {"same pairs", ColumnUse::InCsv},
+         {"false alarms", ColumnUse::InCsv},
+         {"different pairs", ColumnUse::InCsv},
+         {"hits of same pairs", ColumnUse::InDocuments},
+         {"false alarms of different pairs", ColumnUse::InDocuments},
+         "hit rate",
+         "false-alarm rate",
+         "d′",
+         {"d′ low", ColumnUse::InCsv},
+         {"d′ high", ColumnUse::InCsv},
+         {"95 % CI of d′", ColumnUse::InDocuments},
+         "c",
+         {"c low", ColumnUse::InCsv},
+         {"c high", ColumnUse::InCsv},
+         {"95 % CI of c", ColumnUse::InDocuments}},
+        {}};
+    const auto outOf = [](std::size_t said, std::size_t pairs) {
+        return numericTextCell(std::to_string(said) + "/" + std::to_string(pairs));
+    };
+    for (std::size_t i = 0; i < analysis.data.conditions.size(); ++i) {
+        const stats::MatchSensitivity& matches = *question.findings.conditions[i].matches;
+        const stats::MatchCounts& counts = matches.counts;
+        const stats::Interval& dPrime = matches.dPrime.overParticipants;
+        const stats::Interval& criterion = matches.criterion.overParticipants;
+        table.rows.push_back({conditionCell(analysis.data.conditions[i]), countCell(counts.hits), countCell(counts.same),
+                              countCell(counts.falseAlarms), countCell(counts.different), outOf(counts.hits, counts.same),
+                              outOf(counts.falseAlarms, counts.different), numberCell(matches.hitRate, 2),
+                              numberCell(matches.falseAlarmRate, 2), numberCell(matches.dPrime.estimate, 2),
+                              numberCell(dPrime.low, 2), numberCell(dPrime.high, 2), intervalCell(dPrime, 2),
+                              numberCell(matches.criterion.estimate, 2), numberCell(criterion.low, 2),
+                              numberCell(criterion.high, 2), intervalCell(criterion, 2)});
+    }
+    return table;
+}
+
 }  // namespace
 
 std::vector<ReportTable> choiceTables(const StudyAnalysis& analysis)
@@ -73,6 +118,9 @@ std::vector<ReportTable> choiceTables(const StudyAnalysis& analysis)
     std::vector<ReportTable> tables;
     for (const ChoiceQuestion& question : questionsWith<ChoiceAnalysis>(analysis)) {
         tables.push_back({.table = matchesTable(analysis, question), .section = PageSection::Matches, .question = question.id()});
+        if (ruleOfDPrime(question.findings) == DPrimeRule::OfHits)
+            tables.push_back(
+                {.table = hitsTable(analysis, question), .section = PageSection::Matches, .question = question.id()});
         tables.push_back({.table = matchesByFabricTable(analysis, question),
                           .section = PageSection::Matches,
                           .question = question.id(),

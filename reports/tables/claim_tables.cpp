@@ -102,8 +102,10 @@ Table chanceTable(const std::string& id, const ChoiceAnalysis& choices)
 {
     Table table{"above_chance_" + lowerCase(id),
                 id + ": mean share correct against chance 1/" + std::to_string(choices.alternatives) +
-                    ", with participants and fabrics as samples, Holm's correction over the conditions; d′ of that share, "
-                    "whose interval is that of the share in units of d′",
+                    ", with participants and fabrics as samples, Holm's correction over the conditions; " +
+                    (ruleOfDPrime(choices) == DPrimeRule::OfHits
+                         ? "d′ of hits and false alarms, with intervals by the jackknife"
+                         : "d′ of that share, whose interval is that of the share in units of d′"),
                 {"condition",
                  "holds for",
                  "share",

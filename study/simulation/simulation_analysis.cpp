@@ -196,8 +196,9 @@ reports::RatingAnalysis ratingsOf(const StudyData& data, const QuestionCells& ce
     return ratings;
 }
 
-reports::ConditionChoices choicesUnder(const QuestionCells& cells, std::size_t condition, int alternatives)
+reports::ConditionChoices choicesUnder(const QuestionCells& cells, std::size_t condition, const reports::RightOrWrong& scoring)
 {
+    const int alternatives = scoring.alternatives;
     const double chance = 1.0 / alternatives;
     reports::ConditionChoices under;
     for (std::size_t f = 0; f < cells.fabrics(); ++f) {
@@ -217,6 +218,11 @@ reports::ConditionChoices choicesUnder(const QuestionCells& cells, std::size_t c
                    : Value::undefined("there are no trials");
     under.againstChance = stats::binomialTest(correct, trials, chance);
     under.participantsAgainstChance = stats::oneSampleTTest(cells.means(condition), {.mu = chance});
+    if (scoring.isSameDifferent) {
+        under.dPrime = under.dPrimeSe =
+            Value::undefined("a simulation in memory keeps right and wrong, not hits and false alarms");
+        return under;
+    }
     const auto sensitivity = stats::forcedChoice(correct, trials, alternatives);
     under.dPrime = sensitivity.dPrime;
     under.dPrimeSe = sensitivity.seDPrime;
@@ -256,13 +262,14 @@ std::vector<reports::ConditionSpeed> speedOf(const QuestionCells& cells, int alt
     return speeds;
 }
 
-reports::ChoiceAnalysis choicesOf(const StudyData& data, const QuestionCells& cells, int alternatives)
+reports::ChoiceAnalysis choicesOf(const StudyData& data, const QuestionCells& cells, const reports::RightOrWrong& scoring)
 {
+    const int alternatives = scoring.alternatives;
     reports::ChoiceAnalysis choices;
     choices.alternatives = alternatives;
     std::vector<Value> p;
     for (std::size_t c = 0; c < cells.conditions(); ++c) {
-        choices.conditions.push_back(choicesUnder(cells, c, alternatives));
+        choices.conditions.push_back(choicesUnder(cells, c, scoring));
         p.push_back(choices.conditions.back().againstChance.pGreater);
     }
     const auto holm = stats::adjusted(p, stats::Adjustment::Holm);
@@ -311,7 +318,7 @@ StudyAnalysis analysisOf(const MemoryStudy& study, const std::vector<SimulatedAn
         const auto addChoices = [&](const reports::RightOrWrong& choice) {
             const QuestionCells cells(study, analysed, q, 1);
             analysis.completeness.present += cells.answered();
-            auto choices = choicesOf(data, cells, choice.alternatives);
+            auto choices = choicesOf(data, cells, choice);
             if (!std::exchange(hasSpeed, true)) analysis.speed = choices.speed.conditions;
             analysis.questions.push_back({data.questions[q], std::move(choices), {}, {}});
         };

@@ -180,8 +180,14 @@ private Q_SLOTS:
     {
         StudyData data = slotsOf(20, 20, protocols::SameDifferent{});
         for (StudyResponse& response : data.responses) std::get<ChosenAnswer>(response.content).answer = "different";
-        QCOMPARE(flagged(data),
-                 (QStringList{"P01 slot_bias: Q1: the answer \"different\" was chosen in 20 of 20 trials (p < .001)"}));
+        QCOMPARE(flagged(data), (QStringList{"P01 slot_bias: Q1: the answer \"different\" was given in all 20 trials"}));
+    }
+
+    void aTendencyToSaySameIsNoFault()
+    {
+        StudyData data = slotsOf(19, 20, protocols::SameDifferent{});
+        for (StudyResponse& response : data.responses) std::get<ChosenAnswer>(response.content).answer = "same";
+        QCOMPARE(flagged(data), QStringList());
     }
 
     void slotsOfNineTrialsAreNotJudged() { QCOMPARE(flagged(slotsOf(9, 9, protocols::ForcedChoice{3})), QStringList()); }

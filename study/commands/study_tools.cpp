@@ -15,6 +15,7 @@
 #include "study/records/blinded_report.h"
 #include "study/records/evidence/data_sheet.h"
 #include "study/records/evidence/data_sheet_text.h"
+#include "study/records/shown_origin.h"
 #include "study/records/stored_study.h"
 #include "study/records/study_faults.h"
 #include "study/records/study_status.h"
@@ -99,7 +100,8 @@ app::ToolOutcome reported(const ToolCall& call)
                                                call.progress(total > 0 ? 1.0 * done / total : 0.0, step);
                                            }};
     reports::writeReport(reports::analyse(std::move(*data), options), call.out,
-                         {textOf(call.store.head()), call.store.facts().madeWith}, reports::allDocuments());
+                         {textOf(call.store.head()), records::shownMadeWith(call.store, call.store.facts())},
+                         reports::allDocuments());
     return recorded(call, "report", "Open index.html in a browser.\n");
 }
 

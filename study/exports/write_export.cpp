@@ -25,6 +25,7 @@
 #include "study/records/blinded_report.h"
 #include "study/records/evidence/exported_log.h"
 #include "study/records/evidence/exported_samples.h"
+#include "study/records/shown_origin.h"
 #include "study/records/stored_study.h"
 
 namespace study::exports {
@@ -269,7 +270,7 @@ void writeCsvTables(const Export& job, const std::vector<ExportedTable>& tables)
 /// Studies of earlier versions may not know it.
 ordered_json madeWithOf(const Export& job)
 {
-    ordered_json made = ordered_json::parse(job.facts.madeWith, nullptr, false);
+    ordered_json made = ordered_json::parse(records::shownMadeWith(job.store, job.facts), nullptr, false);
     return made.is_object() ? made : ordered_json::object();
 }
 

@@ -13,7 +13,7 @@
 #include "database/study_store.h"
 #include "protocols/records/balance.h"
 #include "rendering/cache/result_cache.h"
-#include "study/making/own_program.h"
+#include "study/making/own/own_program.h"
 
 namespace study::making {
 

@@ -56,17 +56,6 @@ std::string counted(std::size_t conditions)
     return conditions == 1 ? "1 condition shows" : std::to_string(conditions) + " conditions show";
 }
 
-/// "python3 (SHA-256 0123456789ab...) with render.py (SHA-256 ...)". The stamp stands in blinded reports, so it has no condition.
-std::string inBrief(const UsedProgram& used)
-{
-    const auto named = [](const std::filesystem::path& file, const std::string& sha256) {
-        return file.filename().string() + " (SHA-256 " + sha256.substr(0, 12) + "…)";
-    };
-    std::string text = named(used.program.program, used.sha256);
-    for (const auto& [file, sha256] : used.filesSha256) text += " with " + named(file, sha256);
-    return text;
-}
-
 void readModel(const NewStudy& request, StudyMaterial& material)
 {
     namespace models = rendering::models;
@@ -122,9 +111,8 @@ void addProgramImages(const NewStudy& request, StudyMaterial& material,
     material.own.images.merge(made.own.images);
     material.own.sha256.merge(made.own.sha256);
     material.own.warnings.insert(material.own.warnings.end(), made.own.warnings.begin(), made.own.warnings.end());
-    for (const UsedProgram& used : made.used)
-        material.stamps.push_back("A program of the laboratory made the images of one condition: " + inBrief(used) +
-                                  ". How it makes them is not known to this program.");
+    material.stamps.push_back(counted(made.used.size()) +
+                              " images of a program of the laboratory. How they were made is not known to this program.");
     material.programs = std::move(made.used);
 }
 

@@ -11,8 +11,8 @@
 #include "rendering/composition/render_fabrics.h"
 #include "rendering/models/model_card_fields.h"
 #include "study/making/new_study.h"
-#include "study/making/own_images.h"
-#include "study/making/program_images.h"
+#include "study/making/own/own_images.h"
+#include "study/making/own/program_images.h"
 
 namespace study::making {
 

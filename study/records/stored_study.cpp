@@ -16,6 +16,7 @@
 #include "reports/text/plain_words.h"
 #include "study/records/participants_sentence.h"
 #include "study/records/registered_plan.h"
+#include "study/records/shown_origin.h"
 
 namespace study::records {
 
@@ -229,6 +230,7 @@ std::vector<std::string> stampsOf(const database::StudyStore& store, const datab
     if (withoutDisplay > 0)
         stamps.push_back(reports::counted(withoutDisplay, "sitting") +
                          " ran without a display: participants of these sittings felt no image on the glass.");
+    for (std::string& sentence : programSentences(store, facts)) stamps.push_back(std::move(sentence));
     return stamps;
 }
 

@@ -1,4 +1,4 @@
-#include "study/making/own_images.h"
+#include "study/making/own/own_images.h"
 
 #include <opencv2/core.hpp>
 #include <optional>

@@ -9,8 +9,8 @@
 
 #include "rendering/composition/render_fabrics.h"
 #include "rendering/fabrics/dataset.h"
-#include "study/making/own_images.h"
-#include "study/making/own_program.h"
+#include "study/making/own/own_images.h"
+#include "study/making/own/own_program.h"
 
 namespace study::making {
 

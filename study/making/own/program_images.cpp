@@ -1,4 +1,4 @@
-#include "study/making/program_images.h"
+#include "study/making/own/program_images.h"
 
 #include <sys/wait.h>
 

@@ -1,4 +1,4 @@
-#include "study/making/own_program.h"
+#include "study/making/own/own_program.h"
 
 #include <unistd.h>
 

@@ -152,6 +152,19 @@ void instruct(BlindedTrial& trial, const std::vector<Phase>& phases, int place)
     if (instruction.deadlineSeconds) trial.deadlineMs = static_cast<int>(std::lround(*instruction.deadlineSeconds * 1000));
 }
 
+/// The file of the image that a presentation of the design shows.
+const FileCode& fileCodeOf(const DesignTrial& trial, const Protocol& protocol, const std::vector<std::vector<FileCode>>& codes,
+                           const AllocationKey& key)
+{
+    const auto fabric = static_cast<std::size_t>(trial.fabric);
+    if (trial.label == catchTrialLabel) return codes.back().at(fabric);
+    if (trial.label != mismatchedLabel) return codes.at(static_cast<std::size_t>(trial.label)).at(fabric);
+    const ConditionId shown = anchorConditionOf(protocol, protocol.phases.at(static_cast<std::size_t>(trial.phase)).anchors);
+    const auto row = std::ranges::find(codes, shown, [&](const auto& own) { return key.entries.at(own.front()).condition; });
+    assert(row != codes.end() && "the condition of the anchors is one of the protocol's");
+    return row->at(fabric);
+}
+
 constexpr std::string_view boundToCodes = "vis2hap presentation";
 
 }  // namespace
@@ -203,8 +216,7 @@ Allocation allocate(const Protocol& protocol, const Design& design, const std::v
             BlindedTrial blinded;
             blinded.number = TrialNumber{static_cast<int>(list.size()) + 1};
             blinded.phase = trial.phase;
-            const auto& row = trial.label == catchTrialLabel ? codes.back() : codes.at(static_cast<std::size_t>(trial.label));
-            blinded.sealedCode = sealed(row.at(static_cast<std::size_t>(trial.fabric)), station);
+            blinded.sealedCode = sealed(fileCodeOf(trial, protocol, codes, allocation.key), station);
             blinded.presentationCode = presentationCodesOf.next();
             for (const int fabric : trial.alternatives)
                 blinded.alternatives.push_back(fabrics.at(static_cast<std::size_t>(fabric)));

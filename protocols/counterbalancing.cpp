@@ -53,13 +53,15 @@ std::vector<std::vector<Tray>> traysFor(const Phase& phase, const std::vector<st
 /// [participant][presentation] of one phase, under one instruction or none.
 using Lists = std::vector<std::vector<DesignTrial>>;
 
-Lists drawLists(const Phase& asked, int phase, const StudySize& size, std::uint64_t seed, const std::string& purpose)
+Lists drawLists(const Protocol& protocol, int phase, const StudySize& size, std::uint64_t seed, const std::string& purpose)
 {
+    const Phase& asked = protocol.phases[static_cast<std::size_t>(phase)];
     Random orderDraws = Random::stream(seed, purpose + "/orders");
     Random trayDraws = Random::stream(seed, purpose + "/trays");
     const auto orders = drawRunningOrders(size, orderDraws);
     auto trays = traysFor(asked, orders, size, trayDraws);
     Random catchDraws = Random::stream(seed, purpose + "/catch trials");
+    AnchorDraws anchorDraws(asked, size, protocol.breakAfterPresentations, Random::stream(seed, purpose + "/anchors"));
     Lists lists;
     for (std::size_t participant = 0; participant < orders.size(); ++participant) {
         std::vector<DesignTrial> trials;
@@ -67,6 +69,7 @@ Lists drawLists(const Phase& asked, int phase, const StudySize& size, std::uint6
             trials.push_back(
                 {phase, orders[participant][at].label, orders[participant][at].fabric, std::move(trays[participant][at])});
         if (asked.catchTrials > 0) trials = withCatchTrials(trials, asked, size.fabrics, asked.catchTrials, catchDraws);
+        if (asked.anchors.presentations() > 0) trials = anchorDraws.with(trials);
         lists.push_back(std::move(trials));
     }
     return lists;
@@ -81,12 +84,13 @@ void append(std::vector<DesignTrial>& list, const std::vector<DesignTrial>& tria
 }
 
 /// The whole list of the phase once under each instruction.
-void drawInstructed(Design& design, const Phase& asked, int phase, const StudySize& size, std::uint64_t seed,
+void drawInstructed(Design& design, const Protocol& protocol, int phase, const StudySize& size, std::uint64_t seed,
                     const std::string& purpose)
 {
+    const Phase& asked = protocol.phases[static_cast<std::size_t>(phase)];
     std::vector<Lists> byInstruction;
     for (int place = 0; place < asked.runs(); ++place)
-        byInstruction.push_back(drawLists(asked, phase, size, seed, purpose + "/instruction " + std::to_string(place)));
+        byInstruction.push_back(drawLists(protocol, phase, size, seed, purpose + "/instruction " + std::to_string(place)));
     Random draws = Random::stream(seed, purpose + "/instructions");
     const auto orders = drawInstructionOrders(size.participants, asked.runs(), draws);
     for (std::size_t participant = 0; participant < orders.size(); ++participant)
@@ -105,10 +109,10 @@ Design drawDesign(const Protocol& protocol, std::uint64_t seed)
     for (std::size_t phase = 0; phase < protocol.phases.size(); ++phase) {
         const std::string purpose = "design/phase " + std::to_string(phase);
         if (protocol.phases[phase].instructions.empty()) {
-            const Lists lists = drawLists(protocol.phases[phase], static_cast<int>(phase), size, seed, purpose);
+            const Lists lists = drawLists(protocol, static_cast<int>(phase), size, seed, purpose);
             for (std::size_t k = 0; k < lists.size(); ++k) append(design.participants[k], lists[k], std::nullopt);
         } else {
-            drawInstructed(design, protocol.phases[phase], static_cast<int>(phase), size, seed, purpose);
+            drawInstructed(design, protocol, static_cast<int>(phase), size, seed, purpose);
         }
     }
     return design;

@@ -14,14 +14,17 @@ namespace protocols {
 
 /// The label of a catch trial (blank glass). Catch trials are not balanced.
 constexpr int catchTrialLabel = -1;
+/// The label of a mismatched presentation, whose condition the protocol says.
+constexpr int mismatchedLabel = -2;
 
 /// One presentation of the design. All numbers count from 0.
 struct DesignTrial {
     int phase = 0;
-    int label = 0;                        ///< label of a condition, or catchTrialLabel
-    int fabric = 0;                       ///< the true fabric
+    int label = 0;                        ///< label of a condition, catchTrialLabel or mismatchedLabel
+    int fabric = 0;                       ///< the true fabric, which is that of the image
     std::vector<int> alternatives;        ///< fabrics in tray-slot order A, B, C ...; one entry in rating phases
     std::optional<int> instruction = {};  ///< place in Phase::instructions; none where the phase gives none
+    AnchorKind anchor = AnchorKind::None;
     bool operator==(const DesignTrial&) const = default;
 };
 
@@ -35,7 +38,8 @@ struct Design {
 /// equally often (counts differ by at most one where possible). Nothing repeats immediately. Foil pairs are equally frequent
 /// per true fabric and do not repeat within participant x true fabric. True slots are balanced per participant x fabric and per
 /// label. A phase with instructions has one such list for each of them; its lists follow one another in an order that is
-/// balanced over the participants (running_orders.h). Integer arithmetic only: the same seed gives the same design on every
+/// balanced over the participants (running_orders.h). Catch trials and anchors are put between the others (extra_trials.h) and
+/// change nothing of their order. Integer arithmetic only: the same seed gives the same design on every
 /// machine.
 Design drawDesign(const Protocol& protocol, std::uint64_t seed);
 

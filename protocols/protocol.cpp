@@ -71,6 +71,32 @@ void checkTask(const Protocol& p, const Phase& phase, const std::string& place, 
                          " questions with a right answer, expected one (and any number in free_text)");
 }
 
+/// The faults that make anchors impossible.
+void checkAnchors(const Protocol& p, const Phase& phase, const std::string& place, Faults& faults)
+{
+    const Anchors& anchors = phase.anchors;
+    const std::string mismatched = place + ".mismatched: " + std::to_string(anchors.mismatched);
+    const std::string repeated = place + ".repeated: " + std::to_string(anchors.repeated);
+    const auto isPossible = [&](int count) { return count >= 0 && count <= p.presentationsPerPhase(); };
+    const std::string possible =
+        ", expected 0 to " + std::to_string(p.presentationsPerPhase()) + ", the presentations of the phase";
+    if (!isPossible(anchors.mismatched)) faults.push_back(mismatched + possible);
+    if (!isPossible(anchors.repeated)) faults.push_back(repeated + possible);
+    if (anchors.repeated > 0 && p.presentationsPerPhase() == 1)
+        faults.push_back(repeated + ", expected 0: the phase has one presentation, so that none can lie between the two");
+    if (!anchors.condition.empty() && std::ranges::find(p.conditions, anchors.condition) == p.conditions.end())
+        faults.push_back(place + ".condition: '" + anchors.condition.value +
+                         "' is not among the conditions, expected one of the protocol's conditions");
+    if (anchors.mismatched < 1) return;
+    if (!std::holds_alternative<TrueAlone>(trayRuleOf(phase.task)))
+        faults.push_back(mismatched + ", expected 0: only a phase with a scale can have mismatched presentations");
+    if (p.fabricCount == 1)
+        faults.push_back(mismatched + ", expected 0: the study has one fabric, so that no other can lie on the tray");
+    if (!p.conditions.empty() && anchorConditionOf(p, anchors).empty())
+        faults.push_back(place +
+                         ".condition: is missing, expected one of the protocol's conditions, because none of them is measured");
+}
+
 void checkQuestions(const Phase& phase, const std::string& place, std::set<QuestionId>& seen, Faults& faults)
 {
     if (phase.questions.empty()) faults.push_back(place + ".questions: is empty, expected at least one question");
@@ -120,6 +146,7 @@ void checkPhases(const Protocol& p, Faults& faults)
         checkQuestions(p.phases[i], place, seen, faults);
         checkTask(p, p.phases[i], place, faults);
         checkInstructions(p.phases[i].instructions, place + ".instructions", faults);
+        checkAnchors(p, p.phases[i], place + ".anchors", faults);
     }
 }
 
@@ -199,7 +226,7 @@ void checkParticipantTexts(const Protocol& p, Faults& faults)
 int Protocol::presentations() const
 {
     int count = 0;
-    for (const Phase& phase : phases) count += (presentationsPerPhase() + phase.catchTrials) * phase.runs();
+    for (const Phase& phase : phases) count += (presentationsPerPhase() + phase.extraPresentations()) * phase.runs();
     return count;
 }
 
@@ -207,7 +234,7 @@ int Protocol::answersPerParticipant() const
 {
     int count = 0;
     for (const Phase& phase : phases)
-        count += (presentationsPerPhase() + phase.catchTrials) * phase.runs() * static_cast<int>(phase.questions.size());
+        count += (presentationsPerPhase() + phase.extraPresentations()) * phase.runs() * static_cast<int>(phase.questions.size());
     return count;
 }
 
@@ -266,6 +293,42 @@ SpeedAim speedAimNamed(std::string_view name)
 bool hasInstructions(const Protocol& protocol)
 {
     return std::ranges::any_of(protocol.phases, [](const Phase& phase) { return !phase.instructions.empty(); });
+}
+
+std::string nameOf(AnchorKind kind)
+{
+    switch (kind) {
+        case AnchorKind::Mismatched:
+            return "mismatched";
+        case AnchorKind::Repeated:
+            return "repeated";
+        case AnchorKind::None:
+            break;
+    }
+    return "";
+}
+
+std::optional<AnchorKind> anchorKindNamed(std::string_view name)
+{
+    for (const AnchorKind kind : {AnchorKind::Mismatched, AnchorKind::Repeated})
+        if (nameOf(kind) == name) return kind;
+    return std::nullopt;
+}
+
+bool hasAnchors(const Protocol& protocol)
+{
+    return std::ranges::any_of(protocol.phases, [](const Phase& phase) { return phase.anchors.presentations() > 0; });
+}
+
+ConditionId anchorConditionOf(const Protocol& protocol, const Anchors& anchors)
+{
+    if (!anchors.condition.empty()) return anchors.condition;
+    for (const std::string_view row : {"h&f", "h", "f", "t_grey", "gradient"})
+        for (const std::string_view quality : {"@accurate", "@balanced", "", "@fast"}) {
+            const ConditionId id(std::string(row) + std::string(quality));
+            if (std::ranges::find(protocol.conditions, id) != protocol.conditions.end()) return id;
+        }
+    return {};
 }
 
 const RatingScale* memorisedScaleOf(const Protocol& protocol)

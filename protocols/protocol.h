@@ -35,6 +35,25 @@ struct BlockInstruction {
     bool operator==(const BlockInstruction&) const = default;
 };
 
+/// What a presentation is beside those of the list.
+enum class AnchorKind {
+    None,        ///< one of the list, or a catch trial
+    Mismatched,  ///< the image of one fabric, with another fabric on the tray
+    Repeated,    ///< a presentation of the list for the second time
+};
+
+/// Presentations beside those of a phase's list. Mismatched ones show the least that ratings can be (the floor). Repeated ones
+/// show how well answers agree with themselves, and so the most that they can reach (the ceiling). No analysis of a condition
+/// uses their answers.
+struct Anchors {
+    int mismatched = 0;     ///< of a phase of ratings
+    int repeated = 0;       ///< of any phase
+    ConditionId condition;  ///< whose images are mismatched; empty: none is named (see anchorConditionOf)
+
+    int presentations() const { return mismatched + repeated; }
+    bool operator==(const Anchors&) const = default;
+};
+
 /// A run of presentations, each condition x fabric once. Its questions are asked one after another in every presentation.
 /// `catchTrials` more presentations leave the glass blank. With instructions the whole run is repeated under each of them, so
 /// that every condition x fabric is answered under every instruction; the participants' orders of the instructions differ.
@@ -44,7 +63,10 @@ struct Phase {
     int catchTrials = 0;
     TrayAim trayAim = TrayAim::EvenSlots;  ///< of a choice phase
     std::vector<BlockInstruction> instructions = {};
+    Anchors anchors = {};
 
+    /// Presentations of one run beside each condition x fabric.
+    int extraPresentations() const { return catchTrials + anchors.presentations(); }
     /// How often the run is repeated: the number of instructions, or once.
     int runs() const { return instructions.empty() ? 1 : static_cast<int>(instructions.size()); }
     bool operator==(const Phase&) const = default;
@@ -97,9 +119,9 @@ struct Protocol {
     /// Recordings for the headphones by key (isPromptKey()): names of WAV files beside the protocol.
     std::map<std::string, std::string> prompts;
 
-    /// Conditions x fabrics, without catch trials, under one instruction.
+    /// Conditions x fabrics, without catch trials and anchors, under one instruction.
     int presentationsPerPhase() const { return fabricCount * static_cast<int>(conditions.size()); }
-    /// Presentations for one participant, with catch trials.
+    /// Presentations for one participant, with catch trials and anchors.
     int presentations() const;
     int answersPerParticipant() const;
     /// Planned time without breaks.
@@ -128,6 +150,18 @@ SpeedAim speedAimNamed(std::string_view name);
 
 /// Whether any phase instructs the participant.
 bool hasInstructions(const Protocol& protocol);
+
+/// "mismatched", "repeated"; empty for none.
+std::string nameOf(AnchorKind kind);
+/// Empty for any other name.
+std::optional<AnchorKind> anchorKindNamed(std::string_view name);
+
+/// Whether any phase has anchors.
+bool hasAnchors(const Protocol& protocol);
+
+/// The condition of mismatched images: the one that the anchors name, else the best measured one of the protocol. That is the
+/// first of h&f, h, f, t_grey and gradient that it has, at its best quality. Empty where the protocol has none of them.
+ConditionId anchorConditionOf(const Protocol& protocol, const Anchors& anchors);
 
 /// The scale that the participants memorise: that of the first phase with ratings; null where nothing is rated.
 const RatingScale* memorisedScaleOf(const Protocol& protocol);

@@ -66,11 +66,21 @@ BlockInstruction instructionFrom(const ProtocolPart& part)
     return instruction;
 }
 
+Anchors anchorsFrom(const ProtocolPart& part)
+{
+    Anchors anchors;
+    anchors.mismatched = part.whole("mismatched", anchors.mismatched);
+    anchors.repeated = part.whole("repeated", anchors.repeated);
+    if (part.has("condition")) anchors.condition = conditionFrom(part.text("condition", ""));
+    return anchors;
+}
+
 Phase phaseFrom(const ProtocolPart& part, const ProtocolPart& texts, const std::string& place, ProtocolEdition edition)
 {
     Phase phase;
     phase.task = taskOf(part, place);
     phase.catchTrials = part.whole("catch_trials", phase.catchTrials);
+    phase.anchors = anchorsFrom(part.part("anchors"));
     if (part.yesOrNo("few_swaps", false)) phase.trayAim = TrayAim::FewSwaps;
     if (part.has("few_swaps") && !std::holds_alternative<ForcedChoice>(phase.task))
         part.faults().add(place + ".few_swaps: the tray has one piece, expected a phase with alternatives");

@@ -52,7 +52,7 @@ PhaseTrials trialsOf(const Design& design, const ListOfPhase& list)
     for (const auto& participant : design.participants) {
         auto& own = trials.emplace_back();
         std::ranges::copy_if(participant, std::back_inserter(own),
-                             [&](const DesignTrial& t) { return isIn(list, t) && t.label != catchTrialLabel; });
+                             [&](const DesignTrial& t) { return isIn(list, t) && t.label >= 0 && t.anchor == AnchorKind::None; });
     }
     return trials;
 }
@@ -195,7 +195,7 @@ std::string nameOf(const Phase& phase, std::optional<int> instruction)
     return name + " (" + phase.instructions.at(static_cast<std::size_t>(*instruction)).id.value + ")";
 }
 
-/// With the pieces of catch trials, which the operator lays, too.
+/// With the pieces of catch trials and anchors, which the operator lays, too.
 std::optional<BalanceCertificate::Handling> handlingOf(const Design& design, const ListOfPhase& list, const std::string& name)
 {
     BalanceCertificate::Handling handling{name, 0, 0};

@@ -148,21 +148,19 @@ void flagSlotBias(const Examination& one)
     }
 }
 
-/// Blank glass should feel less like cloth than the renderings do.
-void flagBlankGlass(const Examination& one)
+/// Blank glass, and the image of another fabric, should get lower ratings than the renderings do.
+void flagRatedHigh(const Examination& one, const std::vector<StudyResponse>& low, FlagKind kind, const std::string& what)
 {
-    std::vector<double> blank, renderings;
-    for (const StudyResponse& response : one.data.catchResponses)
+    std::vector<double> ratings, renderings;
+    for (const StudyResponse& response : low)
         if (const auto* rated = std::get_if<RatedAnswer>(&response.content); rated != nullptr)
-            if (response.participant == one.participant) blank.push_back(rated->rating);
+            if (response.participant == one.participant) ratings.push_back(rated->rating);
     for (const QuestionInfo& question : one.data.questions)
         if (isRating(question))
             for (const double rating : valuesOf(one.answers(question))) renderings.push_back(rating);
-    if (blank.size() < one.rules.fewestCatchRatings || renderings.size() < one.rules.fewestAnswers) return;
-    if (*stats::meanOf(blank) >= *stats::meanOf(renderings))
-        one.flag(
-            FlagKind::BlankGlassRatedHigh,
-            counted(blank.size(), "rating") + " of blank glass (catch trials) have at least the mean of the renderings' ratings");
+    if (ratings.size() < one.rules.fewestCatchRatings || renderings.size() < one.rules.fewestAnswers) return;
+    if (*stats::meanOf(ratings) >= *stats::meanOf(renderings))
+        one.flag(kind, counted(ratings.size(), "rating") + " of " + what + " have at least the mean of the renderings' ratings");
 }
 
 }  // namespace
@@ -182,6 +180,8 @@ std::string nameOf(FlagKind kind)
             return "slot_bias";
         case FlagKind::BlankGlassRatedHigh:
             return "blank_glass_rated_high";
+        case FlagKind::MismatchRatedHigh:
+            return "mismatch_rated_high";
         case FlagKind::VoidedPresentations:
             return "voided_presentations";
     }
@@ -198,7 +198,8 @@ std::vector<QualityFlag> qualityFlags(const StudyData& data, const AnswerCells& 
         flagStraightLining(one);
         flagSameAcross(one);
         flagSlotBias(one);
-        flagBlankGlass(one);
+        flagRatedHigh(one, data.catchResponses, FlagKind::BlankGlassRatedHigh, "blank glass (catch trials)");
+        flagRatedHigh(one, data.mismatchedResponses, FlagKind::MismatchRatedHigh, "mismatched presentations (another fabric)");
     }
     if (data.voided > 0)
         flags.push_back({std::nullopt, FlagKind::VoidedPresentations,
@@ -208,6 +209,14 @@ std::vector<QualityFlag> qualityFlags(const StudyData& data, const AnswerCells& 
 }
 
 std::vector<QualityFlag> qualityFlags(const StudyData& data) { return qualityFlags(data, AnswerCells(data)); }
+
+std::string mismatchRule(const QualityRules& rules)
+{
+    return "mismatch_rated_high: the mean rating of mismatched presentations (another fabric on the tray) is not below the mean "
+           "of "
+           "the other ratings. It needs at least " +
+           std::to_string(rules.fewestCatchRatings) + " such ratings.";
+}
 
 std::vector<std::string> ruleSentences(const QualityRules& rules)
 {
@@ -221,8 +230,7 @@ std::vector<std::string> ruleSentences(const QualityRules& rules)
             " of the presentations got the same number for every rating question.",
         "Both flags on equal ratings have a known weakness: a participant who feels no difference also gives such ratings.",
         "blank_glass_rated_high: the mean rating of blank glass (catch trials) is not below the mean of the other ratings. It "
-        "needs "
-        "at least " +
+        "needs at least " +
             std::to_string(rules.fewestCatchRatings) + " ratings of blank glass.",
         "slot_bias: the participant chose one tray slot more often than 1/m (exact binomial test, p times the number of slots "
         "below " +

@@ -16,7 +16,7 @@ struct QualityRules {
     double sameRatingShare = 0.5;        ///< one rating in at least this share of a question's answers
     double sameAcrossShare = 0.8;        ///< the same number to all rating questions of a presentation
     std::size_t fewestAnswers = 10;      ///< no share is judged below this number of answers
-    std::size_t fewestCatchRatings = 3;  ///< no mean rating of blank glass is judged below this number
+    std::size_t fewestCatchRatings = 3;  ///< no mean rating of blank glass or of mismatches is judged below this number
     double slotBiasP = 0.01;             ///< exact test of the favourite slot against 1/m, times m slots
 };
 
@@ -27,6 +27,7 @@ enum class FlagKind {
     SameAcrossQuestions,
     SlotBias,
     BlankGlassRatedHigh,
+    MismatchRatedHigh,
     VoidedPresentations,
 };
 
@@ -45,7 +46,10 @@ std::vector<QualityFlag> qualityFlags(const StudyData& data, const AnswerCells& 
 /// The same for a caller that needs nothing else of the analysis.
 std::vector<QualityFlag> qualityFlags(const StudyData& data);
 
-/// The rules as sentences.
+/// The rule of MismatchRatedHigh, for studies with anchors. It is no reason to exclude anybody.
+std::string mismatchRule(const QualityRules& rules = {});
+
+/// The rules of every study as sentences. Registered plans contain them.
 std::vector<std::string> ruleSentences(const QualityRules& rules = {});
 
 }  // namespace reports

@@ -54,8 +54,8 @@ StudyData withoutFlagged(StudyData data, const Screening& screening)
     for (const ExcludedParticipant& one : screening.excluded) excluded.insert(one.participant);
     const auto isExcluded = [&](const auto& of) { return excluded.contains(of.participant); };
     std::erase_if(data.participants, [&](const std::string& participant) { return excluded.contains(participant); });
-    std::erase_if(data.responses, isExcluded);
-    std::erase_if(data.catchResponses, isExcluded);
+    for (auto* responses : {&data.responses, &data.catchResponses, &data.mismatchedResponses, &data.repeatedResponses})
+        std::erase_if(*responses, isExcluded);
     std::erase_if(data.groupOf, [&](const auto& entry) { return excluded.contains(entry.first); });
     data.expectedResponses = 0;  // unknown for a part of the study
     return data;

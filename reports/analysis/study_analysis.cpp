@@ -110,6 +110,7 @@ StudyAnalysis analyse(StudyData data, const AnalysisOptions& options)
         if (const auto found = falseClaimsOf(data, cells, question, options.resimulated)) analysis.falseClaims.push_back(*found);
     analysis.speed = firstSpeedOf(analysis, data);
     if (!data.touches.empty()) analysis.touch = touchByCondition(data);
+    analysis.anchors = anchorsOf(data, cells);
     analysis.order = orderEffectsOf(analysis, data, cells);
     analysis.flags = qualityFlags(data, cells);
     analysis.screening = screenParticipants(data, cells, analysis.flags);

@@ -15,6 +15,7 @@
 #include "reports/analysis/screening.h"
 #include "reports/analysis/speed_analysis.h"
 #include "reports/analysis/worded_analysis.h"
+#include "reports/cells/anchor_answers.h"
 #include "reports/cells/touch_by_condition.h"
 #include "reports/data/analysis_options.h"
 #include "reports/data/study_data.h"
@@ -44,6 +45,7 @@ struct StudyAnalysis {
     Depth depth = Depth::Whole;
     std::vector<QuestionAnalysis> questions;  ///< in the order of the study
     std::vector<ConditionSpeed> speed;        ///< by condition, of the first choice question
+    std::vector<QuestionAnchors> anchors;     ///< of questions with answers to anchors
     std::vector<ConditionTouch> touch;        ///< by condition; empty without samples of the finger
     OrderEffects order;
     std::vector<QualityFlag> flags;

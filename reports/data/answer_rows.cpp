@@ -10,6 +10,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/foreign/foreign_table.h"
 #include "protocols/files/number_text.h"
+#include "protocols/protocol.h"
 #include "reports/text/plain_words.h"
 
 namespace reports {
@@ -53,10 +54,23 @@ bool isExport(const CsvTable& table)
            table.column("wall_time");
 }
 
+constexpr const char* anchorColumn = "anchor";
+
+/// Whether the table has such a column, and it holds only kinds of anchors.
+bool namesAnchors(const CsvTable& table)
+{
+    const auto column = table.column(anchorColumn);
+    return column && std::ranges::all_of(table.rows, [&](const auto& row) {
+               return protocols::isMissing(row[*column]) || protocols::anchorKindNamed(row[*column]);
+           });
+}
+
 class LongTable {
 public:
-    LongTable(const CsvTable& table, int alternatives) : m_table(table), m_alternatives(alternatives)
+    LongTable(const CsvTable& table, int alternatives)
+        : m_table(table), m_alternatives(alternatives), m_keys(keyColumns.begin(), keyColumns.end())
     {
+        if (namesAnchors(table)) m_keys.emplace_back(anchorColumn);
         m_seconds = table.column("seconds");
         const auto response = table.column("response_seconds");
         if (response && allPresent(*response)) m_seconds = response;
@@ -69,7 +83,7 @@ public:
         writeHeader(rows.table);
         for (std::size_t row = 0; row < m_table.rows.size(); ++row) addAnswer(rows, row);
         for (const std::string& column : m_table.columns)
-            if (std::ranges::find(keyColumns, column) == keyColumns.end() &&
+            if (std::ranges::find(m_keys, column) == m_keys.end() &&
                 std::ranges::find(answerColumns, column) == answerColumns.end() && column != "place")
                 rows.unused.push_back(column);
     }
@@ -132,7 +146,7 @@ private:
 
     void writeHeader(CsvTable& wide)
     {
-        for (const std::string_view key : keyColumns)
+        for (const std::string_view key : m_keys)
             if (m_table.column(key)) wide.columns.emplace_back(key);
         for (const std::string& id : m_order) {
             Columns& columns = m_questions[id];
@@ -149,8 +163,10 @@ private:
             return;
         }
         std::vector<std::string> key;
-        for (const std::string_view column : keyColumns)
+        for (const std::string_view column : m_keys)
             if (const auto index = m_table.column(column)) key.push_back(m_table.rows[row][*index]);
+        if (m_keys.back() == anchorColumn && m_trial && !protocols::isMissing(key.back()))
+            key.back() += " " + m_table.rows[row][*m_trial];
         const auto [place, isNew] = m_places.emplace(key, rows.table.rows.size());
         if (isNew) {
             rows.table.rows.push_back(key);
@@ -176,6 +192,7 @@ private:
 
     const CsvTable& m_table;
     int m_alternatives;
+    std::vector<std::string_view> m_keys;  ///< columns that belong to the whole row
     std::optional<std::size_t> m_seconds, m_trial;
     std::map<std::string, Columns> m_questions;
     std::vector<std::string> m_order;
@@ -210,6 +227,7 @@ AnswerRows readAnswerRows(const std::filesystem::path& file, const AnswerRowsOpt
     if (!foreign.isUsual) rows.taken = foreign.taken;
     rows.isOwnExport = isExport(foreign.table);
     nameTheOnlyQuestion(foreign.table);
+    rows.hasAnchors = namesAnchors(foreign.table);
     if (!foreign.table.column("question")) {
         rows.table = std::move(foreign.table);
         return rows;

@@ -238,7 +238,7 @@ private:
             m_unused.push_back(name.empty() ? "a column without a name" : name);
     }
 
-    /// "trial", "sitting" and "instruction" hold for every question of the row, "Q1_trial" and "Q1_sitting" for one.
+    /// "trial", "sitting", "instruction" and "anchor" hold for every question of the row, "Q1_trial" and "Q1_sitting" for one.
     bool isPlaceColumn(const std::string& name, std::size_t index)
     {
         if (name == "trial")
@@ -247,6 +247,8 @@ private:
             m_sitting = index;
         else if (name == "instruction")
             m_instruction = index;
+        else if (name == "anchor" && m_rows.hasAnchors)
+            m_anchor = index;
         else if (const auto shown = stem(name, "_trial"))
             question(*shown).trial = index;
         else if (const auto sat = stem(name, "_sitting"))
@@ -329,6 +331,21 @@ private:
         return !m_instruction || protocols::isMissing(cell(row, *m_instruction)) ? std::string() : cell(row, *m_instruction);
     }
 
+    /// "mismatched 12", "repeated"; empty for a row of the list.
+    std::string anchorOf(std::size_t row) const
+    {
+        return !m_anchor || protocols::isMissing(cell(row, *m_anchor)) ? std::string() : cell(row, *m_anchor);
+    }
+
+    /// Where the answers of such a row are kept.
+    std::vector<StudyResponse>& responsesOf(const std::string& anchor, bool isCatch)
+    {
+        const auto kind = protocols::anchorKindNamed(anchor.substr(0, anchor.find(' ')));
+        if (kind == protocols::AnchorKind::Mismatched) return m_data.mismatchedResponses;
+        if (kind == protocols::AnchorKind::Repeated) return m_data.repeatedResponses;
+        return isCatch ? m_data.catchResponses : m_data.responses;
+    }
+
     /// The question knows the instruction of its answer: the protocol's, or one that the file names first here.
     void learnInstruction(QuestionColumns& columns, const std::string& given)
     {
@@ -362,16 +379,18 @@ private:
         const std::string fabric = named(row, "fabric");
         const std::string condition = conditionOf(named(row, "condition"));
         const std::string repetition = repetitionOf(row);
-        if (!m_seen.insert({participant, fabric, condition, repetition}).second)
+        const std::string anchor = anchorOf(row);
+        if (!m_seen.insert({participant, fabric, condition, repetition, anchor}).second)
             fail("the answers of " + participant + " to " + fabric + " under " + condition +
-                     (repetition.empty() ? "" : " in " + repetition) + " occur twice",
+                     (repetition.empty() ? "" : " in " + repetition) + (anchor.empty() ? "" : " (" + anchor + ")") +
+                     " occur twice",
                  nameOf(row),
                  "one row a participant, fabric and condition, or a column `repetition`, `session` or `instruction`");
-        ++m_rowsOfCell[{participant, fabric, condition}];
+        if (anchor.empty()) ++m_rowsOfCell[{participant, fabric, condition}];
         readGroup(row, participant);
         remember(m_data.participants, participant);
         const bool isCatch = m_rows.isOwnExport && condition == protocols::catchTrialId().value;
-        if (!isCatch) {
+        if (!isCatch && anchor.empty()) {
             remember(m_data.fabrics, fabric);
             remember(m_data.conditions, condition);
         }
@@ -390,7 +409,7 @@ private:
                 response.instruction = instruction;
                 learnInstruction(columns, instruction);
                 response.late = isLate(columns.info, instruction, taken);
-                (isCatch ? m_data.catchResponses : m_data.responses).push_back(std::move(response));
+                responsesOf(anchor, isCatch).push_back(std::move(response));
             }
     }
 
@@ -455,9 +474,10 @@ private:
     StudyData m_data;
     std::vector<std::string> m_unused;  ///< columns that are not analysed
     std::vector<QuestionColumns> m_questions;
-    std::optional<std::size_t> m_trial, m_sitting, m_instruction;
+    std::optional<std::size_t> m_trial, m_sitting, m_instruction, m_anchor;
     std::map<std::string, std::vector<std::string>> m_sessions;  ///< of each participant, in the order of the rows
-    std::set<std::tuple<std::string, std::string, std::string, std::string>> m_seen;  ///< cells with their repetitions
+    /// Cells with their repetitions and anchors.
+    std::set<std::tuple<std::string, std::string, std::string, std::string, std::string>> m_seen;
     std::map<std::tuple<std::string, std::string, std::string>, std::size_t> m_rowsOfCell;
 };
 

@@ -144,16 +144,19 @@ struct StudyData {
     std::vector<std::string> protocolChanges;  ///< parts in which it differs from the plan: "equivalence bounds"
     std::vector<StudyResponse> responses;
     std::vector<StudyResponse> catchResponses;  ///< to blank glass; only quality flags use them
-    std::vector<std::string> withdrawn;         ///< participants who withdrew; their answers are not analysed
-    std::string participantsSentence;           ///< who took part, by the facts they gave; empty: none were asked
-    std::vector<TouchedPresentation> touches;   ///< analysed presentations with samples of the finger
-    std::vector<OperatorTaps> operatorTaps;     ///< in the order of the log
-    TimesTaken times = TimesTaken::AsRecorded;  ///< what `seconds` of the responses is
-    std::size_t voided = 0;                     ///< presentations that are kept but not analysed
-    std::size_t expectedResponses = 0;          ///< number in a complete study; 0: unknown
-    std::optional<SignalComparison> signals;    ///< none while blinded
-    std::vector<RenderingPrice> prices;         ///< empty while blinded, and where no condition carries a quality
-    std::vector<FrictionPicture> pictures;      ///< empty while blinded, and where the images are not at hand
+    /// To the image of `fabric` with another fabric on the tray; `condition` is empty while the study is blinded.
+    std::vector<StudyResponse> mismatchedResponses;
+    std::vector<StudyResponse> repeatedResponses;  ///< to presentations that came a second time
+    std::vector<std::string> withdrawn;            ///< participants who withdrew; their answers are not analysed
+    std::string participantsSentence;              ///< who took part, by the facts they gave; empty: none were asked
+    std::vector<TouchedPresentation> touches;      ///< analysed presentations with samples of the finger
+    std::vector<OperatorTaps> operatorTaps;        ///< in the order of the log
+    TimesTaken times = TimesTaken::AsRecorded;     ///< what `seconds` of the responses is
+    std::size_t voided = 0;                        ///< presentations that are kept but not analysed
+    std::size_t expectedResponses = 0;             ///< number in a complete study; 0: unknown
+    std::optional<SignalComparison> signals;       ///< none while blinded
+    std::vector<RenderingPrice> prices;            ///< empty while blinded, and where no condition carries a quality
+    std::vector<FrictionPicture> pictures;         ///< empty while blinded, and where the images are not at hand
 };
 
 /// Whether the answers are numbers, or right and wrong; words are neither.

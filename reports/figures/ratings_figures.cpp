@@ -92,6 +92,59 @@ void drawLegend(PlotFrame& plot, const std::vector<RatingQuestion>& questions)
     plot.drawRemark("mean, with 95 % interval over participants");
 }
 
+/// The end of a floor or a ceiling, named in the right margin.
+struct LineEnd {
+    double y;
+    std::string name, colour;
+};
+
+/// Names at equal heights would cover one another, so lower ones move down.
+void drawLineNames(PlotFrame& plot, std::vector<LineEnd> ends)
+{
+    constexpr double lineHeight = 15, gap = 6;
+    std::ranges::sort(ends, {}, &LineEnd::y);
+    double free = 0;
+    for (const LineEnd& end : ends) {
+        const double y = std::max(end.y, free);
+        plot.drawing().text({plot.rightEdge() + gap, y + 4}, protocols::escapedMarkup(end.name),
+                            {.size = 13, .anchor = protocols::SvgAnchor::Start, .colour = end.colour});
+        free = y + lineHeight;
+    }
+}
+
+/// Floor and ceiling of each question. A long id would not fit into the margin; the colour tells the question, too.
+void drawAnchors(PlotFrame& plot, const std::vector<RatingQuestion>& questions, const StudyAnalysis& analysis,
+                 const NumberOnScale& scale)
+{
+    constexpr std::size_t longestId = 4;
+    std::vector<LineEnd> ends;
+    for (std::size_t k = 0; k < questions.size(); ++k) {
+        const QuestionAnchors* anchors = anchorsOf(analysis.anchors, questions[k].id());
+        if (anchors == nullptr) continue;
+        const bool isNamed = questions.size() > 1 && questions[k].id().size() <= longestId;
+        const auto draw = [&](const stats::Value& value, const std::string& name, const std::string& dashes) {
+            if (!value.exists() || *value < scale.min || *value > scale.max) return;
+            const double y = plot.y(*value);
+            plot.drawing().line({plot.left(), y}, {plot.rightEdge(), y}, seriesColour(k), 1.6, dashes);
+            ends.push_back({y, name + (isNamed ? " " + questions[k].id() : std::string()), seriesColour(k)});
+        };
+        if (anchors->floor) draw(anchors->floor->mean, "floor", "2 4");
+        if (anchors->ratings) draw(anchors->ratings->meanCeiling.value, "ceiling", "8 5");
+    }
+    drawLineNames(plot, std::move(ends));
+}
+
+/// What the lines of the figure are; empty without any.
+std::string anchorsCaption(const StudyAnalysis& analysis)
+{
+    std::string text;
+    if (std::ranges::any_of(analysis.anchors, [](const QuestionAnchors& one) { return one.floor.has_value(); }))
+        text += " Dotted lines: floor, the mean rating with another fabric on the tray.";
+    if (std::ranges::any_of(analysis.anchors, [](const QuestionAnchors& one) { return one.ratings.has_value(); }))
+        text += " Dashed lines: ceiling, the highest mean that the noise of repeated answers allows.";
+    return text;
+}
+
 void drawMeans(PlotFrame& plot, const std::vector<RatingQuestion>& questions)
 {
     const auto n = static_cast<double>(questions.size());
@@ -125,13 +178,15 @@ std::vector<Figure> ratingsFigures(const StudyAnalysis& analysis, FigureWidth wi
                       .caption = stampedCaption(analysis.data, "Ratings by condition and question" +
                                                                    (groups.size() > 1 ? namesIn(questions) : std::string()) +
                                                                    ": means over ratings. Whiskers: 95 % interval of the "
-                                                                   "participants' means."),
+                                                                   "participants' means." +
+                                                                   anchorsCaption(analysis)),
                       .section = PageSection::Ratings};
         const NumberOnScale& scale = questions.front().findings.scale;
         PlotFrame plot({analysis.data.conditions, analysis.data.blinded}, scale.min, scale.max,
                        "Ratings by question and condition", figure.caption, {width, legendRows(questions, width)});
         plot.drawFrame("rating");
         drawLegend(plot, questions);
+        drawAnchors(plot, questions, analysis, scale);
         drawMeans(plot, questions);
         figure.svg = plot.drawing().finished();
         figures.push_back(std::move(figure));

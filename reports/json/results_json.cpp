@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/whole_file.h"
+#include "reports/json/anchors_json.h"
 #include "reports/json/chain_json.h"
 #include "reports/json/claims_json.h"
 #include "reports/json/json_fields.h"
@@ -234,6 +235,7 @@ JsonParts resultsParts(const StudyAnalysis& analysis, const ReportOrigin& origin
                     JsonMember{"comparisons", [of](const TakeRow& take) { addComparisons(take, *of); }},
                     JsonMember{"equivalence", [of](const TakeRow& take) { addEquivalences(take, *of); }}};
     for (auto& member : claimMembers(analysis)) parts.push_back(std::move(member));
+    parts.push_back(JsonMembers{[of] { return anchorsMember(*of); }});
     parts.push_back(JsonMember{"speed_accuracy", [of] { return speedPart(*of); }});
     parts.push_back(JsonMembers{[of] { return chainMember(*of); }});
     parts.push_back(JsonMembers{[of] { return signalsMember(of->data); }});

@@ -7,6 +7,7 @@
 #include "protocols/files/number_text.h"
 #include "reports/cells/finger_motion.h"
 #include "reports/cells/response_time.h"
+#include "reports/page/anchor_text.h"
 #include "reports/text/number_text.h"
 #include "reports/text/plain_words.h"
 
@@ -300,6 +301,7 @@ std::vector<std::string> methodParagraphs(const StudyAnalysis& analysis)
     if (!analysis.touch.empty()) paragraphs.push_back(touchParagraph());
     if (!analysis.data.operatorTaps.empty()) paragraphs.push_back(latencyParagraph());
     if (!analysis.order.questions.empty()) paragraphs.push_back(orderParagraph());
+    if (std::string anchors = anchorsMethod(analysis); !anchors.empty()) paragraphs.push_back(std::move(anchors));
     if (hasWords) paragraphs.push_back(wordsParagraph());
     paragraphs.push_back(participantsParagraph(analysis.data));
     paragraphs.push_back(missingParagraph());

@@ -1,6 +1,7 @@
 #include "reports/page/section_text.h"
 
 #include "protocols/files/markup_text.h"
+#include "reports/page/anchor_text.h"
 #include "reports/page/findings.h"
 #include "reports/page/html_parts.h"
 #include "reports/page/methods.h"
@@ -153,10 +154,11 @@ std::string instructionLead(const StudyAnalysis& analysis)
     return text;
 }
 
-std::string flagRules()
+std::string flagRules(const StudyData& data)
 {
     std::vector<std::string> rules;
     for (const std::string& sentence : ruleSentences()) rules.push_back(protocols::escapedMarkup(sentence));
+    if (!data.mismatchedResponses.empty()) rules.push_back(protocols::escapedMarkup(mismatchRule()));
     return folded("Rules of the flags", bulletList(rules));
 }
 
@@ -168,9 +170,9 @@ std::string sectionLead(PageSection section, const StudyAnalysis& analysis)
         case PageSection::Summary:
             return summaryLead(analysis);
         case PageSection::Matches:
-            return questionTexts<ChoiceAnalysis>(analysis);
+            return questionTexts<ChoiceAnalysis>(analysis) + choiceAnchorsText(analysis);
         case PageSection::Ratings:
-            return questionTexts<RatingAnalysis>(analysis);
+            return questionTexts<RatingAnalysis>(analysis) + ratingAnchorsText(analysis);
         case PageSection::Words:
             return questionTexts<WordedAnalysis>(analysis);
         case PageSection::Claims:
@@ -215,7 +217,7 @@ std::string sectionLead(PageSection section, const StudyAnalysis& analysis)
 std::string sectionEnd(PageSection section, const StudyAnalysis& analysis)
 {
     if (section == PageSection::Summary) return bulletList(findings(analysis), "findings");
-    return section == PageSection::Quality ? flagRules() : std::string();
+    return section == PageSection::Quality ? flagRules(analysis.data) : std::string();
 }
 
 bool standsAlone(PageSection section)

@@ -1,7 +1,8 @@
 # Computes the main tables of the report again, and compares them with expected.csv.
 #   Rscript analysis.R          in this folder
 #   Rscript analysis.R all      also fits models that take longer than minutes
-# Reads answers.csv (one row an answer) and expected.csv (one row a number of the report); codebook.csv explains both.
+# Reads answers.csv (one row an answer), anchors.csv where there are any, and expected.csv (one row a number of the report);
+# codebook.csv explains them.
 # Base R computes means, t tests and two one-sided t tests. Linear mixed models need the packages lme4 and lmerTest, logistic ones
 # lme4, ordinal ones ordinal. Without a package the script leaves its numbers out and says so.
 #
@@ -82,6 +83,63 @@ equivalence <- function(question, a, b, low, high) {
   interval <- testOf(d, conf.level = 0.9)$conf.int
   list(n = length(d), mean_difference = mean(d), p_lower = below$p.value, p_upper = above$p.value,
        ci90_low = interval[1], ci90_high = interval[2])
+}
+
+# ---- anchors ----------------------------------------------------------------------------------------------------------------
+
+anchors <- if (file.exists("anchors.csv")) read.csv("anchors.csv", colClasses = "character", check.names = FALSE,
+                                                    encoding = "UTF-8", na.strings = "")
+anchorsOf <- function(question, kind) anchors[anchors$question == question & anchors$kind == kind, ]
+anchorFloor <- function(question) {
+  own <- anchorsOf(question, "mismatched")
+  value <- as.numeric(own$first)
+  means <- c(tapply(value, own$participant, mean))
+  interval <- if (length(means) > 1 && areEqual(means)) means[c(1, 1)] else testOf(means)$conf.int
+  list(n = length(value), mean = mean(value), sd = sd(value), ci95_low = interval[1], ci95_high = interval[2])
+}
+# ICC(2,1) of two answers each, from the table of the analysis of variance.
+intraclass <- function(x, y) {
+  n <- length(x)
+  target <- factor(rep(seq_len(n), 2))
+  squares <- anova(lm(c(x, y) ~ target + gl(2, n)))[["Mean Sq"]]
+  (squares[1] - squares[3]) / (squares[1] + squares[3] + 2 * (squares[2] - squares[3]) / n)
+}
+withinSd <- function(x, y) sqrt(mean((y - x)^2) / 2)
+# Interval over participants, each left out once, on the scale of `there`.
+jackknife <- function(own, statistic, there, back) {
+  of <- function(rows) there(statistic(rows$x, rows$y))
+  people <- unique(own$participant)
+  n <- length(people)
+  pseudo <- vapply(people, function(one) n * of(own) - (n - 1) * of(own[own$participant != one, ]), 0)
+  if (n < 3 || !all(is.finite(pseudo))) return(c(NA, NA))
+  back(of(own) + c(-1, 1) * qt(0.975, n - 1) * sd(pseudo) / sqrt(n))
+}
+anchorRatings <- function(question, top) {
+  own <- anchorsOf(question, "repeated")
+  own$x <- as.numeric(own$first)
+  own$y <- as.numeric(own$second)
+  icc <- intraclass(own$x, own$y)
+  noise <- withinSd(own$x, own$y)
+  shifts <- c(tapply(own$y - own$x, own$participant, mean))
+  iccEnds <- jackknife(own, intraclass, atanh, tanh)
+  sdEnds <- jackknife(own, withinSd, log, exp)
+  ends <- testOf(shifts)$conf.int
+  list(pairs = nrow(own), icc = icc, icc_ci95_low = iccEnds[1], icc_ci95_high = iccEnds[2], within_sd = noise,
+       within_sd_ci95_low = sdEnds[1], within_sd_ci95_high = sdEnds[2], mean_difference = mean(shifts), ci95_low = ends[1],
+       ci95_high = ends[2], ceiling_of_correlation = sqrt(max(0, icc)), ceiling_of_mean = top - noise / sqrt(2 * pi))
+}
+anchorChoices <- function(question, m) {
+  own <- anchorsOf(question, "repeated")
+  same <- own$first == own$second
+  pairs <- c(table(own$participant))
+  share <- mean(same)
+  squares <- sum((c(tapply(same, own$participant, sum)) - share * pairs)^2)
+  effect <- max(1, squares * length(pairs) / (length(pairs) - 1) / (sum(pairs) * share * (1 - share)), na.rm = TRUE)
+  n <- sum(pairs) / if (is.finite(effect)) effect else 1
+  ends <- prop.test(share * n, n, correct = FALSE)$conf.int
+  kappa <- (m * share - 1) / (m - 1)
+  list(pairs = nrow(own), agreement = share, agreement_ci95_low = ends[1], agreement_ci95_high = ends[2], kappa = kappa,
+       ceiling_of_proportion = (1 + (m - 1) * sqrt(max(0, kappa))) / m)
 }
 
 # ---- linear mixed models ----------------------------------------------------------------------------------------------------
@@ -374,6 +432,9 @@ computed <- function(g) {
     logistic_model = laplace(g$question, g$a, g$b, logisticOf(g$question, plainGroups)),
     logistic_model_crossed = laplace(g$question, g$a, g$b, logisticOf(g$question, crossedGroups)),
     ordinal_model = laplace(g$question, g$a, g$b, ordinalOf(g$question, g$low)),
+    anchor_floor = anchorFloor(g$question),
+    anchor_ratings = quietly(anchorRatings(g$question, g$high)),
+    anchor_choices = quietly(anchorChoices(g$question, g$low)),
     stop("expected.csv has an unknown section: ", g$section))
 }
 

@@ -2,13 +2,15 @@
 
     python3 analysis.py          in this folder
 
-Reads answers.csv (one row an answer) and expected.csv (one row a number of the report); codebook.csv explains both.
+Reads answers.csv (one row an answer), anchors.csv where there are any, and expected.csv (one row a number of the report);
+codebook.csv explains them.
 Left out: claims, linear, logistic and ordinal mixed models (analysis.R has them), d', ANOVA, Friedman and Cochran tests, effect
 sizes, agreement, R squared, Bayes factors, intervals over trials, speed, order effects, groups, signals, times. The mixed models
 of statsmodels have no crossed groups with Satterthwaite's degrees of freedom.
 """
 import csv
 import math
+import os
 import sys
 import warnings
 from collections import defaultdict
@@ -107,6 +109,82 @@ def equivalence(question, a, b, low, high):
             "ci90_low": left, "ci90_high": right}
 
 
+def intraclass(pairs):
+    """ICC(2,1) of two answers each."""
+    n = len(pairs)
+    centre = mean([x for pair in pairs for x in pair])
+    rows, columns = [mean(pair) for pair in pairs], [mean([pair[k] for pair in pairs]) for k in (0, 1)]
+    targets = 2 * math.fsum((x - centre) ** 2 for x in rows) / (n - 1)
+    occasions = n * math.fsum((x - centre) ** 2 for x in columns)
+    error = math.fsum((pair[k] - row - columns[k] + centre) ** 2 for pair, row in zip(pairs, rows) for k in (0, 1)) / (n - 1)
+    return (targets - error) / (targets + error + 2 * (occasions - error) / n)
+
+
+def within_sd(pairs):
+    return math.sqrt(mean([(second - first) ** 2 for first, second in pairs]) / 2)
+
+
+def jackknife(own, statistic, there, back):
+    """Interval over participants, each left out once."""
+    n = len(own)
+    try:
+        whole = there(statistic([pair for pairs in own for pair in pairs]))
+        pseudo = [n * whole - (n - 1) * there(statistic([pair for k, pairs in enumerate(own) if k != i for pair in pairs]))
+                  for i in range(n)]
+        half = stats.t.ppf(0.975, n - 1) * sd(pseudo) / math.sqrt(n) if n > 2 else math.nan
+        return back(whole - half), back(whole + half)
+    except (ValueError, ZeroDivisionError):
+        return math.nan, math.nan
+
+
+def twice(question):
+    own = defaultdict(list)
+    for row in anchors:
+        if row["question"] == question and row["kind"] == "repeated":
+            own[row["participant"]].append((row["first"], row["second"]))
+    return list(own.values())
+
+
+def anchor_floor(question):
+    own = defaultdict(list)
+    for row in anchors:
+        if row["question"] == question and row["kind"] == "mismatched":
+            own[row["participant"]].append(float(row["first"]))
+    every = [x for numbers in own.values() for x in numbers]
+    means = [mean(numbers) for numbers in own.values()]
+    low, high = (means[0], means[0]) if len(means) > 1 and are_equal(means) else interval(means, 0.95)
+    return {"n": len(every), "mean": mean(every), "sd": sd(every), "ci95_low": low, "ci95_high": high}
+
+
+def anchor_ratings(question, top):
+    own = [[(float(first), float(second)) for first, second in pairs] for pairs in twice(question)]
+    pairs = [pair for of_one in own for pair in of_one]
+    icc, noise = intraclass(pairs) if len(pairs) > 1 else math.nan, within_sd(pairs)
+    shifts = [mean([second - first for first, second in of_one]) for of_one in own]
+    result = {"pairs": len(pairs), "icc": icc, "within_sd": noise, "mean_difference": mean(shifts),
+              "ceiling_of_correlation": math.sqrt(max(0.0, icc)), "ceiling_of_mean": top - noise / math.sqrt(2 * math.pi)}
+    result["icc_ci95_low"], result["icc_ci95_high"] = jackknife(own, intraclass, math.atanh, math.tanh)
+    result["within_sd_ci95_low"], result["within_sd_ci95_high"] = jackknife(own, within_sd, math.log, math.exp)
+    result["ci95_low"], result["ci95_high"] = interval(shifts, 0.95)
+    return result
+
+
+def anchor_choices(question, m):
+    own = [(len(pairs), sum(first == second for first, second in pairs)) for pairs in twice(question)]
+    n = sum(pairs for pairs, _ in own)
+    share = sum(agreeing for _, agreeing in own) / n
+    independent = n * share * (1 - share)
+    squares = math.fsum((agreeing - share * pairs) ** 2 for pairs, agreeing in own)
+    effect = max(1.0, squares * len(own) / (len(own) - 1) / independent) if len(own) > 1 and independent > 0 else 1.0
+    z, size = stats.norm.ppf(0.975), n / effect
+    middle = (share + z * z / (2 * size)) / (1 + z * z / size)
+    half = z * math.sqrt(share * (1 - share) / size + z * z / (4 * size * size)) / (1 + z * z / size)
+    kappa = (m * share - 1) / (m - 1)
+    return {"pairs": n, "agreement": share, "agreement_ci95_low": max(0.0, middle - half),
+            "agreement_ci95_high": min(1.0, middle + half), "kappa": kappa,
+            "ceiling_of_proportion": (1 + (m - 1) * math.sqrt(max(0.0, kappa))) / m}
+
+
 def holm(found):
     """Adds Holm's correction over all comparisons of a question."""
     questions = {key[1] for key in found}
@@ -123,11 +201,15 @@ def key_of(row):
     return row["section"], row["question"], row["a"], row["b"]
 
 
+anchors = rows_of("anchors.csv") if os.path.exists("anchors.csv") else []
 expected = rows_of("expected.csv")
 compute = {"matches": lambda r: matches(r["question"], r["a"], float(r["low"])),
            "ratings": lambda r: ratings(r["question"], r["a"]),
            "comparison": lambda r: comparison(r["question"], r["a"], r["b"]),
-           "equivalence": lambda r: equivalence(r["question"], r["a"], r["b"], float(r["low"]), float(r["high"]))}
+           "equivalence": lambda r: equivalence(r["question"], r["a"], r["b"], float(r["low"]), float(r["high"])),
+           "anchor_floor": lambda r: anchor_floor(r["question"]),
+           "anchor_ratings": lambda r: anchor_ratings(r["question"], float(r["high"])),
+           "anchor_choices": lambda r: anchor_choices(r["question"], float(r["low"]))}
 left_out = [row for row in expected if row["section"] not in compute]
 expected = [row for row in expected if row["section"] in compute]
 found = {}

@@ -10,6 +10,7 @@
 #include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
 #include "reports/cells/response_time.h"
+#include "reports/scripts/anchor_numbers.h"
 #include "reports/scripts/script_texts.h"
 
 namespace reports {
@@ -227,6 +228,40 @@ void addNumbers(std::string& text, const StudyAnalysis& analysis, const std::str
 
 void addNumbers(std::string&, const StudyAnalysis&, const std::string&, const WordedAnalysis&) {}
 
+void addAnchorNumbers(std::string& text, const StudyAnalysis& analysis, const QuestionAnchors& anchors)
+{
+    if (anchors.floor)
+        NumberRows(text, "anchor_floor", anchors.question, "", "")
+            .count("n", anchors.floor->ratings)
+            .put("mean", anchors.floor->mean)
+            .put("sd", anchors.floor->sd)
+            .ends("ci95", anchors.floor->ci95);
+    if (anchors.choices)
+        for (const QuestionInfo& question : analysis.data.questions)
+            if (const auto scoring = scoringOf(question.kind); question.id == anchors.question)
+                NumberRows(text, "anchor_choices", anchors.question, "", "")
+                    .within(std::get<RightOrWrong>(scoring).alternatives, "")
+                    .count("pairs", anchors.choices->pairs)
+                    .put("agreement", anchors.choices->agreement.value)
+                    .ends("agreement_ci95", anchors.choices->agreement.ci95)
+                    .put("kappa", anchors.choices->kappa.value)
+                    .put("ceiling_of_proportion", anchors.choices->shareCeiling.value);
+    if (!anchors.ratings) return;
+    for (const QuestionInfo& question : analysis.data.questions)
+        if (const auto scoring = scoringOf(question.kind); question.id == anchors.question)
+            NumberRows(text, "anchor_ratings", anchors.question, "", "")
+                .within(std::get<NumberOnScale>(scoring).min, protocols::shortest(std::get<NumberOnScale>(scoring).max))
+                .count("pairs", anchors.ratings->pairs)
+                .put("icc", anchors.ratings->icc.value)
+                .ends("icc_ci95", anchors.ratings->icc.ci95)
+                .put("within_sd", anchors.ratings->withinSd.value)
+                .ends("within_sd_ci95", anchors.ratings->withinSd.ci95)
+                .put("mean_difference", anchors.ratings->bias.estimate)
+                .ends("ci95", anchors.ratings->bias.ci)
+                .put("ceiling_of_correlation", anchors.ratings->correlationCeiling.value)
+                .put("ceiling_of_mean", anchors.ratings->meanCeiling.value);
+}
+
 std::string scaleOf(const StudyData& data)
 {
     std::string text;
@@ -257,7 +292,10 @@ const std::vector<std::string> sections{"matches",
                                         "model_contrast",
                                         "logistic_model",
                                         "logistic_model_crossed",
-                                        "ordinal_model"};
+                                        "ordinal_model",
+                                        "anchor_floor",
+                                        "anchor_ratings",
+                                        "anchor_choices"};
 
 std::string codebookCsv(const StudyData& data)
 {
@@ -280,8 +318,9 @@ std::string codebookCsv(const StudyData& data)
         {"expected.csv", "a", "text", "", "", "condition, or the first of a pair; empty for a whole model"},
         {"expected.csv", "b", "text", "", "", "second condition of a pair; differences are a - b"},
         {"expected.csv", "low", "number", "", "",
-         "chance of a match, the lower bound of equivalence, or the unit to which an ordinal model rounds ratings"},
-        {"expected.csv", "high", "number", "", "", "upper bound of equivalence"},
+         "chance of a match, the lower bound of equivalence, the lowest rating, the number of alternatives, or the unit to which "
+         "an ordinal model rounds ratings"},
+        {"expected.csv", "high", "number", "", "", "upper bound of equivalence, or the highest rating"},
         {"expected.csv", "quantity", "text", "", "",
          "name as in results.json and statistics.json; ci95_low and ci95_high are the ends of ci95"},
         {"expected.csv", "value", "number", "", "", "as the report has it; empty where it does not exist"}};
@@ -303,6 +342,7 @@ std::string expectedNumbersCsv(const StudyAnalysis& analysis)
     std::string text = protocols::csvRow({"section", "question", "a", "b", "low", "high", "quantity", "value"});
     for (const QuestionAnalysis& question : analysis.questions)
         std::visit([&](const auto& findings) { addNumbers(text, analysis, question.question.id, findings); }, question.findings);
+    for (const QuestionAnchors& anchors : analysis.anchors) addAnchorNumbers(text, analysis, anchors);
     return text;
 }
 
@@ -331,7 +371,9 @@ void writeReproduction(const StudyAnalysis& analysis, const std::filesystem::pat
     };
     write("answers.csv", analysedAnswersCsv(analysis.data));
     write("expected.csv", expectedNumbersCsv(analysis));
-    write("codebook.csv", codebookCsv(analysis.data));
+    const std::string anchors = anchorAnswersCsv(analysis.data);
+    if (!anchors.empty()) write("anchors.csv", anchors);
+    write("codebook.csv", codebookCsv(analysis.data) + (anchors.empty() ? "" : anchorCodebookRows()));
     write("analysis.R", scripts::inR());
     write("analysis.py", scripts::inPython());
 }

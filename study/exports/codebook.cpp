@@ -66,6 +66,8 @@ constexpr ColumnMeaning answerMeanings[] = {
     {"instruction", "text", "", any, "what the block asked of the speed; empty where it asked nothing"},
     {"deadline_seconds", "number", "s", any, "deadline of the block"},
     {"late", "whole number", "", oneOf("0; 1"), "1 where the answer came after the deadline"},
+    {"anchor", "text", "", oneOf("mismatched; repeated"),
+     "mismatched: another fabric lay on the tray; repeated: the presentation came a second time; empty: one of the list"},
 };
 
 constexpr ColumnMeaning participantMeanings[] = {

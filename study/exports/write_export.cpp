@@ -69,6 +69,13 @@ void addInstruction(std::vector<NamedValue>& row, const records::Naming::Entry& 
     row.push_back({"late", late ? ExportedValue(std::int64_t{*late}) : ExportedValue()});
 }
 
+/// What the presentation is beside those of the list; missing for one of the list.
+NamedValue anchorOf(const records::Naming::Entry& entry)
+{
+    const std::string kind = nameOf(entry.anchor);
+    return {"anchor", kind.empty() ? ExportedValue() : ExportedValue(kind)};
+}
+
 /// One answer of an unblinded study, in the order of export.json.
 std::vector<NamedValue> rowOf(const Export& job, const CurrentAnswer& answer)
 {
@@ -106,6 +113,7 @@ std::vector<NamedValue> rowOf(const Export& job, const CurrentAnswer& answer)
                                 {"note", record.note},
                                 {"entries", record.entries ? ExportedValue(std::int64_t{*record.entries}) : ExportedValue()}};
     if (hasInstructions(job.protocol)) addInstruction(row, entry, answer);
+    if (hasAnchors(job.protocol)) row.push_back(anchorOf(entry));
     return row;
 }
 
@@ -199,6 +207,7 @@ std::vector<std::string> columnsOf(const Export& job)
 {
     std::vector<std::string> columns(protocols::answerColumns().begin(), protocols::answerColumns().end());
     if (hasInstructions(job.protocol)) columns.insert(columns.end(), {"instruction", "deadline_seconds", "late"});
+    if (hasAnchors(job.protocol)) columns.emplace_back("anchor");
     if (job.isPublic) std::erase_if(columns, isPrivateColumn);
     return columns;
 }

@@ -13,7 +13,9 @@ namespace study::leaks {
 /// What the allocation key says about each trial and each stimulus file.
 struct Truth {
     struct Shown {
-        std::string fabric, condition;
+        std::string fabric;
+        std::string condition;    ///< "mismatched" for such an anchor, whose condition the protocol says
+        std::string anchor = {};  ///< "mismatched" or "repeated"; empty for a presentation of the list, and for a file
     };
     std::vector<Shown> trials;           ///< [trial of SeenStudy]
     std::map<std::string, Shown> files;  ///< by file code
@@ -23,7 +25,7 @@ struct Truth {
 struct Guess {
     std::string attack;  ///< the way of guessing
     std::string what;    ///< the values that it reads
-    std::string target;  ///< "true piece", "condition", "same or different", "condition of a file", "fabric of a file"
+    std::string target;  ///< "true piece", "condition", "same or different", "anchor", "condition of a file", "fabric of a file"
     long long hits = 0;
     long long trials = 0;  ///< guessed at; trials about which the guesser has no opinion are left out
     double chance = 0;

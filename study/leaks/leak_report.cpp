@@ -6,6 +6,7 @@
 #include "database/station_key.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/temporary_folder.h"
+#include "protocols/records/anchor_trials.h"
 #include "study/leaks/cache_marks.h"
 #include "study/leaks/readable_files.h"
 #include "study/leaks/value_guessers.h"
@@ -20,10 +21,15 @@ Truth truthOf(const database::StudyStore& store, const protocols::AllocationKey&
 {
     Truth truth;
     std::map<int, std::vector<protocols::BlindedTrial>> lists;
+    std::map<int, protocols::AnchorFinder> anchors;
     for (const SeenTrial& trial : seen.trials) {
         if (!lists.contains(trial.slot)) lists[trial.slot] = store.trials(trial.slot);
-        const auto& entry = key.entryOf(lists[trial.slot].at(static_cast<std::size_t>(trial.number) - 1));
-        truth.trials.push_back({entry.fabric.value, entry.condition.value});
+        const auto& stored = lists[trial.slot].at(static_cast<std::size_t>(trial.number) - 1);
+        const auto& entry = key.entryOf(stored);
+        // The trials of a slot come in the order of its list.
+        const auto anchor = anchors.try_emplace(trial.slot, seen.protocol).first->second.next(stored, entry);
+        const bool isMismatched = anchor == protocols::AnchorKind::Mismatched;
+        truth.trials.push_back({entry.fabric.value, isMismatched ? nameOf(anchor) : entry.condition.value, nameOf(anchor)});
     }
     for (const auto& [code, entry] : key.entries) truth.files[code.value] = {entry.fabric.value, entry.condition.value};
     return truth;
@@ -42,18 +48,20 @@ LeakReport::StationKey withStationKey(const database::StudyStore& store, const S
     result.isReadable = true;
     std::map<int, std::vector<protocols::BlindedTrial>> lists;
     std::vector<std::string> images;
-    std::map<std::string, std::string> fabrics;
+    // A mismatched presentation shows an image beside another fabric, so that the commonest one counts.
+    std::map<std::string, std::map<std::string, int>> fabrics;
     for (const SeenTrial& trial : seen.trials) {
         if (!lists.contains(trial.slot)) lists[trial.slot] = store.trials(trial.slot);
         const auto& stored = lists[trial.slot].at(static_cast<std::size_t>(trial.number) - 1);
         images.push_back(opened(stored.sealedCode, *key).value);
-        if (seen.showsTruth(trial)) fabrics[images.back()] = trial.tray.front();
+        if (seen.showsTruth(trial)) ++fabrics[images.back()][trial.tray.front()];
     }
     for (std::size_t i = 0; i < images.size(); ++i) {
         const auto named = fabrics.find(images[i]);
         if (!seen.isChoice(seen.trials[i]) || named == fabrics.end()) continue;
         ++result.named;
-        result.hits += truth && truth->trials[i].fabric == named->second;
+        const auto commonest = std::ranges::max_element(named->second, {}, [](const auto& fabric) { return fabric.second; });
+        result.hits += truth && truth->trials[i].fabric == commonest->first;
     }
     result.images = std::set<std::string>(images.begin(), images.end()).size();
     return result;

@@ -87,6 +87,19 @@ TrialQuestion sameness(const SeenStudy& study, const Truth& truth)
     return classesOf("same or different", trials, names);
 }
 
+TrialQuestion anchors(const SeenStudy& study, const Truth& truth)
+{
+    std::vector<std::size_t> trials;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < study.trials.size(); ++i) {
+        const auto& phase = study.protocol.phases.at(static_cast<std::size_t>(study.trials[i].phase));
+        if (phase.anchors.presentations() == 0) continue;
+        trials.push_back(i);
+        names.push_back(truth.trials[i].anchor);
+    }
+    return classesOf("anchor", trials, names);
+}
+
 KnownTrials ratingsOf(const SeenStudy& study)
 {
     KnownTrials known;

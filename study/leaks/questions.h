@@ -32,6 +32,9 @@ std::vector<std::string> conditionNames(const Truth& truth);
 /// Whether the fabric on the tray is the rendered one, in trials that ask this.
 TrialQuestion sameness(const SeenStudy& study, const Truth& truth);
 
+/// Whether a presentation is an anchor, and which kind, in the phases that have anchors.
+TrialQuestion anchors(const SeenStudy& study, const Truth& truth);
+
 /// Trials of which the guesser knows the class: the fabric on the tray of a rating trial, or the truth of the other slots.
 struct KnownTrials {
     std::vector<std::size_t> trials;

@@ -22,12 +22,14 @@ public:
           m_places(places(m_pieces)),
           m_conditions(conditions(study, truth)),
           m_sameness(sameness(study, truth)),
+          m_anchors(anchors(study, truth)),
           m_conditionNames(conditionNames(truth)),
           m_ratings{ratingsOf(study)},
           m_learnedPlaces(halvesOf(study, m_places)),
           m_learnedPieces(halvesOf(study, m_pieces)),
           m_learnedConditions(halvesOf(study, m_conditions)),
-          m_learnedSameness(halvesOf(study, m_sameness))
+          m_learnedSameness(halvesOf(study, m_sameness)),
+          m_learnedAnchors(halvesOf(study, m_anchors))
     {
     }
 
@@ -48,13 +50,14 @@ private:
         const std::vector<KnownTrials>* known;
         bool isQuadratic;  ///< also compares every two texts
     };
-    std::array<Source, 5> sources() const
+    std::array<Source, 6> sources() const
     {
         return {{{"a rating trial", &m_pieces, &m_ratings, true},
                  {"learned slot", &m_places, &m_learnedPlaces, false},
                  {"learned fabric", &m_pieces, &m_learnedPieces, false},
                  {"learned condition", &m_conditions, &m_learnedConditions, true},
-                 {"learned sameness", &m_sameness, &m_learnedSameness, false}}};
+                 {"learned sameness", &m_sameness, &m_learnedSameness, false},
+                 {"learned anchor", &m_anchors, &m_learnedAnchors, false}}};
     }
 
     /// `scoreOf`: of a trial and a class.
@@ -176,9 +179,10 @@ private:
     }
 
     const SeenStudy& m_study;
-    TrialQuestion m_pieces, m_places, m_conditions, m_sameness;
+    TrialQuestion m_pieces, m_places, m_conditions, m_sameness, m_anchors;
     std::vector<std::string> m_conditionNames;
-    std::vector<KnownTrials> m_ratings, m_learnedPlaces, m_learnedPieces, m_learnedConditions, m_learnedSameness;
+    std::vector<KnownTrials> m_ratings, m_learnedPlaces, m_learnedPieces, m_learnedConditions, m_learnedSameness,
+        m_learnedAnchors;
     std::vector<Guess> m_guesses;
 };
 

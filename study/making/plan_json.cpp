@@ -125,6 +125,22 @@ ordered_json instructionsJson(const protocols::Protocol& protocol)
     return rows;
 }
 
+/// By the questions of the phase; a phase without anchors is left out.
+ordered_json anchorsJson(const protocols::Protocol& protocol)
+{
+    ordered_json rows = ordered_json::array();
+    for (const auto& phase : protocol.phases) {
+        if (phase.anchors.presentations() == 0) continue;
+        ordered_json row{{"questions", ordered_json::array()}};
+        for (const auto& question : phase.questions) row["questions"].push_back(question.id.value);
+        row["mismatched"] = phase.anchors.mismatched;
+        row["repeated"] = phase.anchors.repeated;
+        if (phase.anchors.mismatched > 0) row["condition"] = anchorConditionOf(protocol, phase.anchors).value;
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
 ordered_json studyJson(const StudyPlan& plan)
 {
     const auto& facts = plan.facts;
@@ -154,6 +170,7 @@ ordered_json plannedPart(const StudyPlan& plan)
     part["conditions"] = namesOf(protocol.conditions);
     part["questions"] = questionsJson(protocol);
     if (hasInstructions(protocol)) part["instructions"] = instructionsJson(protocol);
+    if (hasAnchors(protocol)) part["anchors"] = anchorsJson(protocol);
     part["planned"] = contrastsJson(plan);
     part["family"] = plan.contrasts.empty() ? "all_pairs" : "planned";
     part["generalisations"] = {reports::nameOf(stats::Generalisation::TheseFabrics),

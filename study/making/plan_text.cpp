@@ -147,6 +147,20 @@ std::string instructionsText(const protocols::Phase& phase)
            "participants. Answers after a deadline are marked and analysed.";
 }
 
+/// Empty where the phase has no anchors.
+std::string plannedAnchors(const protocols::Protocol& protocol, const protocols::Anchors& anchors)
+{
+    std::string text;
+    if (anchors.mismatched > 0)
+        text += " " + counted(anchors.mismatched, "mismatched presentation") + ": the image is " +
+                anchorConditionOf(protocol, anchors).value +
+                " of one fabric, and another fabric lies on the tray. Their mean rating is the floor.";
+    if (anchors.repeated > 0)
+        text += " " + counted(anchors.repeated, "presentation") + (anchors.repeated == 1 ? " comes" : " come") +
+                " a second time. The agreement with the first answer shows the noise of the answers, and so the ceiling.";
+    return text.empty() ? text : text + " Answers to these anchors belong to no condition.";
+}
+
 std::string design(const StudyPlan& plan)
 {
     const auto& protocol = plan.protocol;
@@ -167,7 +181,8 @@ std::string design(const StudyPlan& plan)
                 (protocol.phases[i].catchTrials == 0 ? ""
                                                      : " and " + counted(protocol.phases[i].catchTrials, "catch trial") +
                                                            " with blank glass, which no analysis uses") +
-                "; questions " + reports::listed(ids) + "." + instructionsText(protocol.phases[i]) + "\n";
+                "; questions " + reports::listed(ids) + "." + instructionsText(protocol.phases[i]) +
+                plannedAnchors(protocol, protocol.phases[i].anchors) + "\n";
     }
     return text + counted(protocol.answersPerParticipant(), "answer") +
            " per participant. The order of presentations is balanced and drawn by seed. The experimenter and the participant "

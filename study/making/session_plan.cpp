@@ -49,9 +49,13 @@ ordered_json phaseJson(const Protocol& protocol, const Phase& phase)
     json["instructions"] = ordered_json::array();
     for (const protocols::BlockInstruction& instruction : phase.instructions)
         json["instructions"].push_back(instruction.id.value);
-    const int presentations = protocol.presentationsPerPhase() * phase.runs() + phase.catchTrials;
+    const int presentations = (protocol.presentationsPerPhase() + phase.extraPresentations()) * phase.runs();
     json["presentations"] = presentations;
-    json["catch_trials"] = phase.catchTrials;
+    json["catch_trials"] = phase.catchTrials * phase.runs();
+    json["anchors"] = {{"mismatched", phase.anchors.mismatched * phase.runs()},
+                       {"repeated", phase.anchors.repeated * phase.runs()},
+                       {"condition", phase.anchors.mismatched > 0 ? ordered_json(anchorConditionOf(protocol, phase.anchors).value)
+                                                                  : ordered_json()}};
     json["minutes"] = presentations * protocol.secondsPerPresentation / 60;
     return json;
 }
@@ -113,12 +117,23 @@ std::string word(const ordered_json& object, const char* key) { return object[ke
 
 std::string fixed(double value, int decimals) { return protocols::fixed(value, decimals); }
 
+std::string shownAnchors(const ordered_json& anchors)
+{
+    std::string text;
+    if (const int mismatched = anchors["mismatched"]; mismatched > 0)
+        text += "  " + std::to_string(mismatched) + " of them are mismatched: the image is " + word(anchors, "condition") +
+                " of one fabric, and another fabric lies on the tray\n";
+    if (const int repeated = anchors["repeated"]; repeated > 0)
+        text += "  " + std::to_string(repeated) + " of them come a second time, in a later block where the list is long enough\n";
+    return text;
+}
+
 std::string phaseText(const ordered_json& phase, std::size_t number)
 {
     std::string text = "phase " + std::to_string(number) + ": " + counted(phase["presentations"], "presentation") + ", about " +
                        fixed(phase["minutes"], 0) + " minutes, " + counted(phase["pieces_on_tray"], "piece") + " on the tray";
     if (const int blank = phase["catch_trials"]; blank > 0) text += ", " + std::to_string(blank) + " of them with blank glass";
-    text += "\n";
+    text += "\n" + shownAnchors(phase["anchors"]);
     if (!phase["instructions"].empty()) {
         text += "  under the instructions";
         for (const auto& id : phase["instructions"]) text += " " + id.get<std::string>();

@@ -151,7 +151,7 @@ public:
         if (const auto choice = m_effects.choices.find(question.id); choice != m_effects.choices.end())
             return SimulatedParticipant::Judgement{chosen(trial, question.kind, choice->second, entry), time(7.0)};
         if (const auto rating = m_effects.ratings.find(question.id); rating != m_effects.ratings.end())
-            return SimulatedParticipant::Judgement{rated(question, rating->second, entry), time(4.0)};
+            return SimulatedParticipant::Judgement{rated(trial, question, rating->second, entry), time(4.0)};
         return std::nullopt;
     }
 
@@ -186,12 +186,15 @@ private:
         return others[m_random.below(others.size())];
     }
 
-    protocols::Tenths rated(const protocols::Question& question, const PlantedRating& planted,
-                            const protocols::AllocationKey::Entry& entry)
+    /// A mismatched presentation is rated as blank glass is.
+    protocols::Tenths rated(const protocols::BlindedTrial& trial, const protocols::Question& question,
+                            const PlantedRating& planted, const protocols::AllocationKey::Entry& entry)
     {
         const auto& scale = std::get<protocols::Rating>(question.kind).scale;
         const double noise = planted.sd * m_random.normal();
-        if (entry.condition == protocols::catchTrialId()) return onScale(scale.min.value / 10.0 + std::abs(noise), scale);
+        const bool isMismatched = trial.alternatives.front() != entry.fabric;
+        if (isMismatched || entry.condition == protocols::catchTrialId())
+            return onScale(scale.min.value / 10.0 + std::abs(noise), scale);
         const auto effect = planted.effects.find(entry.condition);
         return onScale(planted.mean + (effect == planted.effects.end() ? 0 : effect->second) +
                            shiftOf(question.id.value + " of " + m_participant, planted.personSd) +

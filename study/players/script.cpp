@@ -146,6 +146,12 @@ ScriptedPlace placeFrom(const Entry& entry, const protocols::Protocol& protocol)
         return place;
     }
     if (entry.has("instruction")) place.instruction = protocols::InstructionId(entry.text("instruction"));
+    if (entry.has("anchor")) {
+        const auto kind = protocols::anchorKindNamed(entry.text("anchor"));
+        if (!kind)
+            throw entry.fault("anchor", "unknown anchor \"" + entry.text("anchor") + "\"", "\"mismatched\" or \"repeated\"");
+        place.anchor = *kind;
+    }
     place.fabric = protocols::FabricId(entry.text("fabric"));
     place.condition = conditionIn(entry, protocol);
     return place;
@@ -251,7 +257,8 @@ void checkDoubled(const Script& script)
         const std::string place = answer.place.trial
                                       ? "trial " + std::to_string(answer.place.trial->value)
                                       : answer.place.condition.value + ", " + answer.place.fabric.value +
-                                            (answer.place.instruction.empty() ? "" : ", ") + answer.place.instruction.value;
+                                            (answer.place.instruction.empty() ? "" : ", ") + answer.place.instruction.value +
+                                            (nameOf(answer.place.anchor).empty() ? "" : ", ") + nameOf(answer.place.anchor);
         throw fault("there are two answers to " + answer.question.value + " for " + place, script.where,
                     "one answer for each question and rendering");
     }
@@ -261,20 +268,27 @@ void checkDoubled(const Script& script)
 
 const ScriptedAnswer* Script::answerTo(const protocols::QuestionId& question, const ScriptedPlace& place) const
 {
-    const auto find = [&](const ScriptedPlace& wanted) {
+    const auto find = [&](const ScriptedPlace& one) {
         const auto found = std::find_if(answers.begin(), answers.end(), [&](const ScriptedAnswer& answer) {
-            return answer.question == question && answer.place == wanted;
+            return answer.question == question && answer.place == one;
         });
         return found == answers.end() ? nullptr : &*found;
     };
-    if (const auto* ofAttempt = find(place)) return ofAttempt;
-    ScriptedPlace ofAny = place;
-    ofAny.attempt.reset();
-    if (const auto* ofAnyAttempt = find(ofAny)) return ofAnyAttempt;
-    if (place.instruction.empty()) return nullptr;
-    ofAny.instruction = {};
-    ofAny.attempt = place.attempt;
-    return answerTo(question, ofAny);
+    std::vector<ScriptedPlace> wanted{place};
+    const auto add = [&](auto forget) {
+        for (std::size_t i = 0, known = wanted.size(); i < known; ++i) {
+            ScriptedPlace wider = wanted[i];
+            forget(wider);
+            wanted.push_back(wider);
+        }
+    };
+    add([](ScriptedPlace& wider) { wider.attempt.reset(); });
+    if (!place.instruction.empty()) add([](ScriptedPlace& wider) { wider.instruction = {}; });
+    if (place.anchor == protocols::AnchorKind::Repeated)
+        add([](ScriptedPlace& wider) { wider.anchor = protocols::AnchorKind::None; });
+    for (const ScriptedPlace& one : wanted)
+        if (const auto* found = find(one)) return found;
+    return nullptr;
 }
 
 Script scriptFromJson(std::string_view text, const std::string& where, const protocols::Protocol& protocol)

@@ -23,6 +23,7 @@ struct ScriptedPlace {
     protocols::FabricId fabric;
     std::optional<int> attempt = std::nullopt;  ///< counts presentations of the same trial from 1; later ones follow a void
     protocols::InstructionId instruction = {};  ///< of the block; empty: the answer holds under every instruction
+    protocols::AnchorKind anchor = protocols::AnchorKind::None;
     auto operator<=>(const ScriptedPlace&) const = default;
 };
 
@@ -67,7 +68,8 @@ struct Script {
     std::vector<ScriptedAnswer> answers;
     std::vector<ScriptedEvent> events;
 
-    /// The answer for this attempt and instruction, else for any attempt, else for any instruction; else null.
+    /// The answer for this attempt and instruction, else for any attempt, else for any instruction. A repetition that has none
+    /// gets the answer to the first presentation. Else null.
     const ScriptedAnswer* answerTo(const protocols::QuestionId& question, const ScriptedPlace& place) const;
 };
 

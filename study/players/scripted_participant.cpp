@@ -5,6 +5,7 @@
 #include <map>
 
 #include "protocols/files/errors.h"
+#include "protocols/records/anchor_trials.h"
 #include "study/players/player_answers.h"
 #include "study/session/preparation.h"
 #include "study/session/session_moves.h"
@@ -50,6 +51,8 @@ public:
     Player(const Script& script, const ScriptedTrials& trials, Hands& hands, VirtualClock& clock)
         : m_script(script), m_trials(trials), m_hands(hands), m_clock(clock), m_passed(script.events.size(), false)
     {
+        protocols::AnchorFinder finder(trials.protocol);
+        for (const auto& trial : trials.trials) m_anchors.push_back(finder.next(trial, trials.key.entryOf(trial)));
     }
 
     void skipPassed(const std::vector<database::EventRecord>& logged);
@@ -74,6 +77,7 @@ private:
     Hands& m_hands;
     VirtualClock& m_clock;
     std::vector<bool> m_passed;
+    std::vector<protocols::AnchorKind> m_anchors;  ///< [trial]
 };
 
 void Player::skipPassed(const std::vector<database::EventRecord>& logged)
@@ -246,7 +250,8 @@ void Player::answer(const Presenting& presenting)
     const int attempt = attemptAt(state, state.position);
     const auto* scripted = m_script.answerTo(question.id, {trial.number, {}, {}, attempt});
     if (!scripted)
-        scripted = m_script.answerTo(question.id, {std::nullopt, entry.condition, entry.fabric, attempt, trial.instruction});
+        scripted = m_script.answerTo(question.id, {std::nullopt, entry.condition, entry.fabric, attempt, trial.instruction,
+                                                   m_anchors[static_cast<std::size_t>(presenting.index)]});
     if (!scripted)
         throw protocols::badInput({"no answer", m_script.where + ": " + placeName(presenting.index, question.id),
                                    "an answer to every question and rendering of the protocol",

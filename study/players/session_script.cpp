@@ -87,6 +87,7 @@ private:
             entry["condition"] = shown.condition;
             entry["fabric"] = shown.fabric.value;
             if (!trial.instruction.empty()) entry["instruction"] = trial.instruction.value;
+            if (shown.anchor != protocols::AnchorKind::None) entry["anchor"] = nameOf(shown.anchor);
         }
         if (m_hasVoids) entry["attempt"] = attemptAt(m_state, m_state.position);
         entry["answer"] = jsonOf(answered.response);

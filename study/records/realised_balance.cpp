@@ -7,6 +7,7 @@
 #include "protocols/allocation.h"
 #include "protocols/condition.h"
 #include "protocols/files/errors.h"
+#include "protocols/records/anchor_trials.h"
 
 namespace study::records {
 
@@ -43,7 +44,8 @@ Numbers numbersOf(const protocols::AllocationKey& key)
     return numbers;
 }
 
-DesignTrial designTrialOf(const protocols::BlindedTrial& trial, const Numbers& numbers, const protocols::Protocol& protocol)
+DesignTrial designTrialOf(const protocols::BlindedTrial& trial, protocols::AnchorKind anchor, const Numbers& numbers,
+                          const protocols::Protocol& protocol)
 {
     const auto& entry = numbers.key.entryOf(trial);
     const auto label = numbers.labels.find(entry.label);
@@ -64,7 +66,19 @@ DesignTrial designTrialOf(const protocols::BlindedTrial& trial, const Numbers& n
         const auto found = std::ranges::find(instructions, trial.instruction, &protocols::BlockInstruction::id);
         if (found != instructions.end()) design.instruction = static_cast<int>(found - instructions.begin());
     }
+    design.anchor = anchor;
     return design;
+}
+
+/// Which presentations of a list are anchors, [place in the list].
+std::vector<protocols::AnchorKind> anchorsIn(const std::vector<protocols::BlindedTrial>& list,
+                                             const protocols::AllocationKey& key, const protocols::Protocol& protocol)
+{
+    if (!hasAnchors(protocol)) return std::vector<protocols::AnchorKind>(list.size(), protocols::AnchorKind::None);
+    protocols::AnchorFinder finder(protocol);
+    std::vector<protocols::AnchorKind> kinds;
+    for (const auto& trial : list) kinds.push_back(finder.next(trial, key.entryOf(trial)));
+    return kinds;
 }
 
 /// Trial numbers of each participant's valid answers, in the order of answering.
@@ -96,6 +110,7 @@ protocols::BalanceCertificate realisedBalance(const database::StudyStore& store,
         const auto own = presented.find(enrolment.participant);
         if (enrolment.state == database::SlotState::Withdrawn || own == presented.end()) continue;
         const auto list = store.trials(enrolment.slot);
+        const auto anchors = anchorsIn(list, key, protocol);
         auto& trials = design.participants.emplace_back();
         for (const int number : own->second) {
             if (number < 1 || static_cast<std::size_t>(number) > list.size())
@@ -103,7 +118,8 @@ protocols::BalanceCertificate realisedBalance(const database::StudyStore& store,
                                                  std::to_string(number) + ", which is not in the list",
                                              store.folder().database().string(), "1 to " + std::to_string(list.size()),
                                              "run vis2hap verify on the study"});
-            trials.push_back(designTrialOf(list[static_cast<std::size_t>(number) - 1], numbers, protocol));
+            const auto at = static_cast<std::size_t>(number) - 1;
+            trials.push_back(designTrialOf(list[at], anchors[at], numbers, protocol));
         }
     }
     return design.participants.empty() ? protocols::BalanceCertificate{} : balanceOf(design, protocol);

@@ -10,6 +10,7 @@
 #include "database/evidence/operator_latency.h"
 #include "protocols/condition.h"
 #include "protocols/protocol_json.h"
+#include "protocols/records/anchor_trials.h"
 #include "reports/cells/finger_motion.h"
 #include "reports/json/prices_json.h"
 #include "reports/json/signals_json.h"
@@ -30,7 +31,7 @@ std::vector<reports::InstructionInfo> instructionsOf(const protocols::Phase& pha
     return instructions;
 }
 
-/// Answers of one participant to one question, without catch trials.
+/// Answers of one participant, without those to catch trials and anchors.
 std::size_t answersOf(const protocols::Protocol& protocol)
 {
     std::size_t answers = 0;
@@ -121,7 +122,21 @@ reports::TimesTaken timesOf(const std::vector<database::CurrentAnswer>& answers)
     return allBegun ? reports::TimesTaken::ToBeginning : reports::TimesTaken::ToEntry;
 }
 
-/// Sorts the current answers into analysed answers, answers to blank glass, and a count of voided presentations.
+/// Where the answers to such a presentation are kept.
+std::vector<reports::StudyResponse>& responsesTo(const Naming::Entry& shown, reports::StudyData& data)
+{
+    switch (shown.anchor) {
+        case protocols::AnchorKind::Mismatched:
+            return data.mismatchedResponses;
+        case protocols::AnchorKind::Repeated:
+            return data.repeatedResponses;
+        case protocols::AnchorKind::None:
+            break;
+    }
+    return shown.condition == protocols::catchTrialId().value ? data.catchResponses : data.responses;
+}
+
+/// Sorts the current answers into analysed answers, answers to blank glass and to anchors, and a count of voided presentations.
 void readAnswers(const std::vector<database::CurrentAnswer>& answers, const protocols::Protocol& protocol, const Naming& naming,
                  reports::StudyData& data)
 {
@@ -138,8 +153,7 @@ void readAnswers(const std::vector<database::CurrentAnswer>& answers, const prot
         if (answer.voided)
             voided.insert(keyOf(answer));
         else if (question != nullptr)
-            (entry.condition == protocols::catchTrialId().value ? data.catchResponses : data.responses)
-                .push_back(responseOf(answer, entry, question->kind, places.at(keyOf(answer)), data.times));
+            responsesTo(entry, data).push_back(responseOf(answer, entry, question->kind, places.at(keyOf(answer)), data.times));
     }
     data.voided = voided.size();
 }
@@ -151,7 +165,8 @@ void readTouches(const database::StudyStore& store, const Naming& naming, report
     eachFingerRecord(store, {}, [&](const database::FingerRecord& record) {
         const auto named = naming.entries.find({record.participant, record.trial});
         const bool counts = !record.voided && analysed.contains(record.participant.value) && named != naming.entries.end() &&
-                            named->second.condition != protocols::catchTrialId().value;
+                            named->second.condition != protocols::catchTrialId().value &&
+                            named->second.anchor == protocols::AnchorKind::None;
         if (!counts) return;
         const reports::FingerMotion motion = reports::motionOf(record.samples);
         data.touches.push_back(
@@ -248,12 +263,17 @@ std::optional<Naming> namingOf(const database::StudyStore& store, const protocol
     if (!key) return std::nullopt;
     Naming naming;
     naming.blinded = !permission;
-    for (const auto& enrolment : store.enrolments())
+    for (const auto& enrolment : store.enrolments()) {
+        protocols::AnchorFinder anchors(protocol);
         for (const auto& trial : store.trials(enrolment.slot)) {
             const auto& entry = key->entryOf(trial);
-            naming.entries[{enrolment.participant, trial.number}] = {
-                entry.fabric, permission ? entry.condition.value : entry.label.value, trial.instruction, trial.deadlineMs};
+            const auto anchor = anchors.next(trial, entry);
+            const bool isMasked = !permission && anchor == protocols::AnchorKind::Mismatched;
+            const std::string condition = permission ? entry.condition.value : isMasked ? "" : entry.label.value;
+            naming.entries[{enrolment.participant, trial.number}] = {entry.fabric, condition, trial.instruction, trial.deadlineMs,
+                                                                     anchor};
         }
+    }
     for (std::size_t k = 0; k < protocol.conditions.size(); ++k)
         naming.conditions.push_back(permission ? protocol.conditions[k].value : "K" + std::to_string(k + 1));
     return naming;

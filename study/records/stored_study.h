@@ -17,13 +17,15 @@ namespace study::records {
 /// Opens the study for reading. Throws badInput where the folder is no study.
 database::StudyStore openStudy(const std::filesystem::path& study);
 
-/// The fabric and the condition of each presentation. The condition is a K-label, or after the unblinding its id.
+/// The fabric and the condition of each presentation. The condition is a K-label, or after the unblinding its id. It is empty for
+/// a mismatched presentation of a blinded study: the protocol says its condition, so that a label beside it would lose its mask.
 struct Naming {
     struct Entry {
         protocols::FabricId fabric;
         std::string condition;
         protocols::InstructionId instruction = {};  ///< of the block; empty where the phase gives none
         std::optional<int> deadlineMs = {};
+        protocols::AnchorKind anchor = protocols::AnchorKind::None;
     };
     bool blinded = true;
     std::map<std::pair<protocols::ParticipantId, protocols::TrialNumber>, Entry> entries;

@@ -7,6 +7,7 @@
 #include "protocols/condition.h"
 #include "protocols/protocol_json.h"
 #include "protocols/random.h"
+#include "protocols/records/anchor_trials.h"
 
 namespace study::simulation {
 
@@ -45,7 +46,11 @@ public:
     BlindedTrial of(BlindedTrial trial)
     {
         const auto& shown = m_study.images.at(FileCode(trial.sealedCode.value));
-        trial.sealedCode = SealedCode(m_codes.at({m_conditions.at(shown.condition), m_fabrics.at(shown.fabric)}).value);
+        // The protocol says the condition of mismatched images; without anchors before it, a trial can be no repetition.
+        const bool isMismatched =
+            protocols::AnchorFinder(m_study.protocol).next(trial, shown) == protocols::AnchorKind::Mismatched;
+        const auto& condition = isMismatched ? shown.condition : m_conditions.at(shown.condition);
+        trial.sealedCode = SealedCode(m_codes.at({condition, m_fabrics.at(shown.fabric)}).value);
         std::vector<protocols::FabricId> tray(trial.alternatives.size());
         const auto& slots = slotsFor(tray.size());
         for (std::size_t slot = 0; slot < tray.size(); ++slot) tray[slots[slot]] = m_fabrics.at(trial.alternatives[slot]);

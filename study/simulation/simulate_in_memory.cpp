@@ -4,6 +4,7 @@
 #include <map>
 
 #include "protocols/files/errors.h"
+#include "protocols/records/anchor_trials.h"
 #include "stats/kernels/threads.h"
 #include "study/simulation/memory_session.h"
 
@@ -66,8 +67,18 @@ std::int16_t numberOf(const database::AnswerRecord& record, const AnswerPlaces::
     return right ? std::int16_t(*right) : SimulatedAnswers::none;
 }
 
-SimulatedAnswers numbersOf(const SimulatedSession& session, int number, const AnswerPlaces& places)
+std::vector<protocols::AnchorKind> anchorsIn(const MemoryStudy& study, const std::vector<protocols::BlindedTrial>& list)
 {
+    protocols::AnchorFinder finder(study.protocol);
+    std::vector<protocols::AnchorKind> anchors;
+    for (const auto& trial : list)
+        anchors.push_back(finder.next(trial, study.images.at(protocols::FileCode(trial.sealedCode.value))));
+    return anchors;
+}
+
+SimulatedAnswers numbersOf(const MemoryStudy& study, const SimulatedSession& session, int number, const AnswerPlaces& places)
+{
+    const auto anchors = anchorsIn(study, session.list);
     SimulatedAnswers numbers;
     numbers.number = number;
     numbers.hasWithdrawn = session.hasWithdrawn;
@@ -77,6 +88,7 @@ SimulatedAnswers numbersOf(const SimulatedSession& session, int number, const An
     numbers.seconds.assign(places.count(), std::numeric_limits<double>::quiet_NaN());
     for (const CurrentAnswer& answer : session.answers) {
         if (answer.voided) continue;
+        if (anchors[static_cast<std::size_t>(answer.record.trial.value) - 1] != protocols::AnchorKind::None) continue;
         const auto place = places.of(answer, session.list);
         if (!place) continue;
         numbers.values[place->at] = numberOf(answer.record, *place);
@@ -152,7 +164,7 @@ std::vector<SimulatedAnswers> simulateInMemory(const MemoryStudy& study, const S
         session::Plan plan = planWithoutList(study);
         for (std::size_t i = part * atOnce; i < std::min(places.size(), (part + 1) * atOnce); ++i) {
             const int number = request.first + static_cast<int>(i);
-            all[i] = numbersOf(played(study, request, number, places[i], plan), number, answerPlaces);
+            all[i] = numbersOf(study, played(study, request, number, places[i], plan), number, answerPlaces);
         }
     };
     stats::onThreads(parts, stats::threadCount(request.threads), playPart, [&](std::size_t done) {

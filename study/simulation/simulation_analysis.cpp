@@ -29,7 +29,7 @@ const char* const leftOut =
     "models "
     "and the claims that rest on them, Bayes factors, agreement, order effects, confusion of fabrics, conditional accuracy, "
     "speed "
-    "contrasts, quality flags, words and figures. `vis2hap simulate` and `vis2hap report` give them.";
+    "contrasts, quality flags, anchors, words and figures. `vis2hap simulate` and `vis2hap report` give them.";
 
 /// The numbers of one question, sorted for its tests.
 class QuestionCells {

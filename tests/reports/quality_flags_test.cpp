@@ -212,6 +212,19 @@ private Q_SLOTS:
         QCOMPARE(flagged(data), flags);
     }
 
+    void mismatchesRatedHigh()
+    {
+        StudyData data = ratingsOf(different(12));
+        for (const double rating : {0.6, 0.65, 0.7})
+            data.mismatchedResponses.push_back(builders::rated("P01", "F01", "h&f", "Q2", rating));
+        QCOMPARE(flagged(data),
+                 QStringList("P01 mismatch_rated_high: 3 ratings of mismatched presentations (another fabric) have at "
+                             "least the mean of the renderings' ratings"));
+        data.mismatchedResponses.back().content = RatedAnswer{0.6};
+        QCOMPARE(flagged(data), QStringList());
+        QVERIFY(QString::fromStdString(mismatchRule()).contains("at least 3 such ratings"));
+    }
+
     void voidedPresentationsAreFlaggedForTheStudy()
     {
         StudyData data = ratingsOf(different(12));

@@ -1,5 +1,7 @@
 #include "study/records/evidence/exported_samples.h"
 
+#include <algorithm>
+
 #include "database/evidence/finger_records.h"
 #include "protocols/files/csv_table.h"
 #include "protocols/files/number_text.h"
@@ -16,7 +18,11 @@ std::string fingerSamplesCsv(const database::StudyStore& store, const protocols:
                              const std::optional<Naming>& naming)
 {
     std::vector<std::string> head{"participant", "trial", "attempt", "voided", "at_ns", "x_mm", "y_mm", "force_n"};
+    const bool anchored = naming && std::ranges::any_of(naming->entries, [](const auto& entry) {
+                              return entry.second.anchor != protocols::AnchorKind::None;
+                          });
     if (naming) head.insert(head.end(), {"fabric", "condition"});
+    if (anchored) head.emplace_back("anchor");
     std::string text = protocols::csvRow(head);
     eachFingerRecord(store, participant, [&](const database::FingerRecord& record) {
         std::vector<std::string> names;
@@ -24,6 +30,7 @@ std::string fingerSamplesCsv(const database::StudyStore& store, const protocols:
             const auto named = naming->entries.find({record.participant, record.trial});
             const Naming::Entry entry = named == naming->entries.end() ? Naming::Entry{} : named->second;
             names = {entry.fabric.value, entry.condition};
+            if (anchored) names.push_back(nameOf(entry.anchor));
         }
         for (const protocols::FingerSample& sample : record.samples) {
             std::vector<std::string> cells{record.participant.value,       std::to_string(record.trial.value),

@@ -41,6 +41,35 @@ private Q_SLOTS:
                                  {std::nullopt, protocols::ConditionId("f"), protocols::FabricId("F03")}));
     }
 
+    /// A repetition without an answer of its own gets that of the first presentation; a mismatch does not.
+    void answersCanNameAnAnchor()
+    {
+        using protocols::AnchorKind;
+        const auto script = parse(R"([{"question":"Q2","condition":"h&f","fabric":"F03","answer":8},
+                                      {"question":"Q2","condition":"h&f","fabric":"F03","answer":2,"anchor":"mismatched"},
+                                      {"question":"Q2","condition":"f","fabric":"F03","answer":6},
+                                      {"question":"Q2","condition":"f","fabric":"F03","answer":5,"anchor":"repeated"}])");
+        const auto ratingOf = [&](const char* condition, AnchorKind anchor) {
+            const auto* found =
+                script.answerTo(protocols::QuestionId("Q2"),
+                                {std::nullopt, protocols::ConditionId(condition), protocols::FabricId("F03"), 1, {}, anchor});
+            return found ? std::get<protocols::Tenths>(found->response).value : -1;
+        };
+        QCOMPARE(ratingOf("h&f", AnchorKind::None), 80);
+        QCOMPARE(ratingOf("h&f", AnchorKind::Mismatched), 20);
+        QCOMPARE(ratingOf("h&f", AnchorKind::Repeated), 80);
+        QCOMPARE(ratingOf("f", AnchorKind::Repeated), 50);
+        QCOMPARE(ratingOf("f", AnchorKind::Mismatched), -1);
+        const auto refuse = [] { parse(R"([{"question":"Q2","condition":"f","fabric":"F03","answer":6,"anchor":"floor"}])"); };
+        try {
+            refuse();
+            QFAIL("an unknown anchor is taken");
+        } catch (const protocols::Error& error) {
+            const QString what = QString::fromStdString(error.what());
+            QVERIFY2(what.contains("unknown anchor \"floor\"") && what.contains("mismatched"), qPrintable(what));
+        }
+    }
+
     /// An answer without an instruction holds under every instruction that has none of its own.
     void answersCanNameAnInstruction()
     {

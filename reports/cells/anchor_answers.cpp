@@ -1,0 +1,152 @@
+#include "reports/cells/anchor_answers.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "stats/kernels/decimal_grid.h"
+#include "stats/kernels/descriptive.h"
+#include "stats/tests/equivalence.h"
+
+namespace reports {
+namespace {
+
+auto presentationOf(const StudyResponse& response)
+{
+    return std::tie(response.participant, response.fabric, response.condition, response.repetition);
+}
+
+std::optional<stats::RatingReliability> ratingsTwice(const StudyData& data, const std::string& question,
+                                                     const NumberOnScale& scale)
+{
+    std::vector<stats::RatingPairs> participants;
+    for (const auto& [participant, pairs] : answersTwice(data, question)) {
+        auto& own = participants.emplace_back();
+        for (const auto& [first, second] : pairs) {
+            const auto* before = std::get_if<RatedAnswer>(&first->content);
+            const auto* after = std::get_if<RatedAnswer>(&second->content);
+            if (before != nullptr && after != nullptr) own.emplace_back(before->rating, after->rating);
+        }
+    }
+    if (participants.empty()) return std::nullopt;
+    const auto [low, high] = data.equivalenceBounds;
+    return stats::ratingReliability(participants, scale.max, {.low = low, .high = high});
+}
+
+std::optional<stats::ChoiceReliability> choicesTwice(const StudyData& data, const std::string& question, int alternatives)
+{
+    std::vector<stats::RepeatedChoices> participants;
+    for (const auto& [participant, pairs] : answersTwice(data, question)) {
+        auto& own = participants.emplace_back();
+        for (const auto& [first, second] : pairs) {
+            const auto* before = std::get_if<ChosenAnswer>(&first->content);
+            const auto* after = std::get_if<ChosenAnswer>(&second->content);
+            // Right and wrong alone do not say whether two wrong choices are the same.
+            if (before == nullptr || after == nullptr || !before->answer || !after->answer) continue;
+            ++own.pairs;
+            own.agreeing += *before->answer == *after->answer;
+        }
+    }
+    if (participants.empty()) return std::nullopt;
+    return stats::choiceReliability(participants, alternatives);
+}
+
+std::optional<AnchorFloor> floorOf(const StudyData& data, const AnswerCells& cells, const std::string& question)
+{
+    std::vector<double> ratings;
+    std::map<std::string, std::vector<double>> byParticipant;
+    AnchorFloor floor;
+    for (const StudyResponse& response : data.mismatchedResponses) {
+        const auto* rated = std::get_if<RatedAnswer>(&response.content);
+        if (response.question != question || rated == nullptr) continue;
+        floor.condition = response.condition;
+        ratings.push_back(rated->rating);
+        byParticipant[response.participant].push_back(rated->rating);
+    }
+    if (ratings.empty()) return std::nullopt;
+    std::vector<double> means;
+    for (const auto& [participant, own] : byParticipant) means.push_back(*stats::meanOf(own));
+    floor.ratings = ratings.size();
+    floor.participants = means.size();
+    floor.mean = stats::meanOf(ratings);
+    floor.sd = stats::describe(ratings).sd;
+    floor.ci95 = stats::describe(means).ci95;
+    if (!floor.ci95.low.exists())
+        floor.ci95.low = floor.ci95.high = stats::Value::undefined("needs the means of at least 2 participants");
+    floor.lowestMean = floor.shareAbove = stats::Value::undefined("no condition has ratings");
+    for (const std::string& condition : data.conditions) {
+        const stats::Value mean = stats::meanOf(valuesOf(cells.of(question, condition)));
+        if (!mean.exists()) continue;
+        if (*mean <= *floor.mean) floor.notAbove.push_back(condition);
+        if (floor.lowestMean.exists() && *floor.lowestMean <= *mean) continue;
+        floor.lowest = condition;
+        floor.lowestMean = mean;
+    }
+    if (floor.lowestMean.exists()) {
+        const auto above = std::ranges::count_if(ratings, [&](double rating) { return rating > *floor.lowestMean; });
+        floor.shareAbove = static_cast<double>(above) / static_cast<double>(ratings.size());
+    }
+    return floor;
+}
+
+}  // namespace
+
+std::map<std::string, std::vector<AnswersTwice>> answersTwice(const StudyData& data, const std::string& question)
+{
+    std::map<std::tuple<std::string, std::string, std::string, std::string>, const StudyResponse*> repeated;
+    for (const StudyResponse& response : data.repeatedResponses)
+        if (response.question == question) repeated[presentationOf(response)] = &response;
+    std::map<std::string, std::vector<AnswersTwice>> pairs;
+    for (const StudyResponse& response : data.responses) {
+        if (response.question != question) continue;
+        const auto again = repeated.find(presentationOf(response));
+        if (again == repeated.end()) continue;
+        AnswersTwice pair{&response, again->second};
+        if (pair.first->trial && pair.second->trial && *pair.second->trial < *pair.first->trial)
+            std::swap(pair.first, pair.second);
+        pairs[response.participant].push_back(pair);
+    }
+    return pairs;
+}
+
+std::vector<QuestionAnchors> anchorsOf(const StudyData& data, const AnswerCells& cells)
+{
+    std::vector<QuestionAnchors> all;
+    if (data.mismatchedResponses.empty() && data.repeatedResponses.empty()) return all;
+    for (const QuestionInfo& question : data.questions) {
+        QuestionAnchors anchors{question.id, {}, {}, {}};
+        std::visit(
+            protocols::Overloaded{
+                [&](const RightOrWrong& choice) { anchors.choices = choicesTwice(data, question.id, choice.alternatives); },
+                [&](const NumberOnScale& scale) {
+                    anchors.floor = floorOf(data, cells, question.id);
+                    anchors.ratings = ratingsTwice(data, question.id, scale);
+                },
+                [](const OpenWords&) {},
+            },
+            scoringOf(question.kind));
+        if (anchors.floor || anchors.ratings || anchors.choices) all.push_back(std::move(anchors));
+    }
+    return all;
+}
+
+const QuestionAnchors* anchorsOf(const std::vector<QuestionAnchors>& anchors, const std::string& question)
+{
+    const auto found = std::ranges::find(anchors, question, &QuestionAnchors::question);
+    return found == anchors.end() ? nullptr : &*found;
+}
+
+const stats::Estimate* ceilingOf(const QuestionAnchors& anchors)
+{
+    if (anchors.ratings) return &anchors.ratings->meanCeiling;
+    return anchors.choices ? &anchors.choices->shareCeiling : nullptr;
+}
+
+const stats::Estimate* reliabilityOf(const QuestionAnchors& anchors)
+{
+    if (anchors.ratings) return &anchors.ratings->icc;
+    return anchors.choices ? &anchors.choices->kappa : nullptr;
+}
+
+}  // namespace reports

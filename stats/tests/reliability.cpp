@@ -1,0 +1,172 @@
+#include "stats/tests/reliability.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "stats/kernels/descriptive.h"
+#include "stats/kernels/distributions.h"
+#include "stats/tests/binomial.h"
+#include "stats/tests/intraclass.h"
+
+namespace stats {
+namespace {
+
+constexpr std::size_t fewestForIntervals = 3;
+constexpr double tailOf95 = 0.025;
+
+using RetestedParticipants = std::vector<RatingPairs>;
+
+Interval noInterval(const std::string& why) { return {Value::undefined(why), Value::undefined(why)}; }
+
+RatingPairs pooled(const RetestedParticipants& participants, std::size_t without)
+{
+    RatingPairs pairs;
+    for (std::size_t i = 0; i < participants.size(); ++i)
+        if (i != without) pairs.insert(pairs.end(), participants[i].begin(), participants[i].end());
+    return pairs;
+}
+
+Value iccOf(const RatingPairs& pairs)
+{
+    BlockTable table{pairs.size(), 2, {}};
+    for (const auto& [first, second] : pairs) table.values.insert(table.values.end(), {first, second});
+    const IntraclassCorrelations icc = intraclassCorrelations(table);
+    return icc.why.empty() ? icc.icc2
+                           : Value::undefined(icc.why == "needs at least 2 targets" ? "needs at least 2 pairs" : icc.why);
+}
+
+Value withinSdOf(const RatingPairs& pairs)
+{
+    if (pairs.empty()) return Value::undefined("no presentation came twice");
+    double squares = 0;
+    for (const auto& [first, second] : pairs) squares += (second - first) * (second - first);
+    return std::sqrt(squares / (2 * static_cast<double>(pairs.size())));
+}
+
+/// A statistic on a scale on which it is nearly normal, and back.
+struct NormalScale {
+    double (*to)(double);
+    double (*from)(double);
+};
+
+/// Leaves each participant out once. Undefined where the statistic, or one of these, has no finite value on the scale.
+Interval jackknifeInterval(const RetestedParticipants& participants, const std::function<Value(const RatingPairs&)>& statistic,
+                           const NormalScale& scale)
+{
+    const std::size_t n = participants.size();
+    if (n < fewestForIntervals) return noInterval("needs at least 3 participants");
+    const auto onScale = [&](std::size_t without) {
+        const Value value = statistic(pooled(participants, without));
+        return value.exists() ? scale.to(*value) : std::nan("");
+    };
+    const double whole = onScale(n), count = static_cast<double>(n);
+    std::vector<double> pseudo;
+    for (std::size_t i = 0; i < n; ++i) pseudo.push_back(count * whole - (count - 1) * onScale(i));
+    if (!std::ranges::all_of(pseudo, [](double value) { return std::isfinite(value); }))
+        return noInterval("the pairs agree without any difference, or do not vary");
+    const double half = studentQuantile(tailOf95, count - 1) * *describe(pseudo).sd / std::sqrt(count);
+    return {scale.from(whole - half), scale.from(whole + half)};
+}
+
+Interval limitsOf(const RatingPairs& pairs)
+{
+    std::vector<double> differences;
+    for (const auto& [first, second] : pairs) differences.push_back(second - first);
+    const Description all = describe(differences);
+    if (!all.sd.exists()) return noInterval("needs at least 2 pairs");
+    const double half = normalQuantile(tailOf95) * *all.sd;
+    return {*all.mean - half, *all.mean + half};
+}
+
+std::vector<double> meanDifferences(const RetestedParticipants& participants)
+{
+    std::vector<double> means;
+    for (const RatingPairs& pairs : participants) {
+        double sum = 0;
+        for (const auto& [first, second] : pairs) sum += second - first;
+        means.push_back(sum / static_cast<double>(pairs.size()));
+    }
+    return means;
+}
+
+Value raised(const Value& value, const std::function<double(double)>& by) { return value.exists() ? Value(by(*value)) : value; }
+
+/// Of a function that never falls.
+Estimate raised(const Estimate& of, const std::function<double(double)>& by)
+{
+    return {raised(of.value, by), {raised(of.ci95.low, by), raised(of.ci95.high, by)}};
+}
+
+/// Variance of the participants' weighted mean share over that of independent pairs; at least 1.
+double designEffect(std::span<const RepeatedChoices> participants, double share, double pairs)
+{
+    double n = 0, squares = 0;
+    for (const RepeatedChoices& one : participants) {
+        if (one.pairs == 0) continue;
+        const double residual = static_cast<double>(one.agreeing) - share * static_cast<double>(one.pairs);
+        squares += residual * residual;
+        ++n;
+    }
+    const double independent = pairs * share * (1 - share);
+    if (n < 2 || independent <= 0) return 1;
+    return std::max(1.0, squares * n / (n - 1) / independent);
+}
+
+/// Wilson's score interval of a share of `n` trials, which need not be whole.
+Interval scoreInterval(double share, double n)
+{
+    const double z = normalQuantile(tailOf95), below = 1 + z * z / n;
+    const double middle = (share + z * z / (2 * n)) / below;
+    const double half = z * std::sqrt(share * (1 - share) / n + z * z / (4 * n * n)) / below;
+    return {std::max(0.0, middle - half), std::min(1.0, middle + half)};
+}
+
+}  // namespace
+
+RatingReliability ratingReliability(std::span<const RatingPairs> all, double scaleMax, const EquivalenceOptions& bounds)
+{
+    RetestedParticipants participants;
+    std::ranges::copy_if(all, std::back_inserter(participants), [](const RatingPairs& pairs) { return !pairs.empty(); });
+    const RatingPairs pairs = pooled(participants, participants.size());
+    RatingReliability result;
+    result.pairs = pairs.size();
+    result.participants = participants.size();
+    result.icc = {iccOf(pairs), jackknifeInterval(participants, iccOf, {std::atanh, std::tanh})};
+    result.withinSd = {withinSdOf(pairs), jackknifeInterval(participants, withinSdOf, {std::log, std::exp})};
+    const std::vector<double> means = meanDifferences(participants);
+    result.bias = oneSampleTTest(means);
+    result.biasEquivalence = equivalenceTest(TKind::OneSample, means, {}, bounds);
+    result.limitsOfAgreement = limitsOf(pairs);
+    result.correlationCeiling = raised(result.icc, [](double icc) { return std::sqrt(std::max(0.0, icc)); });
+    const double lost = std::numbers::inv_sqrtpi / std::numbers::sqrt2;
+    const auto ceiling = [&](double sd) { return scaleMax - lost * sd; };
+    result.meanCeiling = raised(result.withinSd, ceiling);
+    std::swap(result.meanCeiling.ci95.low, result.meanCeiling.ci95.high);  // more noise, a lower ceiling
+    return result;
+}
+
+ChoiceReliability choiceReliability(std::span<const RepeatedChoices> participants, int alternatives)
+{
+    ChoiceReliability result;
+    for (const RepeatedChoices& one : participants) {
+        result.pairs += one.pairs;
+        result.agreeing += one.agreeing;
+        result.participants += one.pairs > 0;
+    }
+    if (result.pairs == 0) {
+        const std::string why = "no presentation came twice";
+        for (Estimate* estimate : {&result.agreement, &result.kappa, &result.shareCeiling})
+            *estimate = {Value::undefined(why), noInterval(why)};
+        return result;
+    }
+    const double pairs = static_cast<double>(result.pairs), share = static_cast<double>(result.agreeing) / pairs;
+    result.agreement = {share, scoreInterval(share, pairs / designEffect(participants, share, pairs))};
+    const double m = alternatives;
+    result.kappa = raised(result.agreement, [m](double agreement) { return (m * agreement - 1) / (m - 1); });
+    result.shareCeiling = raised(result.kappa, [m](double kappa) { return (1 + (m - 1) * std::sqrt(std::max(0.0, kappa))) / m; });
+    return result;
+}
+
+}  // namespace stats

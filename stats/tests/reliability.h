@@ -1,0 +1,81 @@
+// How well answers to the same presentation agree with one another (test and retest), and the most that this noise lets answers
+// reach. Participants are the sampled unit: their pairs need not be alike, and intervals come from the jackknife over
+// participants (Tukey 1958; Arvesen 1969, Ann Math Stat 40, 2076).
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "stats/kernels/value.h"
+#include "stats/tests/equivalence.h"
+#include "stats/tests/t_tests.h"
+
+namespace stats {
+
+/// A value with its 95 % interval.
+struct Estimate {
+    Value value;
+    Interval ci95;
+};
+
+/// One participant's first and second ratings of the same presentations.
+using RatingPairs = std::vector<std::pair<double, double>>;
+
+struct RatingReliability {
+    std::size_t pairs = 0;
+    std::size_t participants = 0;  ///< with at least one pair
+
+    /// ICC(2,1), absolute agreement (Shrout and Fleiss 1979), of all pairs. The shift from first to second answers counts as
+    /// noise, because nobody knows whether a rating was given early or late. Its interval is made of Fisher's z.
+    Estimate icc;
+    /// SD of a rating around the participant's own mean for the presentation: sqrt(sum of d^2 / 2n) over the differences d
+    /// (Bland and Altman 1996, BMJ 313, 744). Its interval is made of the logarithm.
+    Estimate withinSd;
+    TTest bias;                       ///< of the participants' mean differences, second - first
+    EquivalenceTest biasEquivalence;  ///< of the same means, to 0
+    Interval limitsOfAgreement;       ///< mean difference of the pairs -+ 1.96 SD (Bland and Altman 1986, Lancet 327, 307)
+
+    /// The highest correlation of single ratings with anything that holds no noise: sqrt(ICC) (Spearman 1904, Am J Psychol 15,
+    /// 72: correction for attenuation). 0 where the ICC is below 0.
+    Estimate correlationCeiling;
+    /// The highest mean rating. A rendering can at best feel like the highest point of the scale. Normal noise around it is cut
+    /// at the end of the scale, which takes the mean of the upper half away: max - withinSd / sqrt(2 pi), the mean of a normal
+    /// variable that is censored at its own mean (Tobin 1958, Econometrica 26, 24). It supposes that the noise is that of the
+    /// repeated presentations, and that the scale is wider than a few SDs.
+    Estimate meanCeiling;
+};
+
+/// `participants`: one list each; empty ones are left out. `scaleMax`: the highest point of the scale. `bounds`: of the bias.
+/// What needs more pairs or participants is undefined with its reason. Intervals need at least 3 participants.
+RatingReliability ratingReliability(std::span<const RatingPairs> participants, double scaleMax, const EquivalenceOptions& bounds);
+
+/// One participant's repeated choices.
+struct RepeatedChoices {
+    std::size_t pairs = 0;
+    std::size_t agreeing = 0;  ///< both choices are the same
+};
+
+struct ChoiceReliability {
+    std::size_t pairs = 0, agreeing = 0;
+    std::size_t participants = 0;  ///< with at least one pair
+    /// Share of pairs that agree. Wilson's interval; the pairs divided by the design effect of participants where their shares
+    /// differ more than chance makes them (Kish 1965; Korn and Graubard 1998, Survey Methodology 24, 193).
+    Estimate agreement;
+    /// (agreement - 1/m) / (1 - 1/m): kappa for alternatives that change from pair to pair, so that no alternative has a
+    /// frequency of its own (Brennan and Prediger 1981, Educ Psychol Meas 41, 687).
+    Estimate kappa;
+    /// The highest share of right answers over the presentations that came twice; those of one condition may be answered with
+    /// less noise than those of another. Who chooses alternative j with probability q_j agrees with themselves with the sum of
+    /// q_j^2. For a given sum A, the largest q_j is highest where the others are equal: (1 + sqrt((m - 1) (m A - 1))) / m. It
+    /// is concave in A, so it bounds the mean over presentations, too (Jensen). Corrected for chance it is sqrt(kappa), as the
+    /// correlation of ratings is sqrt(ICC). At kappa <= 0 it is 1/m.
+    Estimate shareCeiling;
+};
+
+/// `alternatives`: m, at least 2.
+ChoiceReliability choiceReliability(std::span<const RepeatedChoices> participants, int alternatives);
+
+}  // namespace stats

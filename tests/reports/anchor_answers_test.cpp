@@ -1,0 +1,226 @@
+// Answers to anchors in the report: pairs of first and second answers, floor and ceiling, tables, figures and sentences, and the
+// planted noise of simulated studies found again.
+#include "reports/cells/anchor_answers.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "reports/data/answers_csv.h"
+#include "reports/figures/report_figures.h"
+#include "reports/json/results_json.h"
+#include "reports/tables/report_tables.h"
+#include "stats/kernels/draws.h"
+#include "tests/reports/study_builder.h"
+
+using namespace reports;
+
+namespace {
+
+StudyResponse placed(StudyResponse response, int trial)
+{
+    response.trial = trial;
+    return response;
+}
+
+StudyResponse chosen(const std::string& participant, const std::string& fabric, const std::string& answer)
+{
+    return {participant, fabric, "h", "Q1", ChosenAnswer{answer == fabric, answer, {}}, {}};
+}
+
+/// Ratings of 0 to 10 with planted noise: conditions a to d are felt as 2, 4, 6 and 8, the image of another fabric as `floor`.
+StudyData noisyStudy(int participants, double noise, double floor, std::uint64_t stream)
+{
+    stats::Draws draws(21, stream);
+    StudyData data = builders::emptyStudy(participants, 5, {"a", "b", "c", "d"}, {{"Q2", "How close?", builders::onScale}});
+    const auto answer = [&](double felt) { return std::round(10 * std::clamp(felt + draws.normal(noise), 0.0, 10.0)) / 10; };
+    for (const std::string& participant : data.participants) {
+        const double person = draws.normal(0.5);
+        int trial = 0;
+        for (std::size_t c = 0; c < 4; ++c)
+            for (const std::string& fabric : data.fabrics) {
+                const double felt = 2 + 2 * static_cast<double>(c) + person + draws.normal(0.5);
+                data.responses.push_back(
+                    placed(builders::rated(participant, fabric, data.conditions[c], "Q2", answer(felt)), ++trial));
+                if (fabric == "F01" || (fabric == "F02" && c < 2))
+                    data.repeatedResponses.push_back(
+                        placed(builders::rated(participant, fabric, data.conditions[c], "Q2", answer(felt)), 100 + trial));
+            }
+        for (const char* fabric : {"F01", "F02", "F03", "F04"})
+            data.mismatchedResponses.push_back(builders::rated(participant, fabric, "d", "Q2", answer(floor + person)));
+    }
+    return data;
+}
+
+QString lastingText(const std::vector<ReportTable>& tables, const std::string& name)
+{
+    for (const ReportTable& one : tables)
+        if (one.table.name == name) {
+            QString text;
+            for (const auto& row : one.table.rows) {
+                for (const auto& cell : row) text += QString::fromStdString(cell.text) + "|";
+                text += "\n";
+            }
+            return text;
+        }
+    return {};
+}
+
+}  // namespace
+
+class AnchorAnswersTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aPairIsTheFirstAndTheSecondAnswerInTime()
+    {
+        StudyData data = builders::emptyStudy(2, 2, {"h", "f"}, {{"Q2", "", builders::onScale}});
+        data.responses = {placed(builders::rated("P01", "F01", "h", "Q2", 3), 1),
+                          placed(builders::rated("P01", "F02", "h", "Q2", 6), 30),
+                          placed(builders::rated("P02", "F01", "f", "Q2", 1), 2)};
+        data.repeatedResponses = {
+            placed(builders::rated("P01", "F01", "h", "Q2", 4), 20),
+            placed(builders::rated("P01", "F02", "h", "Q2", 8), 21),   // the first one was voided and came later
+            placed(builders::rated("P02", "F02", "f", "Q2", 9), 20)};  // its first answer is missing
+        const auto anchors = anchorsOf(data, AnswerCells(data));
+        QCOMPARE(anchors.size(), 1u);
+        QVERIFY(!anchors[0].floor && anchors[0].ratings);
+        QCOMPARE(anchors[0].ratings->pairs, 2u);
+        QCOMPARE(anchors[0].ratings->participants, 1u);
+        QCOMPARE(*anchors[0].ratings->limitsOfAgreement.low + *anchors[0].ratings->limitsOfAgreement.high, 1.0 - 2.0);
+    }
+
+    void choicesAgreeByTheFabricChosen()
+    {
+        StudyData data = builders::emptyStudy(1, 3, {"h"}, {{"Q1", "", builders::amongThree}});
+        data.responses = {chosen("P01", "F01", "F02"), chosen("P01", "F02", "F02"), chosen("P01", "F03", "F01")};
+        data.repeatedResponses = {chosen("P01", "F01", "F02"), chosen("P01", "F02", "F01"), chosen("P01", "F03", "F01")};
+        const auto anchors = anchorsOf(data, AnswerCells(data));
+        QCOMPARE(anchors.at(0).choices->pairs, 3u);
+        QCOMPARE(anchors.at(0).choices->agreeing, 2u);  // wrong twice in the same way agrees, too
+        QCOMPARE(*anchors.at(0).choices->kappa.value, 0.5);
+        QVERIFY(ceilingOf(anchors[0]) == &anchors[0].choices->shareCeiling);
+    }
+
+    void theFloorStandsBesideTheLowestCondition()
+    {
+        StudyData data = builders::emptyStudy(2, 1, {"a", "b"}, {{"Q2", "", builders::onScale}});
+        for (const char* person : {"P01", "P02"}) {
+            data.responses.push_back(builders::rated(person, "F01", "a", "Q2", 3));
+            data.responses.push_back(builders::rated(person, "F01", "b", "Q2", 7));
+        }
+        for (const double rating : {1.0, 4.0})
+            data.mismatchedResponses.push_back(builders::rated("P01", "F01", "b", "Q2", rating));
+        for (const double rating : {2.0, 7.0})
+            data.mismatchedResponses.push_back(builders::rated("P02", "F01", "b", "Q2", rating));
+        const auto anchors = anchorsOf(data, AnswerCells(data));
+        const AnchorFloor& floor = *anchors.at(0).floor;
+        QCOMPARE(floor.condition, std::string("b"));
+        QCOMPARE(*floor.mean, 3.5);
+        QCOMPARE(floor.lowest, std::string("a"));
+        QCOMPARE(*floor.shareAbove, 0.5);
+        QCOMPARE(floor.notAbove, std::vector<std::string>{"a"});
+    }
+
+    void noAnalysisOfConditionsUsesThem()
+    {
+        StudyData data = noisyStudy(6, 1, 1, 0);
+        const StudyAnalysis with = analyse(data, {.depth = Depth::Quick});
+        data.mismatchedResponses.clear();
+        data.repeatedResponses.clear();
+        auto results = resultsJson(with, {}), plain = resultsJson(analyse(data, {.depth = Depth::Quick}), {});
+        QVERIFY(results.contains("anchors") && !plain.contains("anchors"));
+        results.erase("anchors");
+        QCOMPARE(QString::fromStdString(results.dump()), QString::fromStdString(plain.dump()));
+    }
+
+    void theReportShowsFloorAndCeiling()
+    {
+        const StudyAnalysis analysis = analyse(noisyStudy(8, 1, 2.5, 1), {.depth = Depth::Quick});
+        const auto tables = reportTables(analysis);
+        const QString means = lastingText(tables, "q2_ratings"), small = lastingText(tables, "anchors");
+        QVERIFY2(means.contains("floor: another fabric|32|") && means.contains("ceiling: noise of the answers||"),
+                 qPrintable(means));
+        QVERIFY2(small.startsWith("Q2|32|"), qPrintable(small));
+        QVERIFY(!lastingText(tables, "anchors_retest").isEmpty());
+        for (const Figure& figure : reportFigures(analysis))
+            if (figure.name == "ratings") {
+                QVERIFY(figure.svg.find(">floor<") != std::string::npos && figure.svg.find(">ceiling<") != std::string::npos);
+                QVERIFY(figure.caption.find("Dotted lines: floor") != std::string::npos);
+            }
+        const auto json = resultsJson(analysis, {});
+        QCOMPARE(json["anchors"][0]["question"].get<std::string>(), std::string("Q2"));
+        QVERIFY(json["anchors"][0]["repeated"]["icc_ci95"].is_array());
+        QCOMPARE(json["anchors"][0]["repeated"]["bias"]["bounds"].dump(), std::string("[-0.5,0.5]"));
+    }
+
+    void aBlindedStudyNamesNoConditionOfTheFloor()
+    {
+        StudyData data = noisyStudy(6, 1, 1, 2);
+        data.blinded = true;
+        for (StudyResponse& response : data.mismatchedResponses) response.condition.clear();
+        const auto row = resultsJson(analyse(data, {.depth = Depth::Quick}), {})["anchors"][0]["mismatched"];
+        QVERIFY(row["condition"].is_null());
+        QCOMPARE(row["why"]["condition"].get<std::string>(), std::string("left out while the study is blinded"));
+    }
+
+    /// 400 studies of 10 participants with 6 pairs and 4 mismatches each; ratings are cut at the ends and rounded to tenths.
+    void plantedNoiseAndFloorAreFound()
+    {
+        constexpr int studies = 400;
+        constexpr double noise = 0.8, floor = 2.5;
+        int noiseHeld = 0, floorHeld = 0;
+        double sumOfCeilings = 0, sumOfIccs = 0;
+        for (int study = 0; study < studies; ++study) {
+            const StudyData data = noisyStudy(10, noise, floor, static_cast<std::uint64_t>(study));
+            const auto anchors = anchorsOf(data, AnswerCells(data));
+            const auto& found = *anchors.at(0).ratings;
+            noiseHeld += *found.withinSd.ci95.low <= noise && noise <= *found.withinSd.ci95.high;
+            const AnchorFloor& low = *anchors[0].floor;
+            floorHeld += *low.ci95.low <= floor && floor <= *low.ci95.high;
+            sumOfCeilings += *found.meanCeiling.value;
+            sumOfIccs += *found.icc.value;
+        }
+        // Variance between the repeated presentations: a and b twice, c and d once; person and presentation 0.5 each.
+        const double between = (2 * 9 + 2 * 1 + 1 + 9) / 6.0 - std::pow((2 * -3 + 2 * -1 + 1 + 3) / 6.0, 2) + 0.25 + 0.25;
+        const double icc = between / (between + noise * noise);
+        qInfo("noise held in %.1f %%, floor in %.1f %%; mean ICC %.3f (planted %.3f)", 100.0 * noiseHeld / studies,
+              100.0 * floorHeld / studies, sumOfIccs / studies, icc);
+        QVERIFY(noiseHeld > 0.91 * studies && floorHeld > 0.91 * studies);
+        QVERIFY(std::abs(sumOfIccs / studies - icc) < 0.02);
+        QVERIFY(std::abs(sumOfCeilings / studies - (10 - noise / std::sqrt(2 * std::numbers::pi))) < 0.02);
+    }
+
+    void tablesOfOthersMayNameAnchors()
+    {
+        const std::string head = "participant,fabric,condition,question,rating,trial,anchor\n";
+        const StudyData data = read(head +
+                                    "P1,A,x,Q2,5,1,\nP1,B,x,Q2,6,2,\nP1,A,x,Q2,4,9,repeated\nP1,A,x,Q2,1,4,mismatched\n"
+                                    "P1,A,x,Q2,2,5,mismatched\n");
+        QCOMPARE(data.responses.size(), 2u);
+        QCOMPARE(data.mismatchedResponses.size(), 2u);
+        QCOMPARE(data.repeatedResponses.size(), 1u);
+        QCOMPARE(data.answersPerCell, 1u);
+        // Another lab's column of this name means something else, and stays what it was.
+        const StudyData other = read(head + "P1,A,x,Q2,5,1,steel\nP1,B,x,Q2,6,2,repeated\n");
+        QCOMPARE(other.responses.size(), 2u);
+        const StudyData wide = read("participant,fabric,condition,Q2,anchor\nP1,A,x,5,\nP1,A,x,6,repeated\n");
+        QCOMPARE(wide.repeatedResponses.size(), 1u);
+    }
+
+private:
+    StudyData read(const std::string& text) const
+    {
+        const std::string file = m_folder.filePath("answers.csv").toStdString();
+        std::ofstream(file) << text;
+        return readAnswersCsv(file);
+    }
+
+    QTemporaryDir m_folder;
+};
+
+QTEST_GUILESS_MAIN(AnchorAnswersTest)
+#include "anchor_answers_test.moc"

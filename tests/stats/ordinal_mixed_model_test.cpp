@@ -52,6 +52,86 @@ class OrdinalMixedModelTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    // Rscript tests/stats/reference/ordinal_mixed_model.R: ordinal::clmm, also where ratings of the scale are never used. clmm
+    // takes second differences, so that its standard errors have three digits here.
+    void numbersOfClmm_data()
+    {
+        QTest::addColumn<QString>("kind");
+        QTest::addColumn<double>("logLikelihood");
+        QTest::addColumn<Numbers>("levels");
+        QTest::addColumn<Numbers>("thresholds");
+        QTest::addColumn<Numbers>("effects");
+        QTest::addColumn<Numbers>("sds");
+        QTest::addColumn<Numbers>("errors");  // of thresholds, then of effects
+        QTest::newRow("seven levels") << "all" << -101.445119219 << Numbers{1, 2, 3, 4, 5, 6, 7}
+                                      << Numbers{-4.742767, -2.072510, -0.880961, -0.153863, 1.201085, 2.980529}
+                                      << Numbers{-0.594695, 0.657016} << Numbers{1.100716, 0.411810}
+                                      << Numbers{1.229371, 0.746804, 0.694129, 0.682721, 0.702936, 0.824821, 0.563473, 0.588273};
+        QTest::newRow("4 is never used") << "gap" << -88.116680139 << Numbers{1, 2, 3, 5, 6, 7}
+                                         << Numbers{-4.656201, -2.024752, -0.865973, 1.089977, 2.838026}
+                                         << Numbers{-0.668691, 0.597291} << Numbers{0.992202, 0.221432}
+                                         << Numbers{1.197116, 0.696003, 0.640987, 0.645021, 0.772442, 0.580044, 0.595017};
+        QTest::newRow("1 and 7 are never used")
+            << "ends" << -88.421952034 << Numbers{2, 3, 4, 5, 6} << Numbers{-2.080539, -0.876364, -0.145301, 1.199507}
+            << Numbers{-0.540091, 0.605733} << Numbers{1.076486, 0.446106}
+            << Numbers{0.751015, 0.695641, 0.684149, 0.706250, 0.566522, 0.610343};
+    }
+
+    void numbersOfClmm()
+    {
+        QFETCH(const QString, kind);
+        QFETCH(const double, logLikelihood);
+        QFETCH(const Numbers, levels);
+        QFETCH(const Numbers, thresholds);
+        QFETCH(const Numbers, effects);
+        QFETCH(const Numbers, sds);
+        QFETCH(const Numbers, errors);
+        auto data = smallStudy();
+        for (double& value : data.values) {
+            if (kind == "gap" && value == 4) value = 5;
+            if (kind == "ends") value = std::clamp(value, 2.0, 6.0);
+        }
+        const auto model = stats::fitOrdinalMixedModel(data);
+        QVERIFY2(model.why.empty() && model.separation == stats::Separation::None, model.why.c_str());
+        compareNumbers({{"log likelihood", model.logLikelihood, logLikelihood, 1e-10}});
+        QCOMPARE(model.levels, levels);
+        QCOMPARE(model.thresholds.size(), thresholds.size());
+        for (std::size_t j = 0; j < thresholds.size(); ++j)
+            compareNumbers({{"threshold", model.thresholds[j].estimate, thresholds[j], 1e-4},
+                            {"its se", model.thresholds[j].se, errors[j], 1e-3}});
+        for (std::size_t i = 0; i < effects.size(); ++i)
+            compareNumbers({{"effect", model.fixed[i].estimate, effects[i], 1e-4},
+                            {"its se", model.fixed[i].se, errors[thresholds.size() + i], 1e-3}});
+        for (std::size_t g = 0; g < sds.size(); ++g) compareNumbers({{"sd", model.random[g].sd, sds[g], 1e-4}});
+    }
+
+    // The same script. Where conditions separate, clmm stops on the way to infinity (effects of -26 and 44, no standard errors).
+    // The rest of its numbers is right.
+    void separationIsWhatClmmRunsInto()
+    {
+        auto data = smallStudy();
+        rateAll(data, 2, 1);
+        const auto model = stats::fitOrdinalMixedModel(data);
+        const Numbers thresholds{-4.762229, -2.461018, -1.177344, -0.282489, 1.609247, 3.407266};
+        compareNumbers({{"log likelihood", model.logLikelihood, -66.531603798, 1e-9},
+                        {"effect of 2", model.fixed[0].estimate, -0.662632, 1e-4},
+                        {"people", model.random[0].sd, 1.311712, 1e-4},
+                        {"fabrics", model.random[1].sd, 0.413286, 1e-4}});
+        for (std::size_t j = 0; j < thresholds.size(); ++j)
+            compareNumbers({{"threshold", model.thresholds[j].estimate, thresholds[j], 1e-4}});
+        compareReasons({{"effect of 3", model.fixed[1].estimate, "3 (always 1)"}});
+        data = smallStudy();
+        for (const std::size_t condition : {0U, 1U, 2U}) rateAll(data, condition, condition == 1 ? 6 : 3);
+        const auto complete = stats::fitOrdinalMixedModel(data);
+        QVERIFY(complete.separation == stats::Separation::Complete);
+        compareNumbers({{"log likelihood", stats::Value(1 + *complete.logLikelihood), 1 - 0.000000027, 1e-7}});
+        compareReasons({{"effect", complete.fixed[0].estimate, "separation"}});
+        // clmm: "optimizer nlminb failed to converge"
+        for (std::size_t row = 0; row < 60; ++row) data.values[row] = static_cast<double>(row / 12 + 1);
+        const auto byPerson = stats::fitOrdinalMixedModel(data);
+        QVERIFY2(byPerson.why.find("no finite estimate") != std::string::npos, byPerson.why.c_str());
+    }
+
     // /usr/bin/python3 tests/stats/reference/ordinal_mixed_model.py, whose estimates are exact to about 1e-6.
     void everyNumberOfTheSmallStudy_data()
     {

@@ -22,6 +22,10 @@ mostContrasts <- many * 100
 
 answers <- read.csv("answers.csv", colClasses = "character", check.names = FALSE, encoding = "UTF-8", na.strings = "")
 expected <- read.csv("expected.csv", colClasses = "character", check.names = FALSE, encoding = "UTF-8", na.strings = "")
+if (nrow(expected) == 0) {
+  cat("the report has no numbers of choices or ratings: there is nothing to compute\nreproduced: 0 of 0\n")
+  quit(status = 0)
+}
 for (name in c("low", "high", "value")) expected[[name]] <- as.numeric(expected[[name]])
 for (name in c("a", "b")) expected[[name]][is.na(expected[[name]])] <- ""
 answers$value <- as.numeric(ifelse(is.na(answers$correct), answers$rating, answers$correct))
@@ -171,37 +175,75 @@ fixedOf <- function(rows) if (nlevels(rows$condition) > 1) "condition" else "1"
 formulaOf <- function(response, fixed, groups)
   as.formula(paste(c(paste(response, "~", fixed), if (length(groups) > 0) paste0("(1 | ", groups, ")")), collapse = " + "))
 
-# Fits, leaves out the groups whose standard deviation is zero, and fits again: fit(groups), and `plain` without groups.
-withoutZeros <- function(groups, fit, plain, varCorr, isZero) {
+# Fits, leaves out the groups whose standard deviation is zero, and fits again: fit(groups), and `plain` without groups. A small one
+# leaves, too, where the model without it is no less likely: the likelihood is level at zero, and the optimiser stops before it.
+withoutZeros <- function(groups, fit, plain, sdsOf, zero, small, noise) {
   none <- setNames(numeric(length(groups)), sprintf("sd_%s", groups))
+  modelOf <- function(groups) if (length(groups) > 0) quietly(fit(groups)) else plain
+  isNoWorse <- function(group) logLikelihood(modelOf(setdiff(groups, group))) > logLikelihood(model) - noise
   while (length(groups) > 0) {
-    model <- quietly(fit(groups))
-    sds <- vapply(groups, function(group) attr(varCorr(model)[[group]], "stddev")[[1]], 0)
-    leaves <- isZero(model, sds)
-    if (!any(leaves))
+    model <- modelOf(groups)
+    sds <- sdsOf(model, groups)
+    unit <- if (inherits(model, "lmerMod")) sigma(model) else 1
+    leaves <- groups[sds <= zero * unit]
+    if (length(leaves) == 0) leaves <- head(Filter(isNoWorse, groups[sds < small * unit]), 1)
+    if (length(leaves) == 0)
       return(list(model = model, groups = groups, sds = sds, named = as.list(replace(none, paste0("sd_", groups), sds))))
-    groups <- groups[!leaves]
+    groups <- setdiff(groups, leaves)
   }
   list(model = plain, groups = groups, sds = numeric(), named = as.list(none))
 }
+logLikelihood <- function(model) {
+  isLinear <- inherits(model, "lmerMod") || identical(class(model), "lm")
+  c(if (isLinear) logLik(model, REML = TRUE) else logLik(model))
+}
+sdsOfLme4 <- function(model, groups)
+  vapply(groups, function(group) attr(lme4::VarCorr(model)[[group]], "stddev")[[1]], 0)
 exactly <- function(control, end, ...) control(optimizer = "bobyqa", optCtrl = list(rhoend = end, maxfun = 1e5), ...,
   check.conv.singular = "ignore", check.nobs.vs.rankZ = "ignore", check.nobs.vs.nRE = "ignore")
 
+# The covariance matrix of each group and of the residual, for variances of 1, and the projection of the model that has them.
+productsOf <- function(rows, groups)
+  c(lapply(rows[groups], function(level) outer(level, level, "==") + 0), list(diag(nrow(rows))))
+projectionOf <- function(x, products, sds) {
+  inverse <- solve(Reduce(`+`, Map(`*`, products, sds^2)))
+  half <- inverse %*% x %*% solve(crossprod(x, inverse %*% x))
+  list(half = half, projection = inverse - half %*% crossprod(x, inverse))
+}
 # lmerTest takes second differences in the standard deviations. Near zero they need a better optimum than an optimiser finds.
 # There the derivatives in the variances replace them, by their formulas.
-withExactDerivatives <- function(fitted) {
-  model <- fitted$model
-  x <- lme4::getME(model, "X")
-  products <- c(lapply(model.frame(model)[fitted$groups], function(level) outer(level, level, "==") + 0), list(diag(nrow(x))))
-  inverse <- solve(Reduce(`+`, Map(`*`, products, c(fitted$sds, sigma(model))^2)))
-  half <- inverse %*% x %*% solve(crossprod(x, inverse %*% x))
-  projection <- inverse - half %*% crossprod(x, inverse)
-  parts <- lapply(products, function(k) projection %*% k)
-  forms <- vapply(products, function(k) c(k %*% (projection %*% lme4::getME(model, "y"))), numeric(nrow(x)))
+withExactDerivatives <- function(fitted, rows, x) {
+  products <- productsOf(rows, fitted$groups)
+  here <- projectionOf(x, products, c(fitted$sds, sigma(fitted$model)))
+  parts <- lapply(products, function(k) here$projection %*% k)
+  forms <- vapply(products, function(k) c(k %*% (here$projection %*% rows$y)), numeric(nrow(x)))
   traces <- outer(seq_along(parts), seq_along(parts), Vectorize(function(i, j) sum(parts[[i]] * t(parts[[j]]))))
-  model@vcov_varpar <- 2 * solve(2 * crossprod(forms, projection %*% forms) - traces)
-  model@Jac_list <- lapply(products, function(k) crossprod(half, k %*% half))
-  replace(fitted, "model", list(model))
+  fitted$model@vcov_varpar <- 2 * solve(2 * crossprod(forms, here$projection %*% forms) - traces)
+  fitted$model@Jac_list <- lapply(products, function(k) crossprod(here$half, k %*% here$half))
+  fitted
+}
+# Groups at zero where the criterion is level: a mean square equals the one that it stands on. Ratings that are all equal under a
+# condition make such ties. lmerTest leaves these groups out, so that the same answers count twice: 18 degrees of freedom for 10
+# participants. Here they stay, at zero.
+tiedGroups <- function(fitted, rows, x, groups) {
+  if (length(groups) == 0 || !any(tapply(rows$y, rows$condition, areEqual))) return(character())
+  here <- projectionOf(x, productsOf(rows, fitted$groups), c(fitted$sds, sigma(fitted$model)))
+  own <- c(here$projection %*% rows$y)
+  isTied <- function(group) {
+    product <- outer(rows[[group]], rows[[group]], "==") + 0
+    expected <- sum(here$projection * product)
+    abs(sum(own * (product %*% own)) - expected) <= 1e-5 * expected
+  }
+  Filter(isTied, groups)
+}
+# The model at standard deviations that are known, relative to the residual's.
+modelAt <- function(formula, rows, ratios, control) {
+  parts <- lme4::lFormula(formula, rows, control = control)
+  deviance <- do.call(lme4::mkLmerDevfun, c(parts, list(control = control)))
+  ratios <- unname(ratios[names(parts$reTrms$cnms)])
+  optimum <- list(par = ratios, fval = deviance(ratios), feval = 1, conv = 0, message = NULL)
+  model <- lme4::mkMerMod(environment(deviance), optimum, parts$reTrms, parts$fr)
+  quietly(lmerTest:::as_lmerModLT(model, deviance))
 }
 hasNoVariation <- function(rows, formula) {
   rest <- lm.fit(model.matrix(formula, rows), rows$y / max(abs(rows$y), 1e-300))$residuals
@@ -217,19 +259,24 @@ linear <- function(rows, groups) {
   if (nrow(rows) <= nlevels(rows$condition) || hasNoVariation(rows, plain) ||
       any(vapply(pairs, function(two) divideAlike(known$rows[two]), NA))) return(NULL)
   control <- exactly(lme4::lmerControl, 1e-12, calc.derivs = FALSE)
-  fit <- function(groups)
-    if (length(groups) == 0) lm(plain, rows)
-    else quietly(lmerTest::lmer(formulaOf("y", fixedOf(rows), groups), known$rows, control = control))
-  # The criterion is so flat at zero that the optimiser stops before it.
-  isNoWorse <- function(model, group)
-    logLik(fit(setdiff(names(lme4::VarCorr(model)), group)), REML = TRUE) > logLik(model) - 1e-9
-  isZero <- function(model, sds) mapply(function(ratio, group) ratio <= 1e-4 || (ratio < 0.03 && isNoWorse(model, group)),
-                                        sds / sigma(model), names(sds))
-  fitted <- withoutZeros(known$groups, fit, fit(NULL), lme4::VarCorr, isZero)
+  fit <- function(groups, ...) lmerTest::lmer(formulaOf("y", fixedOf(rows), groups), known$rows, control = control, ...)
+  fitted <- withoutZeros(known$groups, fit, lm(plain, rows), sdsOfLme4, 1e-4, 0.03, 1e-9)
   ratios <- fitted$sds / sigma(fitted$model)
-  if (any(ratios > 50)) return(NULL)  # the groups reproduce every number
+  if (any(ratios > 50)) {  # nothing remains where the likelihood stays the same without a residual
+    deviance <- fit(fitted$groups, devFunOnly = TRUE)
+    theta <- lme4::getME(fitted$model, "theta")
+    if (deviance(10 * theta) <= deviance(theta) + 1e-6) return(NULL)
+  }
   fitted$conditions <- levels(rows$condition)
-  if (any(ratios < 0.1) && nrow(rows) <= 2000) withExactDerivatives(fitted) else fitted
+  if (nrow(rows) > 2000) return(fitted)
+  x <- model.matrix(reformulate(fixedOf(rows)), rows)
+  tied <- tiedGroups(fitted, known$rows, x, setdiff(known$groups, fitted$groups))
+  if (length(tied) > 0) {
+    fitted$groups <- c(fitted$groups, tied)
+    fitted$sds <- setNames(c(fitted$sds, 0 * seq_along(tied)), fitted$groups)
+    fitted$model <- modelAt(formulaOf("y", fixedOf(rows), fitted$groups), known$rows, fitted$sds / sigma(fitted$model), control)
+  }
+  if (length(tied) > 0 || any(ratios < 0.1)) withExactDerivatives(fitted, known$rows, x) else fitted
 }
 
 # A weighted sum of the fixed effects.
@@ -302,10 +349,12 @@ isLimited <- function(question) once(paste("limited", question), {
 })
 # Mean of `x` by the model of `rows`.
 likeThese <- function(x, rows, weights, groups, limited) {
-  fitted <- if (isTestable(x) && ncol(x) > 1) orNothing(linear(rows, groups))
+  # Where participants and fabrics reproduce every difference, nothing is claimed.
+  isDetermined <- !anyNA(x) && isTestable(x) && ncol(x) > 1 && hasNoVariation(rowsOf(x), y ~ participant + fabric)
+  fitted <- if (isTestable(x) && ncol(x) > 1 && !isDetermined) orNothing(linear(rows, groups))
   if (is.null(fitted)) return(untested(x))
   mean <- meanOf(fitted, weights)
-  if (limited && !any(tail(groups, 2) %in% fitted$groups)) mean$df <- min(mean$df, mostDegrees(x))
+  if (limited && !any(fitted$sds[tail(groups, 2)] > 0, na.rm = TRUE)) mean$df <- min(mean$df, mostDegrees(x)[mostDegrees(x) > 0], na.rm = TRUE)
   mean
 }
 # The difference of two conditions, or the share correct under one.
@@ -314,8 +363,10 @@ claim <- function(question, a, b, low, high, ofThese) {
   isShare <- b == ""
   whole <- if (isShare) under(cells, a) else under(cells, a) - under(cells, b)
   x <- present(whole)
-  # Ratings without gaps: the model of both conditions, whose sums show the residual, too.
+  # Ratings without gaps: the model of both conditions, whose sums show the residual, too. Where the ratings of one are all equal,
+  # sums and differences are the same numbers.
   both <- if (!question %in% choices && !anyNA(x)) present(cells[, , c(b, a), drop = FALSE], whole)
+  if (!is.null(both) && (areEqual(both[, , 1]) || areEqual(both[, , 2]))) both <- NULL
   mean <- if (ofThese) ofTheseFabrics(x)
           else if (is.null(both)) likeThese(x, rowsOf(x), 1, plainGroups, isShare || isLimited(question))
           else likeThese(x, rowsOf(both), c(0, 1), crossedGroups, isLimited(question))
@@ -326,8 +377,6 @@ claim <- function(question, a, b, low, high, ofThese) {
 
 # ---- logistic and ordinal mixed models, by Laplace's approximation ----------------------------------------------------------
 
-isZeroLogOdds <- function(model, sds) sds <= 1e-3
-
 # The better of two fits, as there may be several maxima. lme4's default tolerance would stop one step before the maximum.
 binary <- function(rows, fixed, groups) {
   fit <- function(groups) {
@@ -336,7 +385,7 @@ binary <- function(rows, fixed, groups) {
     models[[which.max(vapply(models, logLik, 0))]]
   }
   plain <- glm(formulaOf("y", fixed, NULL), binomial, rows, control = list(epsilon = 1e-13))
-  fitted <- withoutZeros(groups, fit, plain, lme4::VarCorr, isZeroLogOdds)
+  fitted <- withoutZeros(groups, fit, plain, sdsOfLme4, 1e-3, 0.1, 1e-8)
   effects <- if (inherits(fitted$model, "glm")) coef(fitted$model) else lme4::fixef(fitted$model)
   c(fitted, list(effects = effects, covariance = as.matrix(vcov(fitted$model))))
 }
@@ -345,7 +394,13 @@ cumulative <- function(rows, fixed, groups) {
   fit <- function(groups, ...) ordinal::clmm(formulaOf("factor(y)", fixed, groups), data = rows, ...,
     control = ordinal::clmm.control(gradTol = 1e-7, maxIter = 200, maxLineIter = 200))
   plain <- quietly(ordinal::clm(formulaOf("factor(y)", fixed, NULL), data = rows))
-  fitted <- withoutZeros(groups, fit, plain, ordinal::VarCorr, isZeroLogOdds)
+  # clmm sorts groups by their number of levels, but names those of equal number in the wrong order.
+  sdsOf <- function(model, groups) {
+    if (length(groups) == 1) return(setNames(attr(ordinal::VarCorr(model)[[1]], "stddev")[[1]], groups))
+    sorted <- groups[order(-vapply(groups, function(group) nlevels(rows[[group]]), 0))]
+    setNames(abs(tail(model$optRes$par, length(groups))), sorted)[groups]
+  }
+  fitted <- withoutZeros(groups, fit, plain, sdsOf, 1e-3, 0.1, 1e-8)
   covariance <- vcov(fitted$model)
   if (length(fitted$groups) > 0) {
     found <- fitted$model$optRes$par
@@ -380,7 +435,12 @@ laplaceFit <- function(rows, groups, isChoice) {
   isBinary <- length(values) < 3
   if (isBinary) rest$y <- as.numeric(rest$y > values[1])
   fit <- function(rows, fixed) {
-    fitted <- if (isBinary) binary(rows, fixed, known$groups) else cumulative(rows, fixed, known$groups)
+    # Of groups that divide the answers in the same way only the sum of the variances is known.
+    pairs <- if (length(known$groups) > 1) combn(known$groups, 2, simplify = FALSE)
+    alike <- Filter(function(two) divideAlike(droplevels(rows[two])), pairs)
+    groups <- setdiff(known$groups, vapply(alike, `[`, "", 2))
+    fitted <- if (isBinary) binary(rows, fixed, groups) else cumulative(rows, fixed, groups)
+    fitted$named[sprintf("sd_%s", unique(unlist(alike)))] <- NULL
     if (all(fitted$sds < 50)) fitted  # otherwise the groups reproduce almost every answer
   }
   full <- if (any(isFinite)) fit(rest, fixedOf(rest)) else list()
@@ -501,9 +561,6 @@ for (i in head(which(!isSame), 20))
 named <- function(names) paste(unique(names), collapse = ", ")
 for (left in split(groups, groups$why)) if (left$why[1] != "")
   cat("left out: ", named(left$section), " of ", named(left$question), ": ", left$why[1], "\n", sep = "")
-constant <- setdiff(expected$question[expected$section == "ratings"], expected$question[expected$section == "linear_model"])
-if (length(constant) > 0)
-  cat("left out: mixed models of ", named(constant), ": all ratings under a condition are equal: variances are zero\n", sep = "")
 cat("left out: d', ANOVA, Friedman and Cochran tests, effect sizes, agreement, R squared, Bayes factors, intervals over trials\n")
 cat("left out: standard errors of logistic_model, speed, order effects, groups, signals, times\n")
 cat(sprintf("reproduced: %d of %d\n", sum(isSame[isCompared]), sum(isCompared)))

@@ -82,10 +82,9 @@ void addEquivalenceNumbers(std::string& text, const std::string& question, const
         .ends("ci90", test.ci);
 }
 
-void addClaimNumbers(std::string& text, const std::string& question, const QuestionClaims& claims, bool hasModel = true)
+void addClaimNumbers(std::string& text, const std::string& question, const QuestionClaims& claims)
 {
     for (const ContrastFinding& finding : claims.contrasts) {
-        if (!hasModel && finding.generalisation == stats::Generalisation::FabricsLikeThese) continue;
         const stats::ContrastClaim& claim = finding.claim;
         NumberRows rows(text, "claims_" + nameOf(finding.generalisation), question, finding.a, finding.b);
         if (claims.bounds) rows.within(claims.bounds->first, protocols::shortest(claims.bounds->second));
@@ -199,13 +198,6 @@ void addNumbers(std::string& text, const StudyAnalysis& analysis, const std::str
     addLogisticNumbers(text, "logistic_model_crossed", question, choices.crossedModel, true);
 }
 
-/// Ratings that are all equal under a condition. A mixed model then has variances at zero, where programs stop at different
-/// places and give different degrees of freedom.
-bool hasEqualRatings(const RatingAnalysis& ratings)
-{
-    return std::ranges::any_of(ratings.conditions, [](const ConditionRatings& one) { return one.sd.exists() && *one.sd == 0; });
-}
-
 void addNumbers(std::string& text, const StudyAnalysis& analysis, const std::string& question, const RatingAnalysis& ratings)
 {
     for (std::size_t c = 0; c < analysis.data.conditions.size(); ++c) {
@@ -218,9 +210,7 @@ void addNumbers(std::string& text, const StudyAnalysis& analysis, const std::str
     }
     for (const PairComparison& one : ratings.comparisons) addComparisonNumbers(text, question, one);
     for (const PairEquivalence& one : ratings.equivalences) addEquivalenceNumbers(text, question, one);
-    const bool hasModel = !hasEqualRatings(ratings);
-    addClaimNumbers(text, question, ratings.claims, hasModel);
-    if (!hasModel) return;
+    addClaimNumbers(text, question, ratings.claims);
     addLinearModelNumbers(text, question, ratings.model);
     addModelContrastNumbers(text, question, ratings.modelContrasts);
     if (analysis.depth == Depth::Whole) addOrdinalNumbers(text, question, ratings.ordinal);

@@ -254,8 +254,8 @@ void putCrossedTest(CrossedMean& mean, const Present& present, StudentQuantiles&
     if (!fit.why.empty()) return refuse(mean, fit.why);
     if (!fit.estimate.exists() || !fit.se.exists() || !fit.df.exists() || !(*fit.df > 0)) return refuse(mean, beyondRange);
     mean.singular = fit.singular;
-    const bool isLimited = fit.noneVaries && degrees == Degrees::Limited;
-    const double df = isLimited ? std::min(*fit.df, mostDegrees(present.table())) : *fit.df;
+    const double most = fit.noneVaries && degrees == Degrees::Limited ? mostDegrees(present.table()) : 0;
+    const double df = most > 0 ? std::min(*fit.df, most) : *fit.df;  // 0 or no number: there is no residual to compare with
     put(mean, *fit.estimate, *fit.se, df, quantiles);
 }
 

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "stats/models/mixed_model_fit.h"
+
 namespace stats {
 namespace {
 
@@ -43,7 +45,7 @@ struct PairStratum {
 
 enum StratumPlace : int { Residual, ParticipantDifference, FabricDifference, ParticipantSum, FabricSum };
 
-/// Pools the smallest mean square with the one above it until none is below.
+/// Pools the smallest mean square with the one above it until none is below. A tie counts as below, as lmer puts it at zero.
 template <std::size_t Count>
 void poolNegativeVariances(std::array<PairStratum, Count>& strata)
 {
@@ -53,7 +55,8 @@ void poolNegativeVariances(std::array<PairStratum, Count>& strata)
         for (int k = 1; k < static_cast<int>(Count); ++k) {
             const auto at = static_cast<std::size_t>(k);
             if (isPooled[at]) continue;
-            if (strata[at].meanSquare() >= strata[static_cast<std::size_t>(strata[at].above)].meanSquare()) continue;
+            const double above = strata[static_cast<std::size_t>(strata[at].above)].meanSquare();
+            if (strata[at].meanSquare() > above * (1 + tieShare)) continue;
             if (least < 0 || strata[at].meanSquare() < strata[static_cast<std::size_t>(least)].meanSquare()) least = k;
         }
         if (least < 0) return;
@@ -99,6 +102,14 @@ Pair present(const CrossedTable& a, const CrossedTable& b)
 bool isComplete(const CrossedTable& table)
 {
     return std::ranges::none_of(table.values, [](double value) { return std::isnan(value); });
+}
+
+/// Ratings that are all equal; means of equal repetitions may differ in the last digit.
+bool hasEqualRatings(const CrossedTable& table)
+{
+    if (table.values.empty()) return true;
+    const auto [least, most] = std::ranges::minmax(table.values);
+    return most - least <= 1e-14 * std::max(std::fabs(least), std::fabs(most));
 }
 
 /// Sums of the two tables about the means of each, and the differences; divided by a power of 2 so that squares stay in range.
@@ -197,8 +208,9 @@ CrossedMean differenceOfRatings(const CrossedTable& a, const CrossedTable& b, Ge
     assert(a.participants == b.participants && a.fabrics == b.fabrics);
     const Pair pair = present(a, b);
     const CrossedTable differences = pair.differences();
-    if (generalisation == Generalisation::FabricsLikeThese && isComplete(differences))
-        return differenceOfComplete(pair.a, pair.b, degrees, quantiles);
+    const bool isModelled = generalisation == Generalisation::FabricsLikeThese && isComplete(differences) &&
+                            !hasEqualRatings(pair.a) && !hasEqualRatings(pair.b);
+    if (isModelled) return differenceOfComplete(pair.a, pair.b, degrees, quantiles);
     return crossedMean(differences, generalisation, quantiles, degrees);
 }
 

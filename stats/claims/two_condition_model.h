@@ -16,7 +16,9 @@ CrossedMean differenceByTwoConditionModel(const CrossedTable& a, const CrossedTa
 /// What the report claims of two conditions whose answers are ratings. FabricsLikeThese: the model of the two conditions, with
 /// at most mostDegrees() of the differences if `degrees` says so. It knows the residual from the sums as well, which the
 /// differences alone do not. A table with gaps has no closed form: there, and for TheseFabrics, the result is that of
-/// crossedMean() of the differences. Participants and fabrics without any answer under both conditions are left out.
+/// crossedMean() of the differences. So it is where the ratings of a condition are all equal: sums and differences then are the
+/// same answers, which the model of both conditions would count twice. Participants and fabrics without any answer under both
+/// conditions are left out.
 CrossedMean differenceOfRatings(const CrossedTable& a, const CrossedTable& b, Generalisation generalisation, Degrees degrees,
                                 StudentQuantiles& quantiles);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "stats/models/laplace_fit.h"
+#include "stats/models/mixed_model_rows.h"
 
 namespace stats {
 namespace {
@@ -196,10 +197,12 @@ LogisticMixedModel fitLogisticMixedModel(const LogisticData& data, const Logisti
     model.evaluations = full.evaluations + null.evaluations;
     putFixed(model, ready, full, cellOf, options.confidence);
     for (std::size_t t = 0; t < ready.groups.size(); ++t) {
-        const bool known = model.separation != Separation::Complete;
-        model.random.push_back(
-            {ready.groups[t].name, known ? Value(full.sd[t]) : Value::undefined(model.separationWhy), known && full.sd[t] == 0});
-        model.singular = model.singular || model.random.back().zero;
+        const std::string why = model.separation == Separation::Complete ? model.separationWhy
+                                : std::isnan(full.sd[t])                 ? sharedVariance
+                                                                         : "";
+        const bool isZero = why.empty() && full.sd[t] == 0;
+        model.random.push_back({ready.groups[t].name, why.empty() ? Value(full.sd[t]) : Value::undefined(why), isZero});
+        model.singular = model.singular || isZero;
     }
     if (model.separation == Separation::None) model.covariance = treatmentCovariance(full.covariance, full.means.size());
     putTest(model, full, null, ready.condition.levels.size());

@@ -6,102 +6,99 @@
 #include <numbers>
 #include <optional>
 
-#include "stats/models/mixed_model_balanced.h"
-#include "stats/models/mixed_model_blocks.h"
-#include "stats/models/mixed_model_equations.h"
 #include "stats/models/mixed_model_fit.h"
 #include "stats/models/mixed_model_rows.h"
 
 namespace stats {
 namespace {
 
-/// Beyond this number of random effects a model of incomplete data is fitted by blocks of one factor.
-constexpr std::size_t mostDenseEffects = 300;
-constexpr std::size_t mostDenseSlopes = 5000;  // random effects where some are slopes, which have no blocks
-constexpr double mostWork = 5e9;               // operations of one solution by blocks; a fit takes about ten
-
-std::size_t effectsOf(const std::vector<RandomTerm>& terms)
-{
-    std::size_t count = 0;
-    for (const RandomTerm& term : terms) count += (term.slope.empty() ? 1 : 2) * term.group.levels.size();
-    return count;
-}
-
-/// The equations of a model, or the reason why it takes too long.
-struct ChosenSystem {
-    std::string why;
-    std::unique_ptr<MixedModelSystem> system;
+/// Thetas of a system, and which of them are parameters of Satterthwaite's degrees of freedom.
+struct VarianceThetas {
+    std::vector<double> values;
+    std::vector<bool> isFree;
+    std::vector<double> scale;  ///< factors that change no degrees of freedom: the derivative of a square at zero would be none
 };
 
-ChosenSystem systemOf(const MixedModelRows& data, const std::optional<BalancedDesign>& balanced,
-                      const std::vector<std::size_t>& kept)
-{
-    if (balanced) return {"", std::make_unique<BalancedEquations>(*balanced, kept)};
-    std::vector<RandomTerm> terms;
-    for (const std::size_t t : kept) terms.push_back(data.random[t]);
-    const std::size_t effects = effectsOf(terms);
-    const bool slopes = std::ranges::any_of(terms, [](const RandomTerm& term) { return !term.slope.empty(); });
-    if (effects <= mostDenseEffects || (slopes && effects <= mostDenseSlopes))
-        return {"", std::make_unique<MixedModelEquations>(data.y, data.fixed, terms)};
-    if (!slopes) {
-        const RowBlocks blocks = cheapestBlocks(data.fixed, terms);
-        if (blocks.work <= mostWork) return {"", std::make_unique<BlockEquations>(data.y, data.fixed, terms, blocks)};
-    }
-    return {"the data are incomplete, and a model with " + std::to_string(effects) + " random effects then takes too long", {}};
-}
-
-/// The fit of the model with those random terms whose variance is not zero.
-struct Fitted {
-    std::vector<std::size_t> kept;
-    std::unique_ptr<MixedModelSystem> system;
-    ThetaFit fit;
+/// What Satterthwaite's degrees of freedom need of the variances.
+struct VarianceParameters {
+    VarianceDerivatives derivatives;
+    Matrix directions;  ///< of the free parameters among the relative (co)variances [free x (co)variances]
+    Matrix hessian;     ///< of -2 log likelihood in the free parameters, not profiled
 };
 
-bool isZero(const TermPlace& term, const ThetaFit& fit) { return term.components == 1 && !fit.free[term.firstTheta]; }
-
-/// Fits; leaves out the intercepts whose variance is zero, and fits again without them.
-Fitted fitWithoutZeros(const MixedModelRows& data, bool reml)
+/// The gradient in the relative (co)variances where it belongs to the Hessian in theta. In a free direction it vanishes: what is
+/// left where the fit stops is no curvature, but the distance to the optimum, divided by a small theta. A correlation at 1 holds
+/// covariances on a curved border, whose curvature counts.
+std::vector<double> gradientAtBorders(const MixedModelSystem& system, const VarianceThetas& thetas, const VarianceDerivatives& d,
+                                      double variance)
 {
-    Fitted result;
-    for (std::size_t t = 0; t < data.random.size(); ++t) result.kept.push_back(t);
-    const std::optional<BalancedDesign> balanced = balancedDesign(data);
-    while (true) {
-        ChosenSystem chosen = systemOf(data, balanced, result.kept);
-        result.fit.why = chosen.why;
-        if (!chosen.system) return result;
-        result.system = std::move(chosen.system);
-        result.fit = fitTheta(*result.system, reml);
-        if (!result.fit.why.empty()) return result;
-        std::vector<std::size_t> kept;
-        for (std::size_t i = 0; i < result.kept.size(); ++i)
-            if (!isZero(result.system->terms()[i], result.fit)) kept.push_back(result.kept[i]);
-        if (kept.size() == result.kept.size()) return result;
-        result.kept = std::move(kept);
+    std::vector<double> gradient(thetas.values.size());
+    for (const TermPlace& term : system.terms()) {
+        const auto first = thetas.isFree.begin() + static_cast<std::ptrdiff_t>(term.firstTheta);
+        if (term.components == 1 || std::all_of(first, first + 3, [](bool isFree) { return isFree; })) continue;
+        for (std::size_t k = term.firstTheta; k < term.firstTheta + 3; ++k) gradient[k] = d.traces[k] - d.forms[k] / variance;
     }
+    return gradient;
 }
 
-/// Covariance of (free thetas, sigma^2): twice the inverse of the Hessian of -2 log likelihood, not profiled.
-/// `rows`: rows of the Jacobian that belong to the free thetas.
-Matrix parameterCovariance(const Fitted& fitted, bool reml, double variance, const std::vector<std::size_t>& rows)
+VarianceParameters parametersAt(const MixedModelSystem& system, const VarianceThetas& thetas, const VarianceDerivatives& d,
+                                double variance)
 {
-    const auto& d = fitted.fit.solution.derivatives;
-    const auto& theta = fitted.fit.parts.theta;
-    const std::size_t n = theta.size();
-    std::vector<double> gradient(n);
-    Matrix hessian(n, n);
-    for (std::size_t k = 0; k < n; ++k) {
-        gradient[k] = d.traces[k] - d.forms[k] / variance;
-        for (std::size_t l = 0; l < n; ++l) hessian(k, l) = -d.traceProducts(k, l) + 2 * d.formProducts(k, l) / variance;
+    const std::size_t n = thetas.values.size();
+    Matrix inVariances(n, n);
+    for (std::size_t k = 0; k < n; ++k)
+        for (std::size_t l = 0; l < n; ++l) inVariances(k, l) = -d.traceProducts(k, l) + 2 * d.formProducts(k, l) / variance;
+    const Matrix hessian = thetaHessian(system, thetas.values, gradientAtBorders(system, thetas, d, variance), inVariances);
+    const Matrix jacobian = thetaJacobian(system, thetas.values);
+    std::vector<std::size_t> free;
+    for (std::size_t i = 0; i < n; ++i)
+        if (thetas.isFree[i]) free.push_back(i);
+    VarianceParameters result{d, Matrix(free.size(), n), Matrix(free.size(), free.size())};
+    for (std::size_t i = 0; i < free.size(); ++i) {
+        const double scale = thetas.scale[free[i]];
+        for (std::size_t k = 0; k < n; ++k) result.directions(i, k) = scale * jacobian(free[i], k);
+        for (std::size_t j = 0; j < free.size(); ++j)
+            result.hessian(i, j) = scale * thetas.scale[free[j]] * hessian(free[i], free[j]);
     }
-    const Matrix inTheta = thetaHessian(*fitted.system, theta, gradient, hessian);
-    const auto cross = product(thetaJacobian(*fitted.system, theta), d.forms);
-    const std::size_t m = rows.size();
+    return result;
+}
+
+VarianceParameters varianceParameters(const FittedTerms& fitted, const TermChoice& choice, double variance)
+{
+    const ThetaFit& fit = fitted.fit;
+    const std::vector<double> ones(fit.free.size(), 1);
+    if (fitted.tied.empty())
+        return parametersAt(*fitted.system, {fit.parts.theta, fit.free, ones}, fit.solution.derivatives, variance);
+    std::vector<std::size_t> terms = fitted.kept;
+    terms.insert(terms.end(), fitted.tied.begin(), fitted.tied.end());
+    std::sort(terms.begin(), terms.end());
+    const std::unique_ptr<MixedModelSystem> system = choice.systemOf(terms).system;  // smaller than one that was fitted
+    const std::size_t n = system->thetaCount();
+    VarianceThetas thetas{std::vector<double>(n, thetaFloor), std::vector<bool>(n, true),
+                          std::vector<double>(n, 1 / (2 * thetaFloor))};
+    for (std::size_t k = 0; k < fitted.kept.size(); ++k) {
+        const auto place = std::find(terms.begin(), terms.end(), fitted.kept[k]) - terms.begin();
+        const std::size_t to = system->terms()[static_cast<std::size_t>(place)].firstTheta;
+        const TermPlace& from = fitted.system->terms()[k];
+        for (std::size_t i = 0; i < (from.components == 1 ? 1U : 3U); ++i) {
+            thetas.values[to + i] = fit.parts.theta[from.firstTheta + i];
+            thetas.isFree[to + i] = fit.free[from.firstTheta + i];
+            thetas.scale[to + i] = 1;
+        }
+    }
+    return parametersAt(*system, thetas, system->solutionAt(thetas.values, choice.reml()).derivatives, variance);
+}
+
+/// Covariance of (free parameters, sigma^2): twice the inverse of the Hessian of -2 log likelihood, not profiled.
+Matrix parameterCovariance(const VarianceParameters& parameters, double degrees, double variance)
+{
+    const std::size_t m = parameters.hessian.rows();
     Matrix whole(m + 1, m + 1);
     for (std::size_t i = 0; i < m; ++i) {
-        for (std::size_t j = 0; j < m; ++j) whole(i, j) = inTheta(rows[i], rows[j]);
-        whole(i, m) = whole(m, i) = cross[rows[i]] / (variance * variance);
+        for (std::size_t j = 0; j < m; ++j) whole(i, j) = parameters.hessian(i, j);
+        whole(i, m) = whole(m, i) = dot(parameters.directions.row(i), parameters.derivatives.forms) / (variance * variance);
     }
-    whole(m, m) = residualDegrees(*fitted.system, reml) / (variance * variance);
+    whole(m, m) = degrees / (variance * variance);
     const Eigen eigen = eigenOf(whole);
     const double largest = *std::max_element(eigen.values.begin(), eigen.values.end());
     Matrix inverse(m + 1, m + 1);
@@ -114,27 +111,24 @@ Matrix parameterCovariance(const Fitted& fitted, bool reml, double variance, con
     return inverse;
 }
 
-/// Sets the covariance of the estimates and its derivatives in (free thetas, sigma^2); y is still scaled.
-void putCovariance(MixedModel& model, const Fitted& fitted, bool reml, double variance)
+/// Sets the covariance of the estimates and its derivatives in (free parameters, sigma^2); y is still scaled.
+void putCovariance(MixedModel& model, const FittedTerms& fitted, const TermChoice& choice, double variance)
 {
-    const ThetaFit& fit = fitted.fit;
-    std::vector<std::size_t> rows;
-    for (std::size_t i = 0; i < fit.free.size(); ++i)
-        if (fit.free[i]) rows.push_back(i);
-    model.parameterCovariance = parameterCovariance(fitted, reml, variance, rows);
-    const Matrix jacobian = thetaJacobian(*fitted.system, fit.parts.theta);
-    const Matrix& c = fit.solution.fixedCovariance;
+    const VarianceParameters parameters = varianceParameters(fitted, choice, variance);
+    const Matrix& directions = parameters.directions;
+    model.parameterCovariance = parameterCovariance(parameters, residualDegrees(*fitted.system, choice.reml()), variance);
+    const Matrix& c = fitted.fit.solution.fixedCovariance;
     const std::size_t p = c.rows();
     model.covariance = Matrix(p, p);
-    model.covarianceDerivatives.assign(rows.size() + 1, Matrix(p, p));
+    model.covarianceDerivatives.assign(directions.rows() + 1, Matrix(p, p));
     for (std::size_t i = 0; i < p; ++i)
         for (std::size_t j = 0; j < p; ++j) {
             model.covariance(i, j) = variance * c(i, j);
             model.covarianceDerivatives.back()(i, j) = c(i, j);
-            for (std::size_t k = 0; k < rows.size(); ++k)
-                for (std::size_t l = 0; l < jacobian.columns(); ++l)
+            for (std::size_t k = 0; k < directions.rows(); ++k)
+                for (std::size_t l = 0; l < directions.columns(); ++l)
                     model.covarianceDerivatives[k](i, j) +=
-                        variance * jacobian(rows[k], l) * fit.solution.derivatives.fixedCovariance[l](i, j);
+                        variance * directions(k, l) * parameters.derivatives.fixedCovariance[l](i, j);
         }
 }
 
@@ -174,7 +168,7 @@ RandomEffect randomEffect(const RandomTerm& term, double residual, std::span<con
     return effect;
 }
 
-void putVariances(MixedModel& model, const MixedModelRows& data, const Fitted& fitted, double variance)
+void putVariances(MixedModel& model, const MixedModelRows& data, const FittedTerms& fitted, double variance)
 {
     model.residualVariance = unscaled(variance, 2 * data.exponent);
     model.residualSd = unscaled(std::sqrt(variance), data.exponent);
@@ -207,7 +201,10 @@ MixedModel fitMixedModel(const MixedModelData& data, const MixedModelOptions& op
     MixedModel model;
     model.rows = ready.y.size();
     model.missing = ready.missing;
-    const Fitted fitted = ready.why.empty() ? fitWithoutZeros(ready, options.reml) : Fitted{};
+    const Ties ties = hasLevelOfEqualValues(data) ? Ties::Counted : Ties::LeftOut;
+    const std::optional<TermChoice> choice =
+        ready.why.empty() ? std::optional<TermChoice>(std::in_place, ready, options.reml, ties) : std::nullopt;
+    const FittedTerms fitted = choice ? choice->fitWithoutZeros() : FittedTerms{};
     const std::string& why = ready.why.empty() ? fitted.fit.why : ready.why;
     if (!why.empty()) {
         refuse(model, ready, why);
@@ -222,7 +219,7 @@ MixedModel fitMixedModel(const MixedModelData& data, const MixedModelOptions& op
     for (std::size_t i = 0; i < ready.leastSquares.size(); ++i)
         model.estimates.push_back(ready.leastSquares[i] + fitted.fit.solution.fixed[i]);
     model.exponent = ready.exponent;
-    putCovariance(model, fitted, options.reml, variance);
+    putCovariance(model, fitted, *choice, variance);
     putVariances(model, ready, fitted, variance);
     for (std::size_t i = 0; i < model.estimates.size(); ++i) {
         std::vector<double> weights(model.estimates.size());

@@ -2,11 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "stats/models/mixed_model_blocks.h"
+#include "stats/models/mixed_model_equations.h"
 
 namespace stats {
 namespace {
 
+/// Beyond this number of random effects a model of incomplete data is fitted by blocks of one factor.
+constexpr std::size_t mostDenseEffects = 300;
+constexpr std::size_t mostDenseSlopes = 5000;  // random effects where some are slopes, which have no blocks
+constexpr double mostWork = 5e9;               // operations of one solution by blocks; a fit takes about ten
+constexpr double smallTheta = 0.03;            // a relative SD that is compared with zero
+constexpr double criterionNoise = 2e-9;        // what a fit leaves of the criterion; rounding comes on top
+
 constexpr int mostFitSteps = 200;
+constexpr double suspiciousTheta = 50;       // beyond, the residual may be nothing but the end of the descent
+constexpr double residualNoise = 1e-6;       // of the criterion
 constexpr double negligibleDecrease = 1e-9;  // expected further decrease; the step taken then squares the error
 constexpr double smallestFraction = 0.1;     // share of a standard deviation that one step may leave,
 constexpr double small = 0.02;               // unless it was small already: then it may go to the floor
@@ -94,6 +108,7 @@ public:
             const double decrease = -dot(here.gradient, step) / 2;
             if (std::ranges::any_of(m_at.theta, [](double theta) { return theta > largestTheta; })) return refused(noResidual);
             if (m_close || !(decrease > 0) || !descend(step, decrease)) {
+                if (losesResidual()) return refused(noResidual);
                 fit.parts = m_at;
                 return fit;
             }
@@ -109,6 +124,18 @@ private:
         ThetaFit fit;
         fit.why = std::move(why);
         return fit;
+    }
+
+    /// Whether the criterion stays as it is on the way to no residual at all: it falls ever more slowly there, so the descent
+    /// ends.
+    bool losesResidual() const
+    {
+        if (std::ranges::none_of(m_at.theta, [](double theta) { return theta > suspiciousTheta; })) return false;
+        std::vector<double> beyond = m_at.theta;
+        for (double& theta : beyond) theta *= 10;
+        const CriterionParts there = m_system.criterionAt(beyond);
+        return !there.exists ||
+               profiledCriterion(m_system, there, m_reml) <= profiledCriterion(m_system, m_at, m_reml) + residualNoise;
     }
 
     void startFromMoments()
@@ -164,8 +191,102 @@ private:
     bool m_close = false;
 };
 
+std::size_t effectsOf(const std::vector<RandomTerm>& terms)
+{
+    std::size_t count = 0;
+    for (const RandomTerm& term : terms) count += (term.slope.empty() ? 1 : 2) * term.group.levels.size();
+    return count;
+}
+
+bool isZero(const TermPlace& term, const ThetaFit& fit) { return term.components == 1 && !fit.free[term.firstTheta]; }
+
 }  // namespace
 
 ThetaFit fitTheta(const MixedModelSystem& system, bool reml) { return Descent(system, reml).run(); }
+
+ChosenSystem TermChoice::systemOf(const std::vector<std::size_t>& kept) const
+{
+    if (m_balanced) return {"", std::make_unique<BalancedEquations>(*m_balanced, kept)};
+    std::vector<RandomTerm> terms;
+    for (const std::size_t t : kept) terms.push_back(m_rows.random[t]);
+    const std::size_t effects = effectsOf(terms);
+    const bool slopes = std::ranges::any_of(terms, [](const RandomTerm& term) { return !term.slope.empty(); });
+    if (effects <= mostDenseEffects || (slopes && effects <= mostDenseSlopes))
+        return {"", std::make_unique<MixedModelEquations>(m_rows.y, m_rows.fixed, terms)};
+    if (!slopes) {
+        const RowBlocks blocks = cheapestBlocks(m_rows.fixed, terms);
+        if (blocks.work <= mostWork) return {"", std::make_unique<BlockEquations>(m_rows.y, m_rows.fixed, terms, blocks)};
+    }
+    return {"the data are incomplete, and a model with " + std::to_string(effects) + " random effects then takes too long", {}};
+}
+
+FittedTerms TermChoice::fit(std::vector<std::size_t> terms) const
+{
+    FittedTerms result;
+    result.kept = std::move(terms);
+    ChosenSystem chosen = systemOf(result.kept);
+    result.fit.why = chosen.why;
+    if (!chosen.system) return result;
+    result.system = std::move(chosen.system);
+    result.fit = fitTheta(*result.system, m_reml);
+    return result;
+}
+
+bool TermChoice::isTie(const TermPlace& term, const FittedTerms& fitted) const
+{
+    if (m_ties == Ties::LeftOut) return false;
+    const VarianceDerivatives& d = fitted.fit.solution.derivatives;
+    const double expected = fitted.fit.parts.residual / residualDegrees(*fitted.system, m_reml) * d.traces[term.firstTheta];
+    return std::fabs(d.forms[term.firstTheta] - expected) <= tieShare * expected;
+}
+
+/// Leaves out the intercepts whose variance is at its lower bound; false where there is none.
+bool TermChoice::leaveOutZeros(FittedTerms& fitted) const
+{
+    std::vector<std::size_t> kept, tied = fitted.tied;
+    for (std::size_t i = 0; i < fitted.kept.size(); ++i) {
+        const TermPlace& term = fitted.system->terms()[i];
+        if (!isZero(term, fitted.fit))
+            kept.push_back(fitted.kept[i]);
+        else if (isTie(term, fitted))
+            tied.push_back(fitted.kept[i]);
+    }
+    if (kept.size() == fitted.kept.size()) return false;
+    fitted = fit(std::move(kept));
+    fitted.tied = std::move(tied);
+    return true;
+}
+
+/// Where the criterion is level at zero, Newton's method stops beside it. Leaves out a small variance without which the criterion
+/// is no larger beyond its noise; false where there is none.
+bool TermChoice::leaveOutLevel(FittedTerms& fitted) const
+{
+    const double before = profiledCriterion(*fitted.system, fitted.fit.parts, m_reml);
+    for (std::size_t i = 0; i < fitted.kept.size(); ++i) {
+        const TermPlace& term = fitted.system->terms()[i];
+        if (term.components != 1 || fitted.fit.parts.theta[term.firstTheta] > smallTheta) continue;
+        std::vector<std::size_t> others = fitted.kept;
+        others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+        FittedTerms next = fit(std::move(others));
+        if (!next.fit.why.empty()) continue;
+        const double after = profiledCriterion(*next.system, next.fit.parts, m_reml);
+        if (after > before + criterionNoise + 1e-13 * std::fabs(before)) continue;
+        next.tied = fitted.tied;
+        if (m_ties == Ties::Counted) next.tied.push_back(fitted.kept[i]);
+        fitted = std::move(next);
+        return true;
+    }
+    return false;
+}
+
+FittedTerms TermChoice::fitWithoutZeros() const
+{
+    std::vector<std::size_t> all(m_rows.random.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    FittedTerms result = fit(std::move(all));
+    while (result.fit.why.empty() && (leaveOutZeros(result) || leaveOutLevel(result))) {
+    }
+    return result;
+}
 
 }  // namespace stats

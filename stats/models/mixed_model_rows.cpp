@@ -43,13 +43,6 @@ Matrix sequentialContrasts(const Matrix& upper)
     return contrasts;
 }
 
-/// True where two groups divide the rows in the same way; their variances cannot be separated.
-bool divideAlike(const Factor& a, const Factor& b)
-{
-    if (a.levels.size() != b.levels.size()) return false;
-    return interactionOf(a, b).levels.size() == a.levels.size();
-}
-
 std::string groupsFault(const std::vector<RandomTerm>& terms, std::size_t rows)
 {
     for (std::size_t i = 0; i < terms.size(); ++i) {
@@ -134,6 +127,31 @@ MixedModelRows mixedModelRows(const MixedModelData& data)
     scale(result.y, result.exponent);
     result.why = removeFixed(result);
     return result;
+}
+
+bool divideAlike(const Factor& a, const Factor& b)
+{
+    if (a.levels.size() != b.levels.size()) return false;
+    return interactionOf(a, b).levels.size() == a.levels.size();
+}
+
+bool hasLevelOfEqualValues(const MixedModelData& data)
+{
+    const auto levels = codedLevels(data.fixed);
+    const std::size_t count = data.fixed.columns.size();
+    if (!levels || count < 2) return false;
+    std::vector<double> least(count, HUGE_VAL), most(count, -HUGE_VAL);
+    for (std::size_t row = 0; row < data.y.size(); ++row) {
+        if (std::isnan(data.y[row])) continue;
+        const std::size_t level = (*levels)[row];
+        least[level] = std::min(least[level], data.y[row]);
+        most[level] = std::max(most[level], data.y[row]);
+    }
+    for (std::size_t level = 0; level < count; ++level)  // means of equal repetitions may differ in the last digit
+        if (least[level] <= most[level] &&
+            most[level] - least[level] <= 1e-14 * std::max(std::fabs(least[level]), std::fabs(most[level])))
+            return true;
+    return false;
 }
 
 std::optional<std::vector<std::size_t>> codedLevels(const FixedEffects& fixed)

@@ -30,6 +30,14 @@ inline constexpr const char* noVariation = "the fixed effects reproduce every va
 
 MixedModelRows mixedModelRows(const MixedModelData& data);
 
+/// Whether two groups divide the rows in the same way, so that their variances cannot be separated.
+bool divideAlike(const Factor& a, const Factor& b);
+inline constexpr const char* sharedVariance =
+    "another group divides the answers in the same way: only the sum of their variances is known";
+
+/// Whether the fixed effects are those of a factor, and the values of one of its levels are all equal.
+bool hasLevelOfEqualValues(const MixedModelData& data);
+
 /// Level of each row, where the fixed effects are an intercept and the treatment coding of a factor; otherwise nothing.
 std::optional<std::vector<std::size_t>> codedLevels(const FixedEffects& fixed);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "stats/models/laplace_fit.h"
+#include "stats/models/mixed_model_rows.h"
 
 namespace stats {
 namespace {
@@ -186,10 +187,12 @@ void putEffects(OrdinalMixedModel& model, const Ratings& data, const Estimable& 
 
 void putRandom(OrdinalMixedModel& model, const Ratings& data, const LaplaceFit& fit)
 {
-    const bool isKnown = model.separation != Separation::Complete;
     for (std::size_t t = 0; t < data.groups.size(); ++t) {
-        const bool isZero = isKnown && fit.sd[t] == 0;
-        model.random.push_back({data.groups[t].name, isKnown ? Value(fit.sd[t]) : Value::undefined(model.separationWhy), isZero});
+        const std::string why = model.separation == Separation::Complete ? model.separationWhy
+                                : std::isnan(fit.sd[t])                  ? sharedVariance
+                                                                         : "";
+        const bool isZero = why.empty() && fit.sd[t] == 0;
+        model.random.push_back({data.groups[t].name, why.empty() ? Value(fit.sd[t]) : Value::undefined(why), isZero});
         model.singular = model.singular || isZero;
     }
 }

@@ -37,12 +37,15 @@ int exportStudy(const ExportCall& call)
     const auto& [study, out, format, participant, withLog, withSamples, passphrase, isPublic, licence, authors] = call;
     const auto store = records::openStudy(study);
     exports::writeExport(store, out, {format, withLog, withSamples, isPublic, licence, authors}, passphraseFrom(passphrase));
-    std::printf("%s: %s as %s%s\n", out.c_str(), reports::counted(store.answerCount(), "answer").c_str(), format.c_str(),
+    const std::size_t words = isPublic ? exports::answersInWords(store) : 0;
+    std::printf("%s: %s as %s%s\n", out.c_str(), reports::counted(store.answerCount() - words, "answer").c_str(), format.c_str(),
                 store.unblinding() ? "" : ", blinded (no condition, no fabric)");
     std::printf("  log head %s\n", textOf(store.head()).c_str());
     if (withLog) std::printf("  log.csv holds the log, acts.csv what was exported and saved; log.txt says how to check both\n");
     if (isPublic)
-        std::printf("  no days, notes or words are in it; LICENSE.txt says %s\n", protocols::printable(licence).c_str());
+        std::printf("  no days, notes or words are in it%s; LICENSE.txt says %s\n",
+                    words == 0 ? "" : (" (" + reports::counted(words, "answer") + " in words left out)").c_str(),
+                    protocols::printable(licence).c_str());
     if (isPublic && authors.empty()) std::printf("  name the authors in CITATION.cff, or export again with --author NAME\n");
     if (withSamples) std::printf("  finger_samples.csv holds what the display measured of the fingers\n");
     recordAct(store, "export", out);

@@ -1,16 +1,35 @@
 #include "study/exports/public_files.h"
 
+#include <algorithm>
+#include <cstdio>
+#include <string_view>
+#include <variant>
+
+#include "protocols/files/safe_text.h"
+#include "protocols/files/utf8.h"
+#include "study/records/stored_study.h"
+
 namespace study::exports {
 
 namespace {
 
-/// A scalar of YAML in double quotes.
-std::string quoted(const std::string& text)
+/// A scalar of YAML in double quotes. Control characters, byte order marks and the line ends of Unicode are written as numbers,
+/// because YAML takes them for no text or for the end of a line.
+std::string quoted(std::string_view text)
 {
     std::string yaml = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') yaml += '\\';
-        yaml += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    while (!text.empty()) {
+        const std::size_t length = std::max(std::size_t{1}, protocols::utf8Length(text));
+        const char32_t c = length > 1 ? protocols::utf8Character(text) : static_cast<unsigned char>(text.front());
+        if (c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0x2028 || c == 0x2029 || c == 0xfeff) {
+            char number[12];
+            std::snprintf(number, sizeof number, "\\u%04x", static_cast<unsigned>(c));
+            yaml += number;
+        } else {
+            if (c == U'"' || c == U'\\') yaml += '\\';
+            yaml += text.substr(0, length);
+        }
+        text.remove_prefix(length);
     }
     return yaml + "\"";
 }
@@ -19,7 +38,7 @@ std::string quoted(const std::string& text)
 
 std::string licenceText(const std::string& study, const std::string& spdx)
 {
-    return "The tables of the study \"" + study + "\" in this folder are under the licence " + spdx +
+    return "The tables of the study \"" + protocols::printable(study) + "\" in this folder are under the licence " + spdx +
            ".\nIts text: https://spdx.org/licenses/" + spdx + ".html\n";
 }
 
@@ -32,6 +51,20 @@ std::string citationText(const std::string& study, const std::string& spdx, cons
     for (const std::string& author : authors) text += "  - name: " + quoted(author) + "\n";
     if (authors.empty()) text += "  - name: \"NAME THE AUTHORS HERE\"\n";
     return text;
+}
+
+bool isWorded(const protocols::Protocol& protocol, const protocols::QuestionId& question)
+{
+    const auto* known = questionWith(protocol, question);
+    return known == nullptr || std::holds_alternative<protocols::FreeText>(known->kind);
+}
+
+std::size_t answersInWords(const database::StudyStore& store)
+{
+    const auto protocol = records::protocolOf(store.facts());
+    std::size_t count = 0;
+    store.eachAnswer([&](const database::CurrentAnswer& answer) { count += isWorded(protocol, answer.record.question) ? 1 : 0; });
+    return count;
 }
 
 }  // namespace study::exports

@@ -1,8 +1,12 @@
 // What a public export holds beside its tables: the licence, and how to cite the data.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
+
+#include "database/study_store.h"
+#include "protocols/protocol.h"
 
 namespace study::exports {
 
@@ -15,5 +19,11 @@ std::string licenceText(const std::string& study, const std::string& spdx);
 /// "2026-11-25".
 std::string citationText(const std::string& study, const std::string& spdx, const std::vector<std::string>& authors,
                          const std::string& released);
+
+/// Words of a participant; also an answer to a question that the protocol does not know.
+bool isWorded(const protocols::Protocol& protocol, const protocols::QuestionId& question);
+
+/// Answers that a public export leaves out: participants' own words.
+std::size_t answersInWords(const database::StudyStore& store);
 
 }  // namespace study::exports

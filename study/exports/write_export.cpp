@@ -212,13 +212,6 @@ std::vector<std::string> columnsOf(const Export& job)
     return columns;
 }
 
-/// Words of a participant, which a public export leaves out.
-bool isWorded(const Export& job, const CurrentAnswer& answer)
-{
-    const auto* question = questionWith(job.protocol, answer.record.question);
-    return question == nullptr || std::holds_alternative<protocols::FreeText>(question->kind);
-}
-
 /// The answers one by one: a large study is never held as a whole.
 void writeAnswersCsv(const Export& job, const protocols::TakeBytes& take)
 {
@@ -227,7 +220,7 @@ void writeAnswersCsv(const Export& job, const protocols::TakeBytes& take)
     std::vector<std::string> cells(columns.size());
     std::string rows;
     job.store.eachAnswer([&](const CurrentAnswer& answer) {
-        if (job.isPublic && isWorded(job, answer)) return;
+        if (job.isPublic && isWorded(job.protocol, answer.record.question)) return;
         for (const auto& [name, value] : rowOf(job, answer))
             if (const auto column = std::ranges::find(columns, name); column != columns.end())
                 cells[static_cast<std::size_t>(column - columns.begin())] = cell(value);

@@ -475,6 +475,10 @@ void MainWindow::closeEvent(QCloseEvent* event)
         event->ignore();
         return;
     }
+    if (!m_pages->mayClose()) {
+        event->ignore();
+        return;
+    }
     m_monitor.reset();  // an open monitor would keep the program running
     m_pages->participant->closeWindow();
     QWidget::closeEvent(event);

@@ -1,4 +1,4 @@
-// The main window: a stack of pages (start, new study, data set, photographs, display, keys, latency, rehearsal,
+// The main window: a stack of pages (start, new study, protocol editor, data set, photographs, display, keys, latency, rehearsal,
 // participant's screen, study, tools, session), the open study and session, and the appearance. It decides nothing about a
 // session; it connects the pages to the controller.
 #pragma once

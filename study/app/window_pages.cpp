@@ -1,6 +1,7 @@
 #include "study/app/window_pages.h"
 
 #include "study/app/pages/data_page.h"
+#include "study/app/pages/editor/editor_page.h"
 #include "study/app/pages/new_study_page.h"
 #include "study/app/pages/photographs/photographs_page.h"
 #include "study/app/pages/session_page.h"
@@ -31,13 +32,16 @@ WindowPages::WindowPages(const AppOptions& options, const ParticipantRoom& room,
       rehearsal(new RehearsalPage(this)),
       study(new StudyPage(this)),
       tools(new ToolsPage(options.useTool, this)),
-      session(new SessionPage(this))
+      session(new SessionPage(this)),
+      m_lookAtData(options.lookAtData),
+      m_lookAhead(options.lookAhead)
 {
     setObjectName("pages");
-    for (QWidget* page : std::initializer_list<QWidget*>{start, newStudy, data, photographs, display, connecting, keys, latency,
-                                                         participant, rehearsal, study, tools, session})
+    for (QWidget* page : std::initializer_list<QWidget*>{start, newStudy, data, photographs, display, connecting, keys,
+                                                         latency, participant, rehearsal, study, tools, session})
         addWidget(page);
     connectStart();
+    connectEditor();
 }
 
 void WindowPages::connectStart()
@@ -53,6 +57,55 @@ void WindowPages::connectStart()
     });
     connect(newStudy, &NewStudyPage::backRequested, this, &WindowPages::startRequested);
     connect(newStudy, &NewStudyPage::made, this, &WindowPages::studyMade);
+}
+
+EditorPage& WindowPages::showEditor(QWidget& before)
+{
+    closeEditor();
+    m_editor = new EditorPage(m_lookAtData, m_lookAhead, this);
+    addWidget(m_editor);
+    setCurrentWidget(m_editor);
+    // Queued, so that the editor is not destroyed while it handles its own event.
+    connect(
+        m_editor, &EditorPage::studyRequested, this,
+        [this](const QString& protocol) {
+            closeEditor();
+            newStudy->fillProtocol(protocol);
+            bring(*newStudy);
+        },
+        Qt::QueuedConnection);
+    connect(
+        m_editor, &EditorPage::backRequested, this,
+        [this, &before] {
+            closeEditor();
+            if (&before == newStudy)
+                bring(*newStudy);
+            else
+                Q_EMIT startRequested();
+        },
+        Qt::QueuedConnection);
+    return *m_editor;
+}
+
+void WindowPages::closeEditor()
+{
+    delete m_editor;
+    m_editor = nullptr;
+}
+
+bool WindowPages::mayClose() { return !m_editor || currentWidget() != m_editor || m_editor->mayClose(); }
+
+void WindowPages::connectEditor()
+{
+    connect(start, &StartPage::makeProtocolRequested, this, [this] { showEditor(*start).offerExamples(); });
+    connect(start, &StartPage::changeProtocolRequested, this, [this] { showEditor(*start).offerFile(); });
+    connect(newStudy, &NewStudyPage::protocolEditRequested, this, [this](const QString& file) {
+        EditorPage& editor = showEditor(*newStudy);
+        if (file.isEmpty())
+            editor.offerExamples();
+        else
+            editor.open(file.toStdString());
+    });
 }
 
 }  // namespace study::app

@@ -10,6 +10,7 @@ namespace study::app {
 class ConnectingPage;
 class DataPage;
 class DisplayPage;
+class EditorPage;
 class KeysPage;
 class LatencyPage;
 class NewStudyPage;
@@ -27,6 +28,9 @@ class WindowPages : public QStackedWidget {
 public:
     /// `options` with a clock; `room`: what the participant's page shows.
     WindowPages(const AppOptions& options, const ParticipantRoom& room, QWidget* parent);
+
+    /// False if a page has changes that are not saved; it then asks what to do with them.
+    bool mayClose();
 
     /// Shows the page, with the focus in its first control.
     template <class Page>
@@ -57,6 +61,14 @@ Q_SIGNALS:
 
 private:
     void connectStart();
+    void connectEditor();
+    /// Shows a new editor; leaving it leads back to `before`. It names conditions, so it is there only while it is used.
+    EditorPage& showEditor(QWidget& before);
+    void closeEditor();
+
+    LookAtData m_lookAtData;
+    LookAhead m_lookAhead;
+    EditorPage* m_editor = nullptr;
 };
 
 }  // namespace study::app

@@ -7,6 +7,7 @@
 #include "study/app/app.h"
 #include "study/app/state/tried_display.h"
 #include "study/commands/command_line.h"
+#include "study/commands/parts/look_ahead.h"
 #include "study/commands/study_tools.h"
 #include "study/commands/text_checks.h"
 #include "study/looking/look_at_data.h"
@@ -70,6 +71,7 @@ app::AppOptions optionsOf(const AppCall& call)
     options.makeStudy = makeForApp;
     options.settings = app::userSettings();
     options.lookAtData = looking::lookAtData();
+    options.lookAhead = lookAhead;
     options.photographs = photographs::photographSteps();
     options.readFlags = flagsOf;
     options.makeRehearsal = making::makeRehearsal;

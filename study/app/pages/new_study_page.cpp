@@ -48,6 +48,7 @@ NewStudyPage::NewStudyPage(MakeStudy make, QWidget* parent)
       m_seed(field("seedField", tr("Seed of the running orders"), this)),
       m_passphrase(field("passphraseField", tr("Passphrase of the allocation key"), this)),
       m_passphraseAgain(field("passphraseAgainField", tr("The same passphrase again"), this)),
+      m_editProtocol(button("editProtocolButton", tr("Make or change a protocol…"), this)),
       m_makeButton(mainButton("makeButton", tr("Create the study (Enter)"), this)),
       m_back(button("backButton", tr("Back (Esc)"), this)),
       m_doing(label("makingText", Type::Body, this)),
@@ -77,6 +78,7 @@ NewStudyPage::NewStudyPage(MakeStudy make, QWidget* parent)
     m_dataset =
         addPath(*form, "datasetField", tr("Fabric data set"), tr("the folder that contains dataset.json"), Browse::Folder);
     m_protocol = addPath(*form, "protocolField", tr("Protocol file"), tr("empty: the study of the paper"), Browse::File);
+    form->addWidget(m_editProtocol, form->rowCount() + 1, 1, Qt::AlignLeft);
     addRow(*form, tr("Participants"), m_participants);
     addRow(*form, tr("Seed"), m_seed);
     addRow(*form, tr("Passphrase"), m_passphrase);
@@ -85,7 +87,7 @@ NewStudyPage::NewStudyPage(MakeStudy make, QWidget* parent)
         line->setEchoMode(QLineEdit::Password);
         line->setPlaceholderText(tr("8 characters or more; it seals which condition is shown when"));
     }
-    m_inputs.insert(m_inputs.end(), {m_participants, m_seed, m_passphrase, m_passphraseAgain, m_makeButton});
+    m_inputs.insert(m_inputs.end(), {m_editProtocol, m_participants, m_seed, m_passphrase, m_passphraseAgain, m_makeButton});
     auto* actions = new QHBoxLayout;
     actions->setSpacing(14);
     actions->addWidget(m_makeButton);
@@ -112,6 +114,7 @@ NewStudyPage::NewStudyPage(MakeStudy make, QWidget* parent)
             connect(line, &QLineEdit::textChanged, m_message, &MessageBar::clearMessage);
     connect(m_makeButton, &QPushButton::clicked, this, &NewStudyPage::make);
     connect(m_back, &QPushButton::clicked, this, &NewStudyPage::goBack);
+    connect(m_editProtocol, &QPushButton::clicked, this, [this] { Q_EMIT protocolEditRequested(m_protocol->text().trimmed()); });
     enable();
 }
 
@@ -264,6 +267,8 @@ void NewStudyPage::fill(const QString& dataset, const QString& protocol)
     m_dataset->setText(dataset);
     m_protocol->setText(protocol);
 }
+
+void NewStudyPage::fillProtocol(const QString& protocol) { m_protocol->setText(protocol); }
 
 void NewStudyPage::focusFirst() { m_study->setFocus(); }
 

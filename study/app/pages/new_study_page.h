@@ -28,11 +28,15 @@ public:
     void focusFirst();
     /// Enters this data set and this protocol.
     void fill(const QString& dataset, const QString& protocol);
+    /// Enters this protocol and keeps the other fields.
+    void fillProtocol(const QString& protocol);
     bool isMaking() const { return m_making != nullptr; }
 
 Q_SIGNALS:
     void made(const QString& folder);
     void backRequested();
+    /// The operator makes a protocol, or changes this file; empty if none is named.
+    void protocolEditRequested(const QString& file);
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -60,6 +64,7 @@ private:
     QLineEdit* m_seed;
     QLineEdit* m_passphrase;
     QLineEdit* m_passphraseAgain;
+    QPushButton* m_editProtocol;
     QPushButton* m_makeButton;
     QPushButton* m_back;
     QLabel* m_doing;

@@ -21,6 +21,8 @@ StartPage::StartPage(QWidget* parent)
       m_browse(button("browseStudyButton", tr("Browse…"), this)),
       m_open(mainButton("openButton", tr("Open the study (Enter)"), this)),
       m_new(button("newStudyButton", tr("Create a new study…"), this)),
+      m_makeProtocol(button("makeProtocolButton", tr("Make a protocol…"), this)),
+      m_changeProtocol(button("changeProtocolButton", tr("Change a protocol…"), this)),
       m_data(button("lookAtDataButton", tr("Look at a data set…"), this)),
       m_photographs(button("photographsButton", tr("Data set from photographs…"), this)),
       m_display(button("displayButton", tr("Display…"), this)),
@@ -64,7 +66,8 @@ StartPage::StartPage(QWidget* parent)
     column->addWidget(m_message);
     column->addWidget(m_firstSteps);
     column->addSpacing(10);
-    column->addLayout(actionsRow({m_open, m_new, m_photographs, m_data, m_display, m_keys, m_participant}));
+    column->addLayout(
+        actionsRow({m_open, m_new, m_makeProtocol, m_changeProtocol, m_photographs, m_data, m_display, m_keys, m_participant}));
     column->addStretch(2);
     column->addWidget(appearanceHint(page));
     auto* outer = new QVBoxLayout(this);
@@ -79,6 +82,8 @@ StartPage::StartPage(QWidget* parent)
     });
     connect(m_browse, &QPushButton::clicked, this, &StartPage::browse);
     connect(m_new, &QPushButton::clicked, this, &StartPage::newStudyRequested);
+    connect(m_makeProtocol, &QPushButton::clicked, this, &StartPage::makeProtocolRequested);
+    connect(m_changeProtocol, &QPushButton::clicked, this, &StartPage::changeProtocolRequested);
     connect(m_data, &QPushButton::clicked, this, &StartPage::dataRequested);
     connect(m_photographs, &QPushButton::clicked, this, &StartPage::photographsRequested);
     connect(m_display, &QPushButton::clicked, this, &StartPage::displayRequested);
@@ -97,7 +102,7 @@ void StartPage::present(const QStringList& recentFolders, const Offered& offered
     showText(*m_firstSteps, recentFolders.isEmpty() && offered.newStudies && offered.photographs
                                 ? tr("No study yet? Photographs of fabrics become a data set, and a data set becomes a study.")
                                 : QString());
-    m_new->setVisible(offered.newStudies);
+    for (QPushButton* work : {m_new, m_makeProtocol, m_changeProtocol}) work->setVisible(offered.newStudies);
     m_data->setVisible(offered.dataSets);
     m_photographs->setVisible(offered.photographs);
 }

@@ -30,6 +30,8 @@ public:
 Q_SIGNALS:
     void openRequested(const QString& folder);
     void newStudyRequested();
+    void makeProtocolRequested();
+    void changeProtocolRequested();
     void dataRequested();
     void photographsRequested();
     void displayRequested();
@@ -49,6 +51,8 @@ private:
     QPushButton* m_browse;
     QPushButton* m_open;
     QPushButton* m_new;
+    QPushButton* m_makeProtocol;
+    QPushButton* m_changeProtocol;
     QPushButton* m_data;
     QPushButton* m_photographs;
     QPushButton* m_display;

@@ -12,6 +12,7 @@
 
 #include "database/study_store.h"
 #include "rendering/display/display.h"
+#include "study/app/drafts/session_outlook.h"
 #include "study/app/state/data_look.h"
 #include "study/app/state/monitor.h"
 #include "study/app/state/photograph_steps.h"
@@ -55,6 +56,7 @@ struct AppOptions {
     std::shared_ptr<session::Clock> clock;  ///< empty: the system's clock
     std::shared_ptr<QSettings> settings;    ///< recent studies, display and appearance; empty: nothing is stored
     LookAtData lookAtData;                  ///< empty: the window offers no data sets
+    LookAhead lookAhead;                    ///< empty: the editor of protocols shows neither power nor balance
     PhotographSteps photographs;            ///< empty: the window offers no data set from photographs
     UseTool useTool;                        ///< empty: the study page offers no tools
     MakeRehearsal makeRehearsal;            ///< empty: the study page offers no rehearsal

@@ -6,6 +6,7 @@
 
 #include "protocols/files/errors.h"
 #include "study/app/pages/data_page.h"
+#include "study/app/pages/editor/editor_page.h"
 #include "study/app/pages/monitor_window.h"
 #include "study/app/pages/photographs/photographs_page.h"
 #include "study/app/pages/tools/tools_page.h"
@@ -77,6 +78,10 @@ void EveryPage::visitPages(const Look& look)
     AppOptions options;
     options.makeStudy = [](const NewStudyRequest&, const MakingProgress&) {};
     options.lookAtData = someData();
+    options.lookAhead = [](const protocols::Protocol&) {
+        return SessionOutlook{{{"ordered pairs of conditions", 4, 5}, {"true slots per condition, Q1", 9, 11}},
+                              {{"Q1", false, 0.66, ""}, {"Similar", true, 0.83, ""}}};
+    };
     options.photographs = somePhotographs();
     options.useTool = [](StudyTool, const std::filesystem::path&, const std::filesystem::path&, const ToolProgress&) {
         return ToolOutcome{};
@@ -255,6 +260,7 @@ void EveryPage::visitAround(OpenWindow& open, const Look& look)
     look(open.window(), "data-open");
     open.gui().pressKey(Qt::Key_Escape);
     visitPhotographs(open, look);
+    visitEditor(open, look);
     open.gui().click("displayButton");
     look(open.window(), "display");
     open.gui().click("connectDisplayButton");
@@ -303,6 +309,34 @@ void EveryPage::visitPhotographs(OpenWindow& open, const Look& look)
     QTRY_VERIFY(!page.isBusy());
     look(open.window(), "photographs-too-few");
     open.gui().pressKey(Qt::Key_Escape);
+}
+
+void EveryPage::visitEditor(OpenWindow& open, const Look& look)
+{
+    open.gui().click("makeProtocolButton");
+    look(open.window(), "editor-start");
+    open.gui().pressKey(Qt::Key_Return);
+    auto& page = *qobject_cast<EditorPage*>(open.window().currentPage());
+    const auto settle = [&] { QTRY_VERIFY_WITH_TIMEOUT(!page.isBusy(), 30000); };
+    settle();
+    const char* const sections[] = {"editor-study",  "editor-conditions", "editor-questions",
+                                    "editor-course", "editor-texts",      "editor-analysis"};
+    for (int number = 0; number < 6; ++number) {
+        QTest::keyClick(open.window().focusWidget(), static_cast<Qt::Key>(Qt::Key_1 + number), Qt::AltModifier);
+        look(open.window(), sections[number]);
+    }
+    QTest::keyClick(open.window().focusWidget(), Qt::Key_F6);
+    look(open.window(), "editor-check");
+    QTest::keyClick(open.window().focusWidget(), Qt::Key_F6);
+    QTest::keyClick(open.window().focusWidget(), Qt::Key_1, Qt::AltModifier);
+    open.gui().clear();
+    settle();
+    QTest::keyClick(open.window().focusWidget(), Qt::Key_F6);
+    look(open.window(), "editor-faults");
+    open.gui().pressKey(Qt::Key_Escape);
+    look(open.window(), "editor-unsaved");
+    open.gui().click("dropChangesButton");
+    QTRY_VERIFY(qobject_cast<EditorPage*>(open.window().currentPage()) == nullptr);
 }
 
 void EveryPage::visitMonitor(OpenWindow& open, const Look& look)

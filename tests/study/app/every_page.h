@@ -23,6 +23,7 @@ private:
     void visitPanels(support::OpenWindow& open, const Look& look);
     void visitAround(support::OpenWindow& open, const Look& look);
     void visitPhotographs(support::OpenWindow& open, const Look& look);
+    static void visitEditor(support::OpenWindow& open, const Look& look);
     static void visitRehearsal(support::OpenWindow& open, const Look& look);
     void visitMonitor(support::OpenWindow& open, const Look& look);
 };

@@ -6,6 +6,7 @@
 
 #include "study/app/state/rehearsal.h"
 
+class QBoxLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -46,7 +47,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    TickBox* addTick(class QBoxLayout& column, const char* objectName, const QString& text, bool RehearsalState::*item);
+    TickBox* addTick(QBoxLayout& column, const char* objectName, const QString& text, bool RehearsalState::*item);
     void readPiece();
     void show();
 

@@ -1,0 +1,194 @@
+#include "study/app/pages/editor/check_panel.h"
+
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "study/app/pages/editor/draft_fields.h"
+#include "study/app/pages/editor/page_preview.h"
+#include "study/app/pieces/pieces.h"
+
+namespace study::app {
+
+namespace {
+
+constexpr std::size_t mostFaults = 40;
+
+/// Words of the file that a page calls otherwise.
+QString withoutKeys(QString text)
+{
+    const std::pair<const char*, const char*> words[] = {
+        {"has no text, expected one in question_texts", QT_TRANSLATE_NOOP("study::app::CheckPanel", "has no sentence")},
+        {"and any number in free_text", QT_TRANSLATE_NOOP("study::app::CheckPanel", "and any number answered in own words")}};
+    for (const auto& [key, word] : words) text.replace(QLatin1String(key), CheckPanel::tr(word));
+    return text;
+}
+
+QString decimal(double value) { return QString::number(value, 'f', 2); }
+
+}  // namespace
+
+CheckPanel::CheckPanel(DraftFields& fields, LookAhead lookAhead, QWidget* parent)
+    : QWidget(parent),
+      m_fields(fields),
+      m_lookAhead(std::move(lookAhead)),
+      m_state(label("checkState", Type::Body, this, Weight::Bold)),
+      m_rows(new QVBoxLayout),
+      m_numbers(label("sessionNumbers", Type::Plain, this)),
+      m_detects(label("detectableEffects", Type::Plain, this)),
+      m_balance(quietLabel("possibleBalance", this, Type::Plain)),
+      m_preview(new PagePreview(this))
+{
+    setObjectName("checkPanel");
+    auto* column = new QVBoxLayout(this);
+    column->setSpacing(8);
+    column->addWidget(m_state);
+    m_rows->setSpacing(6);
+    column->addLayout(m_rows);
+    column->addWidget(m_numbers);
+    column->addWidget(m_preview);
+    column->addWidget(m_detects);
+    column->addWidget(m_balance);
+    column->addStretch(1);
+}
+
+void CheckPanel::present(const protocols::CheckedProtocol& checked, int phase, bool hasLines)
+{
+    m_faults = checked.faults;
+    m_protocol = checked.protocol;
+    m_hasLines = hasLines;
+    showFaults();
+    showNumbers();
+    m_preview->present(m_protocol, phase);
+    beginOutlook();
+}
+
+QString CheckPanel::wordsOf(const protocols::ProtocolFault& fault) const
+{
+    QString text = QString::fromStdString(fault.text);
+    const QString place = QString::fromStdString(fault.place);
+    const DraftFields::Bound* bound = m_fields.boundAt(fault.place);
+    // A missing key stands in the place of the object that lacks it.
+    const QString said = text.startsWith(place + QStringLiteral(": ")) ? text.mid(place.size() + 2)
+                                                                       : text.mid(text.indexOf(QStringLiteral(": ")) + 2);
+    text = withoutKeys(bound ? tr("%1: %2").arg(bound->caption, said) : text);
+    return m_hasLines ? tr("Line %1, column %2. %3").arg(fault.line).arg(fault.column).arg(text) : text;
+}
+
+void CheckPanel::showFaults()
+{
+    QStringList all;
+    for (const protocols::ProtocolFault& fault : m_faults) all << wordsOf(fault);
+    const std::size_t count = m_faults.size();
+    m_state->setText(count == 0 ? tr("No fault") : count == 1 ? tr("1 fault") : tr("%1 faults").arg(count));
+    if (all == m_shown) return;  // the button that has the focus stays
+    m_shown = all;
+    clearLayout(*m_rows);
+    for (std::size_t i = 0; i < std::min(count, mostFaults); ++i) {
+        auto* row = new QWidget(this);
+        auto* line = new QHBoxLayout(row);
+        line->setContentsMargins(0, 0, 0, 0);
+        line->setSpacing(8);
+        const QString& words = all[static_cast<qsizetype>(i)];
+        QLabel* text = label(qPrintable(QStringLiteral("fault%1").arg(i + 1)), Type::Plain, row);
+        setRole(*text, "hint");
+        text->setText(words);
+        // The sentence of a question stands beside its name; a key that no protocol has can only be removed.
+        const bool isSentence = m_faults[i].text.find("has no text") != std::string::npos;
+        const bool isUnknown = m_faults[i].text.find("unknown key") != std::string::npos;
+        const QString place = QString::fromStdString(m_faults[i].place + (isSentence ? ".text" : ""));
+        auto* go = button(qPrintable(QStringLiteral("goToFault%1").arg(i + 1)), isUnknown ? tr("Remove it") : tr("Go to"), row);
+        setType(*go, Type::Plain);
+        go->setAccessibleName(isUnknown ? tr("Remove it: %1").arg(words) : tr("Go to: %1").arg(words));
+        connect(go, &QPushButton::clicked, this, [this, place, isUnknown] {
+            if (isUnknown)
+                Q_EMIT removeRequested(place);
+            else
+                Q_EMIT jumpRequested(place);
+        });
+        line->addWidget(text, 1);
+        line->addWidget(go, 0, Qt::AlignTop);
+        m_rows->addWidget(row);
+    }
+    if (count <= mostFaults) return;
+    QLabel* more = quietLabel("moreFaults", this, Type::Plain);
+    more->setText(tr("… and %1 more").arg(count - mostFaults));
+    m_rows->addWidget(more);
+}
+
+QString CheckPanel::summary() const
+{
+    if (!m_protocol) return m_state->text();
+    return tr("No fault. Presentations: %1, minutes: %2, sittings: %3")
+        .arg(m_protocol->presentations())
+        .arg(std::lround(m_protocol->minutesPerParticipant()))
+        .arg(m_protocol->sittingsPerParticipant());
+}
+
+void CheckPanel::showNumbers()
+{
+    if (!m_protocol) {
+        showText(*m_numbers, tr("Minutes, power and the preview appear when there is no fault."));
+        return;
+    }
+    const protocols::Protocol& p = *m_protocol;
+    const int breaks = p.breakAfterPresentations > 0 ? (p.presentations() - 1) / p.breakAfterPresentations : 0;
+    showText(*m_numbers, tr("Each participant: about %1 minutes without breaks. Presentations: %2, answers: %3, breaks: %4, "
+                            "sittings: %5. The whole study: answers: %6.")
+                             .arg(std::lround(p.minutesPerParticipant()))
+                             .arg(p.presentations())
+                             .arg(p.answersPerParticipant())
+                             .arg(breaks)
+                             .arg(p.sittingsPerParticipant())
+                             .arg(static_cast<qint64>(p.answersPerParticipant()) * p.participants));
+}
+
+void CheckPanel::beginOutlook()
+{
+    if (!m_protocol || !m_lookAhead) {
+        showText(*m_detects, {});
+        showText(*m_balance, {});
+        m_computed.reset();
+        return;
+    }
+    // A running computation cannot be stopped; its end begins the next.
+    if (m_computed == m_protocol || m_work.isBusy()) return;
+    m_computed = m_protocol;
+    showText(*m_detects, tr("Power and balance are being computed …"));
+    showText(*m_balance, {});
+    m_work.run(
+        [this, protocol = *m_protocol, lookAhead = m_lookAhead](const std::atomic<bool>&) -> InBackground::Then {
+            return [this, outlook = lookAhead(protocol)] {
+                showOutlook(outlook);
+                beginOutlook();
+            };
+        },
+        [this](const QString& why) {
+            showText(*m_detects, why);
+            beginOutlook();
+        });
+}
+
+void CheckPanel::showOutlook(const SessionOutlook& outlook)
+{
+    QStringList lines;
+    for (const SessionOutlook::Detectable& one : outlook.detects) {
+        const QString question = QString::fromStdString(one.question);
+        if (!one.smallest)
+            lines << tr("%1: %2").arg(question, QString::fromStdString(one.why));
+        else if (one.isOfRatings)
+            lines << tr("%1: a difference of %2 scale points between two conditions").arg(question, decimal(*one.smallest));
+        else
+            lines << tr("%1: %2 % right answers in one condition").arg(question).arg(std::lround(*one.smallest * 100));
+    }
+    if (!lines.isEmpty()) lines.prepend(tr("With a power of 80 %, under the usual assumptions, the study detects:"));
+    showText(*m_detects, lines.join(QLatin1Char('\n')));
+    QStringList balance;
+    for (const SessionOutlook::Range& range : outlook.balance)
+        balance << (range.least == range.most
+                        ? tr("%1: %2").arg(QString::fromStdString(range.what)).arg(range.least)
+                        : tr("%1: %2 to %3").arg(QString::fromStdString(range.what)).arg(range.least).arg(range.most));
+    if (!balance.isEmpty()) balance.prepend(tr("Balance of the running orders:"));
+    showText(*m_balance, balance.join(QLatin1Char('\n')));
+}
+
+}  // namespace study::app

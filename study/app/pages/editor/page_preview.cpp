@@ -1,0 +1,204 @@
+#include "study/app/pages/editor/page_preview.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "study/app/pages/editor/draft_fields.h"
+#include "study/app/pages/stage_stack.h"
+#include "study/app/participant/instruction_view.h"
+#include "study/app/participant/participant_side.h"
+#include "study/app/pieces/pieces.h"
+#include "study/participant/session/present_instruction.h"
+
+namespace study::app {
+
+namespace {
+
+using namespace session;
+using protocols::Protocol;
+
+constexpr QSize pageSize(900, 560);
+
+/// The first lines; a picture shows no more.
+QStringList firstOf(const std::vector<std::string>& texts)
+{
+    constexpr std::size_t most = 20;
+    QStringList list;
+    for (std::size_t i = 0; i < std::min(texts.size(), most); ++i) list << QString::fromStdString(texts[i]);
+    return list;
+}
+
+SessionFacts factsOf(const Protocol& protocol)
+{
+    SessionFacts facts;
+    facts.participant = QStringLiteral("P01");
+    facts.consent = QString::fromStdString(protocol.consent);
+    facts.facts = firstOf(protocol.facts);
+    facts.checklist = firstOf(protocol.checklist);
+    facts.readings = firstOf(protocol.readings);
+    facts.strokeWords = QString::fromStdString(protocol.strokeWords);
+    if (const auto* scale = memorisedScaleOf(protocol)) facts.scale = *scale;
+    facts.sittingMinutes = protocol.sittingMinutes;
+    facts.secondEntry = protocol.secondEntry;
+    facts.confirmPieces = protocol.confirmPieces;
+    return facts;
+}
+
+/// A session in the middle of a phase, with invented codes.
+View viewOf(const Protocol& protocol, int phase, const Stage& stage)
+{
+    View view;
+    view.state.stage = stage;
+    view.participant = "P01";
+    view.presentations = protocol.presentations();
+    view.presentation = 1;
+    view.answersInAll = protocol.answersPerParticipant();
+    view.minutesLeft = protocol.minutesPerParticipant();
+    if (const auto* scale = memorisedScaleOf(protocol))
+        view.placeToName = protocols::Tenths{scale->min.value +
+                                             (scale->max.value - scale->min.value) / scale->step.value / 2 * scale->step.value};
+    if (phase < 0) return view;
+    const protocols::Phase& shown = protocol.phases.at(static_cast<std::size_t>(phase));
+    constexpr int codes[] = {427, 183, 906};
+    for (int piece = 0; piece < protocols::piecesOnTray(shown.task); ++piece) {
+        view.tray.push_back(std::to_string(piece < 3 ? codes[piece] : 210 + 37 * piece));
+        view.trayIds.emplace_back("F" + std::to_string(piece));
+    }
+    view.code = protocols::PresentationCode("K7QX");
+    const auto* asked = std::get_if<Presenting>(&stage);
+    view.question = shown.questions.at(static_cast<std::size_t>(asked ? asked->question : 0));
+    if (!shown.instructions.empty()) view.instruction = shown.instructions.front();
+    view.instructionBegins = true;
+    return view;
+}
+
+}  // namespace
+
+PagePreview::PagePreview(QWidget* parent)
+    : QWidget(parent), m_choice(choiceBox("previewChoice", tr("Page to preview"), this)), m_picture(new QLabel(this))
+{
+    m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_picture->setObjectName("previewPicture");
+    m_picture->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_picture->setMinimumWidth(1);  // the picture follows the page, not the page the picture
+    m_picture->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_picture->setFrameShape(QFrame::Box);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(8);
+    column->addWidget(m_choice);
+    column->addWidget(m_picture);
+    connect(m_choice, &QComboBox::currentIndexChanged, this, &PagePreview::draw);
+}
+
+std::vector<PagePreview::Moment> PagePreview::momentsOf(const Protocol& protocol) const
+{
+    std::vector<Moment> moments;
+    if (m_phase >= 0) {
+        const protocols::Phase& phase = protocol.phases[static_cast<std::size_t>(m_phase)];
+        for (std::size_t question = 0; question < std::min<std::size_t>(phase.questions.size(), 40); ++question)
+            moments.push_back({tr("Question %1").arg(QString::fromStdString(phase.questions[question].id.value)),
+                               Presenting{0, static_cast<int>(question), 0, {}, TouchSource::Operator}});
+        moments.push_back({tr("Tray before a presentation"), PlacingTray{}});
+        moments.push_back({tr("Participant's screen: presentation"), Presenting{}, true});
+    }
+    moments.push_back({tr("Consent"), Consenting{}});
+    moments.push_back({tr("Participant's screen: consent"), Consenting{}, true});
+    if (!protocol.facts.empty()) moments.push_back({tr("Facts about the participant"), AskingFacts{}});
+    moments.push_back({tr("Getting to know the display"), Familiarising{}});
+    if (memorisedScaleOf(protocol)) {
+        moments.push_back({tr("Learning the scale"), ScaleTraining{}});
+        moments.push_back({tr("Participant's screen: scale"), ScaleTraining{}, true});
+    }
+    if (!protocol.checklist.empty() || !protocol.readings.empty())
+        moments.push_back({tr("Checklist of a sitting"), CheckingList{}});
+    moments.push_back({tr("Break"), OnBreak{}});
+    moments.push_back({tr("Participant's screen: break"), OnBreak{}, true});
+    return moments;
+}
+
+void PagePreview::present(const std::optional<Protocol>& protocol, int phase)
+{
+    m_phase = protocol ? std::min(phase, static_cast<int>(protocol->phases.size()) - 1) : -1;
+    m_protocol = protocol;
+    const QString chosen = m_choice->currentText();
+    {
+        const QSignalBlocker quiet(m_choice);
+        m_moments = protocol ? momentsOf(*protocol) : std::vector<Moment>();
+        m_choice->clear();
+        for (const Moment& moment : m_moments) m_choice->addItem(moment.name);
+        m_choice->setCurrentIndex(m_moments.empty() ? -1 : std::max(0, m_choice->findText(chosen)));
+    }
+    draw();
+}
+
+void PagePreview::showQuestion(int question)
+{
+    for (std::size_t i = 0; i < m_moments.size(); ++i)
+        if (const auto* asked = std::get_if<Presenting>(&m_moments[i].stage);
+            asked && asked->question == question && !m_moments[i].isOfParticipant) {
+            m_choice->setCurrentIndex(static_cast<int>(i));
+            return;
+        }
+}
+
+QPixmap PagePreview::pictureOf(const Moment& moment) const
+{
+    const View view = viewOf(*m_protocol, m_phase, moment.stage);
+    if (moment.isOfParticipant) {
+        ParticipantSide side(nullptr);
+        side.show(participant::instructionFor(view, *m_protocol));
+        InstructionView screen(side, nullptr);
+        screen.resize(pageSize);
+        return screen.grab();
+    }
+    StageStack pages(nullptr);
+    pages.begin(factsOf(*m_protocol));
+    StagePage& page = pages.pageOf(moment.stage);
+    page.present(view);
+    pages.bringForward(page);
+    pages.resize(pageSize);
+    return pages.grab();
+}
+
+void PagePreview::draw()
+{
+    const int chosen = m_choice->currentIndex();
+    m_choice->setVisible(!m_moments.empty());
+    m_picture->setVisible(!m_moments.empty());
+    m_drawn = chosen < 0 ? QPixmap() : pictureOf(m_moments[static_cast<std::size_t>(chosen)]);
+    m_picture->setAccessibleName(tr("Preview: %1").arg(m_choice->currentText()));
+    fit();
+}
+
+void PagePreview::fit()
+{
+    if (m_drawn.isNull()) return;
+    const int room = std::max(1, width() - 2);
+    QPixmap fitted = m_drawn.scaledToWidth(static_cast<int>(room * devicePixelRatioF()), Qt::SmoothTransformation);
+    fitted.setDevicePixelRatio(devicePixelRatioF());
+    m_picture->setPixmap(fitted);
+    m_picture->setFixedHeight(static_cast<int>(fitted.height() / devicePixelRatioF()) + 2);
+}
+
+QSize PagePreview::sizeHint() const { return {320, QWidget::sizeHint().height()}; }
+
+void PagePreview::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    fit();
+}
+
+void PagePreview::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    // The pages take the colours and the size of the text from the window.
+    if (event->type() == QEvent::StyleChange && isVisible())
+        QMetaObject::invokeMethod(this, &PagePreview::draw, Qt::QueuedConnection);
+}
+
+}  // namespace study::app

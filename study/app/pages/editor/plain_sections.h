@@ -1,0 +1,16 @@
+// The sections of the editor whose fields stand for themselves: course of a session, texts.
+#pragma once
+
+class QWidget;
+
+namespace study::app {
+
+class DraftFields;
+
+/// Breaks, sittings, pieces on the tray and entries. `parent` owns it.
+QWidget* courseSection(DraftFields& fields, QWidget* parent);
+
+/// What is said, read, ticked, measured and asked. `parent` owns it.
+QWidget* textsSection(DraftFields& fields, QWidget* parent);
+
+}  // namespace study::app

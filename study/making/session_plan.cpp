@@ -101,18 +101,6 @@ ordered_json choicePower(const Protocol& protocol, const protocols::Question& qu
                     above.exists() ? stats::Value(chance + *above) : above, "share right");
 }
 
-ordered_json powerOf(const Protocol& protocol)
-{
-    ordered_json rows = ordered_json::array();
-    for (const Phase& phase : protocol.phases)
-        for (const protocols::Question& question : phase.questions) {
-            if (std::holds_alternative<protocols::Rating>(question.kind) && protocol.conditions.size() > 1)
-                rows.push_back(ratingPower(protocol, question));
-            if (protocols::alternativesOf(question.kind) > 1) rows.push_back(choicePower(protocol, question));
-        }
-    return rows;
-}
-
 std::string word(const ordered_json& object, const char* key) { return object[key].get<std::string>(); }
 
 std::string fixed(double value, int decimals) { return protocols::fixed(value, decimals); }
@@ -164,8 +152,20 @@ ordered_json sessionPlan(const Protocol& protocol)
     json["sittings"] = protocol.sittingsPerParticipant();
     json["answers"] = protocol.answersPerParticipant() * protocol.participants;
     json.update(protocols::jsonOf(protocols::balanceOf(protocols::drawDesign(protocol, shownSeed), protocol)));
-    json["detects"] = powerOf(protocol);
+    json["detects"] = detectableEffects(protocol);
     return json;
+}
+
+ordered_json detectableEffects(const Protocol& protocol)
+{
+    ordered_json rows = ordered_json::array();
+    for (const Phase& phase : protocol.phases)
+        for (const protocols::Question& question : phase.questions) {
+            if (std::holds_alternative<protocols::Rating>(question.kind) && protocol.conditions.size() > 1)
+                rows.push_back(ratingPower(protocol, question));
+            if (protocols::alternativesOf(question.kind) > 1) rows.push_back(choicePower(protocol, question));
+        }
+    return rows;
 }
 
 std::string textOf(const ordered_json& plan)

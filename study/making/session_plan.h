@@ -14,6 +14,9 @@ namespace study::making {
 /// the participants' means, choices for the exact test of one condition against chance.
 nlohmann::ordered_json sessionPlan(const protocols::Protocol& protocol);
 
+/// Its part "detects", which needs no running order.
+nlohmann::ordered_json detectableEffects(const protocols::Protocol& protocol);
+
 /// The same object as lines for people.
 std::string textOf(const nlohmann::ordered_json& sessionPlan);
 

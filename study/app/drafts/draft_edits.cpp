@@ -232,13 +232,15 @@ std::vector<DraftCondition> conditionsOf(const ProtocolDraft& draft)
     for (std::size_t i = 0; i < draft.countAt("conditions"); ++i) {
         const Json& one = draft.at("conditions[" + std::to_string(i) + "]");
         if (!one.is_object()) {
-            conditions.push_back({usualSpelling(textOr(one)), {}});
+            conditions.push_back({usualSpelling(textOr(one)), {}, false});
             continue;
         }
         DraftCondition condition;
         for (const auto& [key, value] : one.items()) {
             if (key == "id")
                 condition.id = textOr(value);
+            else if (key == "program" && value == true)
+                condition.byProgram = true;
             else
                 condition.source += (condition.source.empty() ? "" : ", ") + (value.is_string() ? textOr(value) : value.dump());
         }
@@ -264,7 +266,12 @@ void setCondition(ProtocolDraft& draft, const std::string& id, bool isChosen)
 
 void addOwnCondition(ProtocolDraft& draft, const std::string& id, const std::string& folder)
 {
-    draft.set("conditions[" + std::to_string(draft.countAt("conditions")) + "]", {{"id", id}, {"images", folder}});
+    Json added{{"id", id}};
+    if (folder.empty())
+        added["program"] = true;
+    else
+        added["images"] = folder;
+    draft.set("conditions[" + std::to_string(draft.countAt("conditions")) + "]", added);
 }
 
 std::vector<DraftContrast> contrastsOf(const ProtocolDraft& draft)

@@ -49,12 +49,14 @@ void setInOwnWords(ProtocolDraft& draft, std::size_t phase, const std::string& i
 /// A condition as the file has it.
 struct DraftCondition {
     std::string id;
-    std::string source;  ///< folder of the lab's own images, or what else the file says of it; empty for a rendered condition
+    std::string source;      ///< folder of the lab's own images, or what else the file says of it; empty for a rendered one
+    bool byProgram = false;  ///< the lab names a program that makes the images
     bool operator==(const DraftCondition&) const = default;
 };
 std::vector<DraftCondition> conditionsOf(const ProtocolDraft& draft);
 /// Adds a rendered condition in the usual order, or removes it.
 void setCondition(ProtocolDraft& draft, const std::string& id, bool isChosen);
+/// A condition of the lab's own: ready images in the folder, or, without a folder, images that a program makes.
 void addOwnCondition(ProtocolDraft& draft, const std::string& id, const std::string& folder);
 
 struct DraftContrast {

@@ -24,6 +24,7 @@ struct SessionOutlook {
         std::optional<double> smallest;  ///< empty if no effect is large enough
         std::string why;                 ///< the reason, if there is none
     };
+    bool isBalanceDrawn = true;  ///< false for a study whose orders take long to draw
     std::vector<Range> balance;
     std::vector<Detectable> detects;
 };

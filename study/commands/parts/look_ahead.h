@@ -5,7 +5,7 @@
 
 namespace study::commands {
 
-/// The numbers of `protocol show`. A study whose running orders would take long to draw has no balance, but a line that says so.
+/// The numbers of `protocol show`. The orders of a large study are not drawn, because the window would wait for them.
 app::SessionOutlook lookAhead(const protocols::Protocol& protocol);
 
 }  // namespace study::commands

@@ -79,7 +79,8 @@ void EveryPage::visitPages(const Look& look)
     options.makeStudy = [](const NewStudyRequest&, const MakingProgress&) {};
     options.lookAtData = someData();
     options.lookAhead = [](const protocols::Protocol&) {
-        return SessionOutlook{{{"ordered pairs of conditions", 4, 5}, {"true slots per condition, Q1", 9, 11}},
+        return SessionOutlook{true,
+                              {{"ordered pairs of conditions", 4, 5}, {"true slots per condition, Q1", 9, 11}},
                               {{"Q1", false, 0.66, ""}, {"Similar", true, 0.83, ""}}};
     };
     options.photographs = somePhotographs();

@@ -188,6 +188,8 @@ void CheckPanel::showOutlook(const SessionOutlook& outlook)
                         ? tr("%1: %2").arg(QString::fromStdString(range.what)).arg(range.least)
                         : tr("%1: %2 to %3").arg(QString::fromStdString(range.what)).arg(range.least).arg(range.most));
     if (!balance.isEmpty()) balance.prepend(tr("Balance of the running orders:"));
+    if (!outlook.isBalanceDrawn)
+        balance << tr("Orders of this length take long to draw; `vis2hap protocol show` prints their balance.");
     showText(*m_balance, balance.join(QLatin1Char('\n')));
 }
 

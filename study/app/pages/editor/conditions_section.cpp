@@ -60,7 +60,8 @@ ConditionsSection::ConditionsSection(DraftFields& fields, QWidget* parent)
       m_remove(button("removeConditionButton", tr("Remove"), this)),
       m_ownId(field("ownConditionField", tr("Name of your condition"), this)),
       m_ownFolder(field("ownFolderField", tr("Folder of its images"), this)),
-      m_addOwn(button("addOwnButton", tr("Add your condition"), this)),
+      m_addOwn(button("addOwnButton", tr("Add your images"), this)),
+      m_addProgram(button("addProgramButton", tr("Add your program"), this)),
       m_browse(button("browseOwnButton", tr("Browse…"), this)),
       m_row(choiceBox("qualityCondition", tr("Condition at another quality"), this)),
       m_quality(choiceBox("qualityChoice", tr("Quality"), this)),
@@ -75,7 +76,8 @@ ConditionsSection::ConditionsSection(DraftFields& fields, QWidget* parent)
     column->addStretch(1);
     connect(&fields, &DraftFields::replaced, this, &ConditionsSection::present);
     connect(m_remove, &QPushButton::clicked, this, &ConditionsSection::removeFurther);
-    connect(m_addOwn, &QPushButton::clicked, this, &ConditionsSection::addOwn);
+    connect(m_addOwn, &QPushButton::clicked, this, [this] { addOwn(Made::InFolder); });
+    connect(m_addProgram, &QPushButton::clicked, this, [this] { addOwn(Made::ByProgram); });
     connect(m_browse, &QPushButton::clicked, this, &ConditionsSection::browse);
     connect(m_addQuality, &QPushButton::clicked, this, &ConditionsSection::addQuality);
     for (QLineEdit* line : {m_ownId, m_ownFolder}) connect(line, &QLineEdit::textChanged, m_message, &MessageBar::clearMessage);
@@ -113,8 +115,8 @@ void ConditionsSection::buildRendered(QVBoxLayout& column)
 void ConditionsSection::buildFurther(QVBoxLayout& column)
 {
     addSmallHead(column, "ownTitle", tr("Your own conditions"),
-                 tr("A folder with one ready friction image a fabric: F01.png, F02.png, … They are blinded and balanced like all "
-                    "others."));
+                 tr("A folder with one ready friction image a fabric: F01.png, F02.png, … Or a program, which you name when you "
+                    "make the study with `vis2hap study new --program`. They are blinded and balanced like all others."));
     name(*m_further, "furtherConditions", tr("Further conditions of the study"));
     setType(*m_further, Type::Body);
     constexpr int mostRows = 6;
@@ -129,7 +131,7 @@ void ConditionsSection::buildFurther(QVBoxLayout& column)
     names->addWidget(m_ownFolder, 2);
     column.addLayout(names);
     column.addWidget(m_message);
-    column.addLayout(actionsRow({m_addOwn, m_browse}));
+    column.addLayout(actionsRow({m_addOwn, m_browse, m_addProgram}));
     addSmallHead(column, "qualityTitle", tr("One condition at several qualities"),
                  tr("Quality trades computing time for exactness, so a study can compare its prices."));
     for (const protocols::Condition& row : protocols::allConditions())
@@ -151,10 +153,12 @@ void ConditionsSection::present()
     m_places.clear();
     for (std::size_t place = 0; place < conditions.size(); ++place) {
         const DraftCondition& one = conditions[place];
-        if (one.source.empty() && isPlainRow(one.id)) continue;
+        if (one.source.empty() && !one.byProgram && isPlainRow(one.id)) continue;
         m_places.push_back(place);
         const QString id = QString::fromStdString(one.id), source = QString::fromStdString(one.source);
-        m_further->addItem(source.isEmpty() ? id : tr("%1    from %2").arg(id, source));
+        m_further->addItem(one.byProgram      ? tr("%1    by a program").arg(id)
+                           : source.isEmpty() ? id
+                                              : tr("%1    from %2").arg(id, source));
     }
     m_further->setVisible(m_further->count() > 0);
     m_remove->setVisible(m_further->count() > 0);
@@ -170,7 +174,7 @@ void ConditionsSection::browse()
     if (m_ownId->text().isEmpty()) m_ownId->setFocus();
 }
 
-void ConditionsSection::addOwn()
+void ConditionsSection::addOwn(Made made)
 {
     const std::string id = m_ownId->text().trimmed().toStdString(), folder = m_ownFolder->text().trimmed().toStdString();
     const std::string fault = protocols::faultOfOwnId(id);
@@ -180,14 +184,14 @@ void ConditionsSection::addOwn()
                                        : QString::fromStdString(fault));
         return;
     }
-    if (folder.empty()) {
+    if (folder.empty() && made == Made::InFolder) {
         m_ownFolder->setFocus();
         m_message->showHint(tr("No folder is given. Choose the folder that holds one image a fabric."));
         return;
     }
     m_ownId->clear();
     m_ownFolder->clear();
-    m_fields.change([&](ProtocolDraft& draft) { addOwnCondition(draft, id, folder); });
+    m_fields.change([&](ProtocolDraft& draft) { addOwnCondition(draft, id, made == Made::InFolder ? folder : std::string()); });
 }
 
 void ConditionsSection::addQuality()

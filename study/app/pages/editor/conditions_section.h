@@ -31,7 +31,8 @@ private:
     void buildFurther(QVBoxLayout& column);
     void present();
     void browse();
-    void addOwn();
+    enum class Made { InFolder, ByProgram };
+    void addOwn(Made made);
     void addQuality();
     void removeFurther();
 
@@ -48,6 +49,7 @@ private:
     QLineEdit* m_ownId;
     QLineEdit* m_ownFolder;
     QPushButton* m_addOwn;
+    QPushButton* m_addProgram;
     QPushButton* m_browse;
     QComboBox* m_row;
     QComboBox* m_quality;

@@ -92,6 +92,9 @@ void PhaseDetail::addKind(QVBoxLayout& column)
     if (kind == PhaseKind::Choice)
         m_fields.addShortLine(row, place("alternatives"), tr("Pieces on the tray"), FieldKind::Number, QStringLiteral("3"));
     m_fields.addShortLine(row, place("catch_trials"), tr("Presentations of blank glass"), FieldKind::Number, QStringLiteral("0"));
+    m_fields.addShortLine(row, place("anchors.mismatched"), tr("Anchors with another fabric"), FieldKind::Number,
+                          QStringLiteral("0"));
+    m_fields.addShortLine(row, place("anchors.repeated"), tr("Anchors felt twice"), FieldKind::Number, QStringLiteral("0"));
     if (kind == PhaseKind::Choice)
         m_fields.addTick(column, place("few_swaps"), tr("Leave as many pieces as possible on the tray from one to the next"));
     if (kind == PhaseKind::Numbers) addScale(column);

@@ -58,9 +58,12 @@ void CheckPanel::present(const protocols::CheckedProtocol& checked, int phase, b
     m_hasLines = hasLines;
     showFaults();
     showNumbers();
-    m_preview->present(m_protocol, phase);
+    // While a word is being typed, the last sound pages stay.
+    if (m_protocol) m_preview->present(m_protocol, phase);
     beginOutlook();
 }
+
+void CheckPanel::clear() { m_preview->present(std::nullopt, 0); }
 
 QString CheckPanel::wordsOf(const protocols::ProtocolFault& fault) const
 {
@@ -127,7 +130,7 @@ QString CheckPanel::summary() const
 void CheckPanel::showNumbers()
 {
     if (!m_protocol) {
-        showText(*m_numbers, tr("Minutes, power and the preview appear when there is no fault."));
+        showText(*m_numbers, tr("Minutes, power and the preview follow when there is no fault."));
         return;
     }
     const protocols::Protocol& p = *m_protocol;

@@ -25,6 +25,8 @@ public:
 
     /// `phase`: whose pages are previewed. `hasLines`: the draft is the file as it stands, so that line and column are of use.
     void present(const protocols::CheckedProtocol& checked, int phase, bool hasLines);
+    /// Forgets the pages of the draft before.
+    void clear();
     const std::vector<protocols::ProtocolFault>& faults() const { return m_faults; }
     /// "No fault. 40 presentations, 17 minutes, 1 sitting": the whole panel in one line.
     QString summary() const;

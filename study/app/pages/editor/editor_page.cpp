@@ -226,6 +226,7 @@ void EditorPage::edit(const ProtocolDraft& draft, const fs::path& file)
     m_message->clearMessage();
     m_guard->hide();
     m_isPanelShown = false;
+    m_panel->clear();
     m_fields->begin(draft);
     m_phases->choose(0);
     m_pages->setCurrentWidget(m_editor);

@@ -88,7 +88,7 @@ void PhaseDetail::addKind(QVBoxLayout& column)
         m_fields.change([&](ProtocolDraft& draft) { setPhaseKind(draft, m_phase, static_cast<PhaseKind>(chosen)); });
     });
     FlowLayout& row = *addFlow(column);
-    row.addWidget(captioned(tr("The participant answers: "), *kinds, this));
+    row.addWidget(captioned(tr("The participant answers"), *kinds, this));
     if (kind == PhaseKind::Choice)
         m_fields.addShortLine(row, place("alternatives"), tr("Pieces on the tray"), FieldKind::Number, QStringLiteral("3"));
     m_fields.addShortLine(row, place("catch_trials"), tr("Presentations of blank glass"), FieldKind::Number, QStringLiteral("0"));

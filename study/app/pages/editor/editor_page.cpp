@@ -57,6 +57,11 @@ EditorPage::EditorPage(LookAtData look, LookAhead lookAhead, QWidget* parent)
     connectParts();
 }
 
+EditorPage::~EditorPage()
+{
+    delete m_pages;  // before the fields, which its controls use until they are gone
+}
+
 void EditorPage::buildEditor()
 {
     auto* column = new QVBoxLayout(m_editor);

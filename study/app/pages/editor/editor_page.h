@@ -33,6 +33,7 @@ class EditorPage : public QWidget {
     Q_OBJECT
 public:
     EditorPage(LookAtData look, LookAhead lookAhead, QWidget* parent);
+    ~EditorPage() override;
 
     void focusFirst();
     /// Shows the examples, or the field for a file to change.

@@ -30,6 +30,12 @@ constexpr ExplainedExample explainedExamples[] = {
      QT_TRANSLATE_NOOP("study::app::EditorStart", "The same choices under “be fast”, “be accurate” and a deadline.")},
     {"quality", QT_TRANSLATE_NOOP("study::app::EditorStart", "Quality of the rendering"),
      QT_TRANSLATE_NOOP("study::app::EditorStart", "One rendering at three prices in computing time.")},
+    {"own_images", QT_TRANSLATE_NOOP("study::app::EditorStart", "Your own images"),
+     QT_TRANSLATE_NOOP("study::app::EditorStart", "Friction images that you made, beside two renderings of the program.")},
+    {"own_program", QT_TRANSLATE_NOOP("study::app::EditorStart", "Your own program"),
+     QT_TRANSLATE_NOOP("study::app::EditorStart", "A program of yours makes the friction images, beside two renderings.")},
+    {"teaching", QT_TRANSLATE_NOOP("study::app::EditorStart", "Exercise for a class"),
+     QT_TRANSLATE_NOOP("study::app::EditorStart", "Simulated answers with planted effects and a careless participant.")},
     {"pilot", QT_TRANSLATE_NOOP("study::app::EditorStart", "Pilot of one participant"),
      QT_TRANSLATE_NOOP("study::app::EditorStart", "Shows whether the set-up works and how long a presentation takes.")},
 };

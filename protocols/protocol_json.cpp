@@ -28,7 +28,7 @@ std::vector<ProtocolFault> placed(const SchemaFaults& faults, const JsonDocument
     std::vector<ProtocolFault> all;
     for (const SchemaFault& fault : faults) {
         const TextPlace place = document.textPlaceOf(pointerOf(fault.place));
-        all.push_back({place.line, place.column, fault.text, fault.place});
+        all.push_back({place.line, place.column, fault.text});
     }
     std::ranges::stable_sort(all, {}, [](const ProtocolFault& fault) { return std::pair(fault.line, fault.column); });
     return all;

@@ -17,7 +17,6 @@ struct ProtocolFault {
     std::size_t line = 1;    ///< from 1
     std::size_t column = 1;  ///< from 1, in characters
     std::string text;        ///< the key, the value there, and what was expected
-    std::string place;       ///< path of the value: "phases[0].scale.max"; of a missing key its own; empty: the whole document
 };
 
 struct CheckedProtocol {

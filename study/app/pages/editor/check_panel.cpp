@@ -23,6 +23,23 @@ QString withoutKeys(QString text)
     return text;
 }
 
+/// The key between the last quotes.
+std::string quotedKeyIn(const std::string& text)
+{
+    const std::size_t end = text.rfind('\'');
+    const std::size_t begin = end == std::string::npos || end == 0 ? end : text.rfind('\'', end - 1);
+    return begin == std::string::npos ? std::string() : text.substr(begin + 1, end - begin - 1);
+}
+
+/// The place of a fault, which begins with it: "phases[0].scale.max: …"; of a missing or unknown key its own place.
+std::string placeIn(const protocols::ProtocolFault& fault)
+{
+    std::string place = fault.text.substr(0, fault.text.find(": "));
+    if (place == "the protocol") place.clear();
+    if (!fault.text.ends_with("' is missing") && fault.text.find(": unknown key '") == std::string::npos) return place;
+    return place + (place.empty() ? "" : ".") + quotedKeyIn(fault.text);
+}
+
 QString decimal(double value) { return QString::number(value, 'f', 2); }
 
 }  // namespace
@@ -68,12 +85,10 @@ void CheckPanel::clear() { m_preview->present(std::nullopt, 0); }
 QString CheckPanel::wordsOf(const protocols::ProtocolFault& fault) const
 {
     QString text = QString::fromStdString(fault.text);
-    const QString place = QString::fromStdString(fault.place);
-    const DraftFields::Bound* bound = m_fields.boundAt(fault.place);
-    // A missing key stands in the place of the object that lacks it.
-    const QString said = text.startsWith(place + QStringLiteral(": ")) ? text.mid(place.size() + 2)
-                                                                       : text.mid(text.indexOf(QStringLiteral(": ")) + 2);
-    text = withoutKeys(bound ? tr("%1: %2").arg(bound->caption, said) : text);
+    const DraftFields::Bound* bound = m_fields.boundAt(placeIn(fault));
+    // The caption of the control stands for the place in the file.
+    if (bound) text = tr("%1: %2").arg(bound->caption, text.mid(text.indexOf(QStringLiteral(": ")) + 2));
+    text = withoutKeys(text);
     return m_hasLines ? tr("Line %1, column %2. %3").arg(fault.line).arg(fault.column).arg(text) : text;
 }
 
@@ -98,7 +113,7 @@ void CheckPanel::showFaults()
         // The sentence of a question stands beside its name; a key that no protocol has can only be removed.
         const bool isSentence = m_faults[i].text.find("has no text") != std::string::npos;
         const bool isUnknown = m_faults[i].text.find("unknown key") != std::string::npos;
-        const QString place = QString::fromStdString(m_faults[i].place + (isSentence ? ".text" : ""));
+        const QString place = QString::fromStdString(placeIn(m_faults[i]) + (isSentence ? ".text" : ""));
         auto* go = button(qPrintable(QStringLiteral("goToFault%1").arg(i + 1)), isUnknown ? tr("Remove it") : tr("Go to"), row);
         setType(*go, Type::Plain);
         go->setAccessibleName(isUnknown ? tr("Remove it: %1").arg(words) : tr("Go to: %1").arg(words));

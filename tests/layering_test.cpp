@@ -84,6 +84,7 @@ const QList<Room>& rooms()
          {"rendering/models/generation.h", "rendering/models/kept_generation.h", "rendering/models/preset.h",
           "rendering/models/preset_trade.h", "rendering/models/cloth/", "rendering/cache/", "rendering/signals/",
           "rendering/fabrics/", "rendering/images/", "protocols/"}},
+        {"rendering/display/drivers/", "small drivers to copy, in C++ and Python; they use nothing but their language", {}},
         {"rendering/display/",
          "displays, their drivers, the stimulus bank, the simulated finger",
          {"rendering/composition/friction_image.h", "rendering/images/", "protocols/"}},

@@ -1,0 +1,116 @@
+// A small driver of a display for Vis2Hap (vis2hap.display/1) in C++17 and POSIX without any library: copy it, fill in Device.
+//
+//   c++ -std=c++17 -O2 -o small_driver small_driver.cpp
+//   small_driver FILE.pgm         Vis2Hap starts it: --display "exec:./small_driver felt.pgm"
+//   small_driver FILE.pgm PORT    it waits for connections: --display tcp:HOST:PORT
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+
+namespace {
+
+const int width = 1280, height = 800;  // pixels of your glass
+
+/// ==== The one place for your vendor's calls. This example keeps the image in a file. ====
+struct Device {
+    std::string file;
+
+    /// grey: one byte a pixel, row by row from the upper left; 255 is the highest friction. Returns when it can be felt; throws
+    /// with a reason for the operator if the engine fails.
+    void show(int wide, int high, const std::string& grey)
+    {
+        std::FILE* image = std::fopen(file.c_str(), "wb");
+        if (image == nullptr) throw std::runtime_error("the engine cannot write its image");
+        std::fprintf(image, "P5\n%d %d\n255\n", wide, high);
+        std::fwrite(grey.data(), 1, grey.size(), image);
+        std::fclose(image);
+    }
+    /// Nothing can be felt any more.
+    void clear() { show(width, height, std::string(std::size_t{width} * height, '\0')); }
+};
+
+/// What follows "KEY": in a line of Vis2Hap, a word or a whole number; empty without it.
+std::string valueOf(const std::string& key, const std::string& line)
+{
+    std::size_t at = line.find('"' + key + '"');
+    if (at == line.npos || (at = line.find(':', at)) == line.npos) return {};
+    at = line.find_first_not_of(": \"", at);
+    return at == line.npos ? "" : line.substr(at, line.find_first_of("\",} ", at) - at);
+}
+
+/// Answers one computer until its input ends.
+void serve(Device device, std::FILE* in, std::FILE* out)
+{
+    std::string showing = "null";
+    char* text = nullptr;
+    std::size_t room = 0;
+    device.clear();
+    while (::getline(&text, &room, in) > 0) {
+        const std::string line = text, type = valueOf("type", line), id = valueOf("id", line);
+        std::string reply = R"("type":"failed","why":"unknown request")";
+        try {
+            if (type == "hello")
+                reply = R"("type":"hello","schema":"vis2hap.display/1","name":"small driver in C++","touches":false,"width":)" +
+                        std::to_string(width) + R"(,"height":)" + std::to_string(height);
+            if (type == "status") reply = R"("type":"status","showing":)" + showing;
+            if (type == "show") {
+                const int wide = std::atoi(valueOf("width", line).c_str()), high = std::atoi(valueOf("height", line).c_str());
+                std::string grey(std::strtoul(valueOf("bytes", line).c_str(), nullptr, 10), '\0');
+                if (std::fread(grey.data(), 1, grey.size(), in) != grey.size()) break;  // the input ends within an image
+                if (grey.size() != static_cast<std::size_t>(wide) * static_cast<std::size_t>(high))
+                    throw std::runtime_error("width x height differs from the number of bytes");
+                device.show(wide, high, grey);
+                showing = id;
+                reply = R"("type":"shown")";
+            }
+            if (type == "clear") {
+                device.clear();
+                showing = "null";
+                reply = R"("type":"cleared")";
+            }
+        } catch (const std::exception& fault) {  // the operator reads the reason, and the session pauses
+            std::string why = fault.what();
+            for (char& letter : why)
+                if (letter == '"' || letter == '\\' || static_cast<unsigned char>(letter) < ' ') letter = ' ';
+            reply = R"("type":"failed","why":")" + why + '"';
+        }
+        std::fprintf(out, "{%s,\"id\":%s}\n", reply.c_str(), id.c_str());
+        std::fflush(out);
+    }
+    std::free(text);
+    device.clear();  // Vis2Hap has ended, perhaps by a crash
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    if (argc != 2 && argc != 3) return std::fputs("usage: small_driver FILE.pgm [PORT]\n", stderr), 2;
+    std::signal(SIGPIPE, SIG_IGN);
+    if (argc == 2) return serve({argv[1]}, stdin, stdout), 0;
+    const int server = ::socket(AF_INET, SOCK_STREAM, 0), yes = 1;
+    sockaddr_in place{};
+    place.sin_family = AF_INET;
+    place.sin_port = htons(static_cast<std::uint16_t>(std::atoi(argv[2])));
+    ::setsockopt(server, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    socklen_t size = sizeof place;
+    if (::bind(server, reinterpret_cast<sockaddr*>(&place), size) != 0 || ::listen(server, 1) != 0) return std::perror("port"), 3;
+    ::getsockname(server, reinterpret_cast<sockaddr*>(&place), &size);
+    std::printf("listening at port %d\n", ntohs(place.sin_port));
+    std::fflush(stdout);
+    while (true) {
+        const int client = ::accept(server, nullptr, nullptr);
+        if (client < 0) continue;
+        ::setsockopt(client, SOL_SOCKET, SO_KEEPALIVE, &yes, sizeof yes);  // a computer without power closes nothing
+        std::FILE *in = ::fdopen(client, "rb"), *out = ::fdopen(::dup(client), "wb");
+        serve({argv[1]}, in, out);
+        std::fclose(in);
+        std::fclose(out);
+    }
+}

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/shipped_folder.h"
 
 extern char** environ;
 
@@ -89,11 +90,9 @@ std::string outputOfPeer(const std::vector<std::string>& command)
 
 std::filesystem::path peerScript(const std::string& name)
 {
-    const auto beside = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "peers" / name;
-    if (std::filesystem::exists(beside)) return beside;
-    auto inSources = std::filesystem::path(VIS2HAP_SOURCE_DIR) / "tests/study/bench/peers" / name;
-    if (std::filesystem::exists(inSources)) return inSources;
-    throw protocols::environmentFault({"the script of a peer is missing", inSources.string(), "this file, or " + beside.string(),
+    auto script = protocols::shippedFolder("peers", VIS2HAP_SOURCE_DIR "/tests/study/bench/peers") / name;
+    if (std::filesystem::exists(script)) return script;
+    throw protocols::environmentFault({"the script of a peer is missing", script.string(), "this file of the program",
                                        "copy it from the sources of the program, or leave --peers out"});
 }
 

@@ -246,7 +246,7 @@ void addBench(CLI::App& app, Action& action)
     addShardOptions(*command, call->shard);
     command->callback([call, &action] {
         requireSensible(*call);
-        action.surroundings = Surroundings::Offscreen;
+        action.surroundings = Surroundings::SeenIfPossible;
         action.work = [call] { return runBench(*call); };
     });
 }

@@ -15,10 +15,11 @@ namespace study::commands {
 
 /// The Qt application that the work needs.
 enum class Surroundings {
-    None,       ///< no Qt at all
-    Core,       ///< a QCoreApplication, for Qt SQL and image formats
-    Window,     ///< widgets on a screen; without a screen the command ends with exit code 3
-    Offscreen,  ///< widgets, with or without a screen
+    None,            ///< no Qt at all
+    Core,            ///< a QCoreApplication, for Qt SQL and image formats
+    Window,          ///< widgets on a screen; without a screen the command ends with exit code 3
+    SeenIfPossible,  ///< widgets, on a screen where one is named
+    Offscreen,       ///< pictures and fonts; a screen is not used, so a desktop that has gone does no harm
 };
 
 struct Action {

@@ -71,9 +71,10 @@ std::unique_ptr<QCoreApplication> surroundingsFor(Surroundings kind, int& argc, 
     if (kind == Surroundings::None) return nullptr;
     if (kind == Surroundings::Core) return std::make_unique<QCoreApplication>(argc, argv);
     if (kind == Surroundings::Window && !screenIsThere()) throw screenFault("");
-    const bool isSeen = screenIsThere();
-    if (!isSeen) qputenv("QT_QPA_PLATFORM", "offscreen");
+    const bool isSeen = kind != Surroundings::Offscreen && screenIsThere();
+    if (!isSeen && std::getenv("QT_QPA_PLATFORM") == nullptr) qputenv("QT_QPA_PLATFORM", "offscreen");
     qInstallMessageHandler(endWithoutScreen);
+    QGuiApplication::setDesktopFileName(QStringLiteral("vis2hap"));  // Wayland finds the icon of the window by it
     auto application = std::make_unique<QApplication>(argc, argv);
     qInstallMessageHandler(isSeen ? nullptr : printFaultsOnly);
     return application;

@@ -9,6 +9,7 @@
 
 #include "database/keys.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/shipped_folder.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/display/display.h"
 #include "study/app/gui_operator.h"
@@ -55,12 +56,10 @@ std::vector<players::Script> readScripts(const std::vector<std::string>& files, 
 
 constexpr int paperParticipants = 10;
 
-/// The scripts that give the paper's totals (protocols/paper), beside the program or in its sources.
+/// The scripts that give the paper's totals (protocols/paper).
 std::vector<std::string> paperFiles()
 {
-    std::error_code none;
-    auto folder = std::filesystem::read_symlink("/proc/self/exe", none).parent_path() / "paper";
-    if (!std::filesystem::is_directory(folder, none)) folder = VIS2HAP_SOURCE_DIR "/protocols/paper";
+    const auto folder = protocols::shippedFolder("paper", VIS2HAP_SOURCE_DIR "/protocols/paper");
     std::vector<std::string> files;
     for (int k = 1; k <= paperParticipants; ++k)
         files.push_back((folder / ((k < 10 ? "S0" : "S") + std::to_string(k) + ".json")).string());
@@ -211,7 +210,7 @@ void addReplay(CLI::App& app, Action& action)
         ->check(isName());
     addPassphraseOption(*command, call->passphrase);
     command->callback([call, &action] {
-        action.surroundings = call->gui ? Surroundings::Offscreen : Surroundings::Core;
+        action.surroundings = call->gui ? Surroundings::SeenIfPossible : Surroundings::Core;
         action.handlesStudy = true;
         action.work = [call] { return replay(*call); };
     });

@@ -4,10 +4,12 @@
 #include <unistd.h>
 
 #include <QFile>
+#include <QImage>
 #include <QLabel>
 #include <QProcess>
 #include <QPushButton>
 #include <QSettings>
+#include <QTemporaryDir>
 #include <QTest>
 #include <opencv2/core.hpp>
 
@@ -74,6 +76,7 @@ private Q_SLOTS:
     void patternOfTheChecklistEndsWithIt();
     void aScreenThatCannotBeHadIsOneError_data();
     void aScreenThatCannotBeHadIsOneError();
+    void picturesNeedNoScreen();
 };
 
 void AppDisplayTest::displayShowsImagesOnlyWhilePresenting()
@@ -281,6 +284,7 @@ void AppDisplayTest::aScreenThatCannotBeHadIsOneError_data()
     QTest::newRow("nothing named") << QStringList{};
     QTest::newRow("a desktop that does not run") << QStringList{"DISPLAY=:987"};
     QTest::newRow("Wayland alone, without a compositor") << QStringList{"WAYLAND_DISPLAY=wayland-987"};
+    QTest::newRow("two desktops that do not run") << QStringList{"WAYLAND_DISPLAY=wayland-987", "DISPLAY=:987"};
     QTest::newRow("Wayland asked for") << QStringList{"QT_QPA_PLATFORM=wayland"};
     QTest::newRow("unknown platform") << QStringList{"QT_QPA_PLATFORM=nowhere"};
 }
@@ -293,6 +297,18 @@ void AppDisplayTest::aScreenThatCannotBeHadIsOneError()
     const QStringList lines = ended.err.split('\n', Qt::SkipEmptyParts);
     QVERIFY2(lines.size() == 1 && lines.front().contains("the window needs a screen"), qPrintable(ended.err));
     for (const QString& named : environment) QVERIFY2(lines.front().contains(named), qPrintable(ended.err));
+}
+
+void AppDisplayTest::picturesNeedNoScreen()
+{
+    const QTemporaryDir folder;
+    QImage grey(64, 64, QImage::Format_Grayscale8);
+    grey.fill(90);
+    QVERIFY(grey.save(folder.filePath("grey.png")));
+    const auto ended = support::runProgram({"view", folder.filePath("grey.png"), "--out", folder.filePath("seen.png")},
+                                           {"DISPLAY=:987", "WAYLAND_DISPLAY=wayland-987"});
+    QVERIFY2(ended.exitCode == 0, qPrintable(ended.err));
+    QVERIFY(QFile::exists(folder.filePath("seen.png")));
 }
 
 int main(int argc, char** argv)

@@ -7,6 +7,7 @@
 #include <QTest>
 #include <opencv2/core.hpp>
 
+#include "rendering/composition/friction_image.h"
 #include "rendering/display/display.h"
 #include "rendering/display/display_check.h"
 #include "rendering/images/image_io.h"
@@ -47,16 +48,18 @@ class SmallDriversTest : public QObject {
     /// The words that start a driver; empty where its compiler or interpreter is missing.
     QStringList words(const QString& language) const
     {
+        QStringList found;
         if (language == "Python") {
             const QString python = QStandardPaths::findExecutable("python3");
-            return python.isEmpty() ? QStringList{} : QStringList{python, sources + "small_driver.py"};
+            if (!python.isEmpty()) found << python << sources + "small_driver.py";
+            return found;
         }
         const QString compiler = QStandardPaths::findExecutable("c++"), program = m_folder.filePath("small_driver");
-        if (compiler.isEmpty()) return {};
-        const QStringList strict{"-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Werror"};
-        const int built =
-            QProcess::execute(compiler, QStringList{"-std=c++17", "-O2", "-o", program, sources + "small_driver.cpp"} + strict);
-        return built == 0 ? QStringList{program} : QStringList{"small_driver.cpp does not compile"};
+        if (compiler.isEmpty()) return found;
+        QStringList arguments{"-std=c++17", "-O2", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Werror"};
+        arguments << "-o" << program << sources + "small_driver.cpp";
+        found << (QProcess::execute(compiler, arguments) == 0 ? program : QString("small_driver.cpp does not compile"));
+        return found;
     }
 
     void languages() const
@@ -97,7 +100,8 @@ private Q_SLOTS:
         QStringList driver = words(language);
         if (driver.isEmpty()) QSKIP(qPrintable("no compiler or interpreter for " + language));
         QProcess process;
-        process.start(driver.takeFirst(), driver + QStringList{felt(), "0"});
+        const QString program = driver.takeFirst();
+        process.start(program, driver << felt() << "0");
         while (process.state() != QProcess::NotRunning && !process.canReadLine()) process.waitForReadyRead(1000);
         const auto told = QRegularExpression("port (\\d+)").match(QString::fromUtf8(process.readLine()));
         const std::string specification = "tcp:127.0.0.1:" + told.captured(1).toStdString();

@@ -1,6 +1,8 @@
 #include "rendering/composition/display_mapping.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cmath>
 #include <opencv2/core.hpp>
 
@@ -46,6 +48,29 @@ cv::Mat levelsOf(const cv::Mat& values, int type, const MapRange& range, const D
     return levelsOf<Level>(values, type, range, highest, [&](int i, int j) {
         return noiseAt(mapping.seed, static_cast<std::uint64_t>(i) * columns + static_cast<std::uint64_t>(j));
     });
+}
+
+/// The wanted share of the display's range of friction, 0 to 1.
+double wantedShare(float value, const MapRange& range)
+{
+    return std::clamp((static_cast<double>(value) - range.min) / (range.max - range.min), 0.0, 1.0);
+}
+
+/// Levels whose friction is linear in the values.
+cv::Mat levelsOfFriction(const cv::Mat& values, const MapRange& range, const DisplayMapping& mapping)
+{
+    const LevelsOfFriction levels(*mapping.response);
+    cv::Mat image(values.size(), CV_8UC1);
+    for (int i = 0; i < values.rows; ++i)
+        for (int j = 0; j < values.cols; ++j) {
+            const double share = wantedShare(values.at<float>(i, j), range);
+            const auto place =
+                static_cast<std::uint64_t>(i) * static_cast<std::uint64_t>(values.cols) + static_cast<std::uint64_t>(j);
+            const int level =
+                mapping.dither ? static_cast<int>(levels.between(share) + noiseAt(mapping.seed, place)) : levels.nearest(share);
+            image.at<std::uint8_t>(i, j) = static_cast<std::uint8_t>(std::min(level, mapping.response->highestLevel()));
+        }
+    return image;
 }
 
 }  // namespace
@@ -109,10 +134,37 @@ double shareOutside(const ScaledMap& map, const MapRange& range)
            static_cast<double>(map.values.total());
 }
 
+cv::Mat frictionOnDisplay(const cv::Mat& image, const DisplayResponse& response)
+{
+    std::array<std::uint16_t, 256> table{};
+    for (int level = 0; level < 256; ++level) {
+        const int known = std::clamp(level, response.lowestLevel(), response.highestLevel()) - response.lowestLevel();
+        const double share = (response.friction[static_cast<std::size_t>(known)] - response.friction.front()) / response.range();
+        table[static_cast<std::size_t>(level)] = static_cast<std::uint16_t>(std::lround(65535 * share));
+    }
+    cv::Mat friction(image.size(), CV_16UC1);
+    for (int i = 0; i < image.rows; ++i)
+        for (int j = 0; j < image.cols; ++j) friction.at<std::uint16_t>(i, j) = table[image.at<std::uint8_t>(i, j)];
+    return friction;
+}
+
+double shareOutOfReach(const ScaledMap& map, const MapRange& range, const DisplayResponse& response)
+{
+    if (range.constant()) return 0;
+    const LevelsOfFriction levels(response);
+    std::size_t missed = 0;
+    for (int i = 0; i < map.values.rows; ++i)
+        for (int j = 0; j < map.values.cols; ++j)
+            missed += levels.miss(wantedShare(map.values.at<float>(i, j), range)) > reachTolerance ? 1 : 0;
+    return static_cast<double>(missed) / static_cast<double>(map.values.total());
+}
+
 cv::Mat mapToDisplay(const ScaledMap& map, const MapRange& range, const DisplayMapping& mapping)
 {
+    assert((!mapping.response || mapping.bits == 8) && "a response was measured at 256 levels");
     const int type = mapping.bits == 16 ? CV_16UC1 : CV_8UC1;
     if (range.constant()) return cv::Mat::zeros(map.values.size(), type);
+    if (mapping.response) return levelsOfFriction(map.values, range, mapping);
     if (mapping.bits == 16) return levelsOf<std::uint16_t>(map.values, type, range, mapping);
     return levelsOf<std::uint8_t>(map.values, type, range, mapping);
 }

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
 #include "rendering/composition/friction_image.h"
+#include "rendering/response/display_response.h"
 
 namespace rendering {
 
@@ -40,10 +42,19 @@ struct DisplayMapping {
     int bits = 8;         ///< 8 (0 to 255, for the display) or 16 (0 to 65535, for viewing and comparison)
     bool dither = false;  ///< adds noise of one level before rounding, so that slow slopes have no perceptible steps
     std::uint64_t seed = 1;
+    /// Friction of the display by level: a map then becomes levels whose friction is linear in m'. Null: levels are linear in m'.
+    std::shared_ptr<const DisplayResponse> response = nullptr;
     bool operator==(const DisplayMapping&) const = default;
 };
 
-/// Eq. 5: levels 0 to 255, rounded. A constant range maps to 0, which leaves only the glass's own friction.
+/// The friction of an image on the display: CV_16UC1, from 0 for the lowest measured friction to 65535 for the highest.
+cv::Mat frictionOnDisplay(const cv::Mat& image, const DisplayResponse& response);
+
+/// Share of a map's pixels whose friction no level of the response gives within `reachTolerance`.
+double shareOutOfReach(const ScaledMap& map, const MapRange& range, const DisplayResponse& response);
+
+/// Eq. 5: levels 0 to 255, rounded. A constant range maps to 0, which leaves only the glass's own friction. A response takes 8
+/// bits only, because it was measured at these levels.
 cv::Mat mapToDisplay(const ScaledMap& map, const MapRange& range, const DisplayMapping& mapping = {});
 
 }  // namespace rendering

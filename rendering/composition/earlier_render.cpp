@@ -62,7 +62,7 @@ std::string difference(const ordered_json& now, const ordered_json& before)
 /// Copies the facts on fabrics whose images are not rendered again.
 void keepFacts(ordered_json& now, const ordered_json& before, const Names& fabrics)
 {
-    for (const char* field : {"extension", "agreement", "variance_lost", "outside_range"})
+    for (const char* field : {"extension", "agreement", "variance_lost", "outside_range", "out_of_reach"})
         for (const auto& fabric : fabrics)
             if (before.contains(field) && before.at(field).contains(fabric)) now[field][fabric] = before.at(field).at(fabric);
 }

@@ -211,4 +211,22 @@ nlohmann::ordered_json jsonOf(const ImageFaults& faults)
     return json;
 }
 
+std::vector<std::string> frictionOutOfReach(const RenderedFabrics& rendering)
+{
+    constexpr double worthNaming = 0.001;
+    std::vector<std::string> lines;
+    for (const auto& rendered : rendering.conditions) {
+        std::string fabrics;
+        for (const auto& [fabric, facts] : rendered.maps)
+            if (facts.outOfReach >= worthNaming) {
+                char share[16];
+                std::snprintf(share, sizeof share, " %.1f %%", 100 * facts.outOfReach);
+                fabrics += (fabrics.empty() ? "" : ", ") + fabric.value + share;
+            }
+        if (!fabrics.empty())
+            lines.push_back(rendered.condition.value + ": no level of the display gives the friction of some pixels: " + fabrics);
+    }
+    return lines;
+}
+
 }  // namespace rendering

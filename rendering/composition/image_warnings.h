@@ -45,6 +45,9 @@ struct ImageFaults {
 
 ImageFaults imageFaults(const RenderedFabrics& rendering);
 
+/// One line for each condition with pixels whose friction the display's response does not reach, with their share by fabric.
+std::vector<std::string> frictionOutOfReach(const RenderedFabrics& rendering);
+
 /// One line for each pair of conditions with fabrics that it shows alike, and one for each condition with flat images, which also
 /// names the fabrics that set its range.
 std::vector<std::string> describe(const ImageFaults& faults, const RenderedFabrics& rendering);

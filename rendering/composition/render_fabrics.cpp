@@ -180,7 +180,8 @@ RenderedCondition renderCondition(const ConditionId& id, const RenderPlan& plan,
         }
         result.images[fabric] = mapToDisplay(map, range, request.mapping);
         result.maps[fabric] = {map.extension, map.agreement, map.varianceLost,
-                               request.percentiles.whole() ? 0 : shareOutside(map, range)};
+                               request.percentiles.whole() ? 0 : shareOutside(map, range),
+                               request.mapping.response ? shareOutOfReach(map, range, *request.mapping.response) : 0};
     }
     result.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return result;

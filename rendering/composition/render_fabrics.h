@@ -78,6 +78,7 @@ struct MapFacts {
     double agreement = 0;                ///< correlation of overlapping strips
     std::optional<double> varianceLost;  ///< ScaledMap::varianceLost
     double outsideRange = 0;             ///< share of pixels outside the range between percentiles
+    double outOfReach = 0;               ///< share of pixels whose friction the display's response does not reach
 };
 
 struct RenderedCondition {

@@ -32,6 +32,8 @@ ordered_json mappingOf(const RenderRequest& request)
                       {"bits", request.mapping.bits},
                       {"dither", request.mapping.dither}};
     if (request.mapping.dither) json["dither_seed"] = request.mapping.seed;
+    if (request.mapping.response)
+        json["response"] = {{"display", request.mapping.response->setting.display}, {"sha256", request.mapping.response->sha256}};
     return json;
 }
 
@@ -57,6 +59,7 @@ ordered_json jsonOf(const RenderedCondition& rendered, const RenderRequest& requ
         json["variance_lost"][fabric.value] = facts.varianceLost ? ordered_json(*facts.varianceLost) : ordered_json();
         if (!facts.varianceLost) json["why"]["variance_lost"] = "a constant source has no variance";
         if (!request.percentiles.whole()) json["outside_range"][fabric.value] = facts.outsideRange;
+        if (request.mapping.response) json["out_of_reach"][fabric.value] = facts.outOfReach;
     }
     json["ms"] = rounded(rendered.milliseconds);
     return json;
@@ -95,7 +98,10 @@ std::string percent(double share)
 std::string inWords(const MapFacts& facts)
 {
     return facts.extension + (facts.varianceLost ? ", " + percent(*facts.varianceLost) + " of its variance lost" : ", constant") +
-           (facts.outsideRange > 0 ? ", " + percent(facts.outsideRange) + " of its pixels outside the range" : "");
+           (facts.outsideRange > 0 ? ", " + percent(facts.outsideRange) + " of its pixels outside the range" : "") +
+           (facts.outOfReach > 0
+                ? ", " + percent(facts.outOfReach) + " of its pixels at a friction that the display does not reach"
+                : "");
 }
 
 }  // namespace

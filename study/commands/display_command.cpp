@@ -1,21 +1,25 @@
-// vis2hap display check SPEC
+// vis2hap display check SPEC; vis2hap display calibrate TABLE
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <ctime>
 #include <memory>
 
 #include "protocols/files/errors.h"
 #include "rendering/display/display_check.h"
+#include "rendering/response/response_file.h"
 #include "reports/text/plain_words.h"
 #include "study/commands/command_line.h"
+#include "study/commands/parts/display_calibration.h"
 #include "study/commands/parts/number_checks.h"
+#include "study/commands/text_checks.h"
 
 namespace study::commands {
 
 namespace {
 
 struct CheckCall {
-    std::string specification;
+    std::string specification, response;
     double touchSeconds = 0;
 };
 
@@ -35,8 +39,17 @@ void printTimes(const char* what, std::vector<double> milliseconds)
     std::printf("%s: median %.1f ms of %zu, longest %.1f ms\n", what, median, milliseconds.size(), milliseconds.back());
 }
 
+/// A response holds for one display, which is known by its name.
+std::string faultOfResponse(const CheckCall& call, const std::string& display)
+{
+    if (call.response.empty()) return {};
+    const std::string measured = rendering::readResponse(call.response).setting.display;
+    return measured == display ? "" : "it was measured on \"" + measured + "\", and this is \"" + display + "\"";
+}
+
 int checkDriver(const CheckCall& call)
 {
+    if (!call.response.empty()) (void)rendering::readResponse(call.response);  // refused before the display is used
     const auto address = rendering::driverAddressFrom(call.specification);
     if (!address)
         throw protocols::badInput({"display '" + call.specification + "' has no driver to check", "SPEC",
@@ -46,20 +59,69 @@ int checkDriver(const CheckCall& call)
     if (call.touchSeconds > 0)
         std::printf("Touch the display as soon as you feel that it is on. You have %g seconds.\n", call.touchSeconds);
     const auto result = checkDisplay(*address, options, printDemand);
+    const std::string otherDisplay = faultOfResponse(call, result.name);
+    if (!call.response.empty()) printDemand({"its response was measured on this display", otherDisplay});
     printTimes("show an image", result.showMs);
     printTimes("clear the display", result.clearMs);
     const std::string name = result.name.empty() ? call.specification : result.name;
-    const int faults = result.faults();
+    const int faults = result.faults() + (otherDisplay.empty() ? 0 : 1);
     std::printf("%s: %s\n", name.c_str(),
                 faults == 0 ? "meets every requirement" : reports::counted(static_cast<std::size_t>(faults), "fault").c_str());
     return static_cast<int>(faults == 0 ? protocols::ExitCode::Done : protocols::ExitCode::WorkFailed);
+}
+
+std::string localDate()
+{
+    const std::time_t now = std::time(nullptr);
+    std::tm local{};
+    localtime_r(&now, &local);
+    char text[11];
+    std::strftime(text, sizeof text, "%F", &local);
+    return text;
+}
+
+CLI::Validator isDate()
+{
+    return CLI::Validator(
+        [](std::string& text) {
+            std::tm date{};
+            const char* end = strptime(text.c_str(), "%Y-%m-%d", &date);
+            return end != nullptr && *end == '\0' && text.size() == 10 ? std::string()
+                                                                       : text + " is no date (expected YYYY-MM-DD)";
+        },
+        "YYYY-MM-DD");
+}
+
+void addCalibration(CLI::App& display, Action& action)
+{
+    auto* command =
+        display.add_subcommand("calibrate", "fit the response of a display: friction measured at several grey levels");
+    auto call = std::make_shared<DisplayCalibration>();
+    call->setting.date = localDate();
+    command->add_option("TABLE", call->table, "table of measurements in their order: grey level, friction coefficient or force")
+        ->required();
+    command->add_option("--out", call->out, "response.json to write")->required();
+    command->add_option("--display", call->setting.display, "name of the display, as its driver states it")
+        ->required()
+        ->check(isName());
+    command->add_option("--load", call->loadN, "normal force of the finger in newtons, where the table has no column load_n")
+        ->check(aboveZero());
+    command->add_option("--speed", call->setting.speedMmPerS, "speed of the finger in mm/s")->required()->check(aboveZero());
+    command->add_option("--finger", call->setting.finger, "what slid over the glass, e.g. \"index finger, dry\"")
+        ->required()
+        ->check(isName());
+    command->add_option("--date", call->setting.date, "day of the measurement, YYYY-MM-DD (default: today)")->check(isDate());
+    command->add_option("--map", call->map,
+                        "MEANING=COLUMN where a column has another name; level, friction, force, load, sweep");
+    command->add_option("--picture", call->picture, "SVG file to draw the response to");
+    command->callback([call, &action] { action.work = [call] { return calibrateDisplay(*call); }; });
 }
 
 }  // namespace
 
 void addDisplay(CLI::App& app, Action& action)
 {
-    auto* display = app.add_subcommand("display", "check the driver of a haptic display");
+    auto* display = app.add_subcommand("display", "check the driver of a haptic display, or fit its response");
     display->require_subcommand(1);
     auto* command = display->add_subcommand(
         "check", "test every requirement of the driver protocol: pass or FAIL; the display shows images meanwhile");
@@ -67,7 +129,9 @@ void addDisplay(CLI::App& app, Action& action)
     command->add_option("SPEC", call->specification, "exec:COMMAND or tcp:HOST:PORT, as for vis2hap --display")->required();
     command->add_option("--touch", call->touchSeconds, "seconds to wait for a finger, to check that the driver reports touches")
         ->check(finiteIn(0, 600));
+    command->add_option("--response", call->response, "response.json, to check that it belongs to this display");
     command->callback([call, &action] { action.work = [call] { return checkDriver(*call); }; });
+    addCalibration(*display, action);
 }
 
 }  // namespace study::commands

@@ -15,6 +15,7 @@
 #include "rendering/composition/render_json.h"
 #include "rendering/images/image_io.h"
 #include "rendering/models/exchange.h"
+#include "rendering/response/response_file.h"
 #include "study/commands/command_line.h"
 #include "study/commands/parts/cache_option.h"
 #include "study/commands/parts/explanation.h"
@@ -37,8 +38,18 @@ struct RenderCall {
     int bits = 8;
     bool dither = false;
     std::uint64_t ditherSeed = 1;
-    std::string sheet;
+    std::string sheet, response;
 };
+
+/// The response that --response names. It was measured at the 256 levels of a display, so 16 bits have none.
+std::shared_ptr<const rendering::DisplayResponse> responseFor(const RenderCall& call)
+{
+    if (call.bits != 8)
+        throw protocols::badInput({"a response of a display has 256 levels",
+                                   "--bits " + std::to_string(call.bits) + " with --response", "--bits 8",
+                                   "leave one of the options out"});
+    return std::make_shared<rendering::DisplayResponse>(rendering::readResponse(call.response));
+}
 
 std::vector<protocols::FabricId> fabricList(const rendering::fabrics::Dataset& dataset, const std::string& text)
 {
@@ -122,6 +133,7 @@ int render(const RenderCall& call, StageTimes stages)
     request.extension = call.extension == "mirror" ? rendering::Extension::Mirror : rendering::Extension::Tile;
     request.percentiles = percentilesFrom(call.percentiles);
     request.mapping = {call.bits, call.dither, call.ditherSeed};
+    if (!call.response.empty()) request.mapping.response = responseFor(call);
     request.shading.method =
         call.shading == "bumps" ? rendering::signals::ShadingMethod::GaussianBumps : rendering::signals::ShadingMethod::Linear;
     request.shading.lightFromBelow = call.lightFrom == "below";
@@ -197,6 +209,8 @@ void addRender(CLI::App& app, Action& action)
     command->add_option("--bits", call->bits, "bits per pixel of the PNG files; the display uses 8")
         ->check(CLI::IsMember({8, 16}))
         ->capture_default_str();
+    command->add_option("--response", call->response,
+                        "response.json of the display: friction on the glass becomes linear in the map, instead of the levels");
     command->add_flag("--dither", call->dither, "add noise of one level before rounding");
     command->add_option("--dither-seed", call->ditherSeed, "seed of that noise")->capture_default_str();
     command->add_option(

@@ -12,6 +12,8 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
+#include "rendering/composition/display_mapping.h"
+#include "rendering/response/response_file.h"
 #include "reports/text/plain_words.h"
 #include "study/commands/command_line.h"
 #include "study/commands/parts/progress.h"
@@ -20,6 +22,7 @@
 #include "study/players/expected_touch.h"
 #include "study/players/planted_effects.h"
 #include "study/players/player_answers.h"
+#include "study/records/display_response_record.h"
 #include "study/records/stored_study.h"
 #include "study/session/stimuli.h"
 #include "study/simulation/simulate_through_store.h"
@@ -63,6 +66,15 @@ std::vector<protocols::ParticipantId> participantsToPlay(const StudyStore& store
     return participants;
 }
 
+/// The response through which the study's images are mapped, if there is one.
+std::optional<rendering::DisplayResponse> displayResponseOf(const database::StudyFacts& facts)
+{
+    const auto made = nlohmann::ordered_json::parse(facts.madeWith, nullptr, false);
+    if (!made.is_object() || !made.contains(records::displayResponseField)) return std::nullopt;
+    return rendering::responseFromJson(made.at(records::displayResponseField).dump(),
+                                       "the study's " + std::string(records::displayResponseField));
+}
+
 /// What the study's images feel like, and what a participant expects of its fabrics.
 players::Percepts perceptsOf(const StudyStore& store, const protocols::AllocationKey& key, rendering::StimulusBank& bank,
                              const std::string& dataset)
@@ -71,7 +83,11 @@ players::Percepts perceptsOf(const StudyStore& store, const protocols::Allocatio
     players::Percepts percepts;
     percepts.stationKey = stationKeyOf(key.secret);
     percepts.fabrics = players::expectedTouch(facts, dataset.empty() ? facts.datasetPath : dataset);
-    for (const auto& [code, entry] : key.entries) percepts.stimuli[code] = players::feel(bank.imageOf(code));
+    const auto response = displayResponseOf(facts);
+    for (const auto& [code, entry] : key.entries) {
+        const cv::Mat image = bank.imageOf(code);
+        percepts.stimuli[code] = players::feel(response ? frictionOnDisplay(image, *response) : image);
+    }
     return percepts;
 }
 

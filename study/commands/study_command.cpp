@@ -21,6 +21,7 @@
 #include "study/commands/text_checks.h"
 #include "study/making/new_study.h"
 #include "study/making/study_sheets.h"
+#include "study/records/display_response_record.h"
 #include "study/records/running_orders_csv.h"
 #include "study/records/stored_study.h"
 #include "study/records/study_status.h"
@@ -63,6 +64,7 @@ int makeNew(const making::NewStudy& request, StageTimes& stages)
     std::printf("  %d presentations and %d answers for each participant: about %.0f minutes in %s, at %g s a presentation\n",
                 protocol.presentations(), protocol.answersPerParticipant(), protocol.minutesPerParticipant(),
                 sittingsText(protocol.sittingsPerParticipant()).c_str(), protocol.secondsPerPresentation);
+    std::printf("  %s\n", records::displayResponseSentence(made.facts).c_str());
     if (!made.facts.familiarisation.empty())
         std::printf("  fabrics for familiarisation: %s\n", listOf(made.facts.familiarisation).c_str());
     std::printf("balance of the running orders:\n%s", describe(made.balance).c_str());
@@ -168,6 +170,8 @@ void addNew(CLI::App& study, Action& action)
                       "generate from photographs that do not look like cloth, too; every report states it");
     command->add_flag("--allow-training-samples", call->allowTrainingSamples,
                       "allow samples that the model was trained on; the report says so");
+    command->add_option("--response", call->response,
+                        "response.json of the display (vis2hap display calibrate): friction becomes linear in the maps");
     command->add_option("--images", call->images,
                         "folder to keep the friction images in under their names, and to reuse them from");
     command->add_flag("--replace-simulated", call->replaceSimulated, "replace a study in which no human took part");

@@ -90,6 +90,7 @@ ContactSheet contactSheetOf(const rendering::fabrics::Dataset& dataset, const re
     rendering::RenderRequest render = request;
     render.conditions.clear();
     render.mapping = {};  // the display needs 8 bits without dither
+    render.mapping.response = request.mapping.response;
     for (const char* condition : shownConditions) {
         render.conditions.emplace_back(condition);
         sheet.frictionColumns.emplace_back(condition);

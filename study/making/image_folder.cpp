@@ -67,6 +67,7 @@ std::string imageFolderKey(const database::StudyFacts& facts, const rendering::R
     for (const auto& condition : request.conditions) inputs["conditions"].push_back(condition.value);
     inputs["mapping"] = {static_cast<int>(request.scale), static_cast<int>(request.extension), request.percentiles.low,
                          request.percentiles.high, request.mapping.dither};
+    if (request.mapping.response) inputs["response"] = request.mapping.response->sha256;
     return protocols::sha256(inputs.dump());
 }
 

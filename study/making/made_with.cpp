@@ -8,6 +8,7 @@
 #include "protocols/files/sha256.h"
 #include "protocols/secrets/sealing.h"
 #include "rendering/composition/render_json.h"
+#include "study/records/display_response_record.h"
 
 namespace study::making {
 
@@ -50,6 +51,7 @@ std::string madeWith(const NewStudy& request, const std::string& weightsSha256, 
     for (const auto& [key, bytes] : prompts) made["prompts_sha256"][key] = protocols::sha256(bytes);
     if (!material.own.sha256.empty()) made["own_images_sha256"] = material.own.sha256;
     for (const UsedProgram& used : material.programs) made["programs"][used.program.condition.value] = jsonOf(used, request);
+    if (!material.responseJson.empty()) made[records::displayResponseField] = ordered_json::parse(material.responseJson);
     return made.dump();
 }
 

@@ -30,11 +30,12 @@ struct NewStudy {
     std::optional<std::uint64_t> keySeed;   ///< for tests; otherwise a secret of the system
     std::optional<std::string> passphrase;  ///< seals the allocation key; empty: the key lies open, and the report says so
     bool allowTrainingSamples = false;
-    bool evenStrange = false;       ///< generates from photographs that do not look like cloth; every report states it
-    std::string programVersion;     ///< stored with the study, e.g. "vis2hap 0.5.0"
-    std::string programCommit;      ///< of the sources; empty where the build does not know it
-    std::filesystem::path images;   ///< folder for the friction images under their names; reused if their inputs are the same
-    bool replaceSimulated = false;  ///< replaces a study in which no human took part
+    bool evenStrange = false;        ///< generates from photographs that do not look like cloth; every report states it
+    std::string programVersion;      ///< stored with the study, e.g. "vis2hap 0.5.0"
+    std::string programCommit;       ///< of the sources; empty where the build does not know it
+    std::filesystem::path response;  ///< of the display; empty: levels are linear in the maps
+    std::filesystem::path images;    ///< folder for the friction images under their names; reused if their inputs are the same
+    bool replaceSimulated = false;   ///< replaces a study in which no human took part
     /// Keeps signals, ranges and their comparison for other studies; null: everything is computed.
     std::shared_ptr<rendering::cache::ResultCache> cache = nullptr;
 };

@@ -67,7 +67,9 @@ nlohmann::ordered_json comparedSignals(const NewStudy& request, const StudyMater
             if (auto json = nlohmann::ordered_json::parse(*kept, nullptr, false); json.is_object()) return json;
     auto json = signalQuality(rendering.signals);
     addControls(json, {material, rendering, facts.datasetSha256, request.seed}, progress.comparison);
-    if (const auto lines = describe(imageFaults(rendering), rendering); !lines.empty()) json[imageWarningsField] = lines;
+    auto lines = describe(imageFaults(rendering), rendering);
+    for (auto& line : frictionOutOfReach(rendering)) lines.push_back(std::move(line));
+    if (!lines.empty()) json[imageWarningsField] = lines;
     if (request.cache && isWhole(json)) request.cache->keep(key, json.dump());
     return json;
 }
@@ -164,6 +166,7 @@ FamiliarisationImages familiarisationFor(const NewStudy& request, const StudyMat
     // The last condition of the protocol is the richest. One image of each fabric is enough for familiarisation.
     render.conditions = {material.render.conditions.back()};
     render.generation.model = request.model;
+    render.mapping = material.render.mapping;
     render.cache = request.cache;
     const auto signals = rendering::signalsFor(std::span<const protocols::ConditionId>(render.conditions));
     for (const auto& fabric : dataset.fabrics)

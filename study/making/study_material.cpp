@@ -8,6 +8,7 @@
 #include "protocols/protocol_json.h"
 #include "protocols/random.h"
 #include "rendering/fabrics/dataset_hash.h"
+#include "rendering/response/response_file.h"
 #include "study/making/sample_choice.h"
 
 namespace study::making {
@@ -69,6 +70,17 @@ void readModel(const NewStudy& request, StudyMaterial& material)
             "data set.");
 }
 
+void readDisplayResponse(const NewStudy& request, StudyMaterial& material)
+{
+    if (request.response.empty()) return;
+    material.responseJson = protocols::readWholeFile(request.response);
+    material.render.mapping.response = std::make_shared<rendering::DisplayResponse>(
+        rendering::responseFromJson(material.responseJson, request.response.string()));
+    if (!material.own.images.empty() || !request.programs.empty())
+        material.stamps.emplace_back(
+            "Images of the laboratory's own conditions are shown as they are, without the response of the display.");
+}
+
 }  // namespace
 
 StudyMaterial materialFor(const NewStudy& request)
@@ -99,6 +111,7 @@ StudyMaterial materialFor(const NewStudy& request)
     if (!material.own.images.empty())
         material.stamps.push_back(counted(material.own.images.size()) +
                                   " ready images that this program did not make. How they were made is not known to it.");
+    readDisplayResponse(request, material);
     return material;
 }
 

@@ -26,6 +26,7 @@ struct StudyMaterial {
     rendering::RenderRequest render;                          ///< the rendered conditions over the fabrics, with their samples
     OwnImages own;                                            ///< images of the lab's own conditions
     std::vector<UsedProgram> programs;                        ///< that made some of them
+    std::string responseJson;                                 ///< the response that `render` maps through; empty without one
     std::vector<std::string> stamps;                          ///< sentences that every report must carry
 };
 

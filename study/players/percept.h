@@ -16,7 +16,7 @@ struct Percept {
     std::array<double, 2 * bands> texture{};
 };
 
-/// `image`: CV_8UC1. A constant image gives the threshold in every band.
+/// `image`: CV_8UC1, or CV_16UC1 with a full scale of 65535. A constant image gives the threshold in every band.
 Percept feel(const cv::Mat& image);
 
 /// Difference of slipperiness in just-noticeable differences (one is a Weber fraction of 0.2).

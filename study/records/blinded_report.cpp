@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/formats/table_cells.h"
+#include "study/records/display_response_record.h"
 #include "study/records/stored_study.h"
 #include "study/records/study_status.h"
 
@@ -71,6 +72,7 @@ reports::ProgressReport blindedReport(const database::StudyStore& store)
     report.sentences = {
         "This study is blinded. Without the owner's passphrase its report holds progress, balance and flags only."};
     for (const auto& stamp : status["stamps"]) report.sentences.push_back(stamp.get<std::string>());
+    report.sentences.push_back(displayResponseSentence(store.facts()));
     report.sentences.push_back("Head of the log: " + textIn(status, "head"));
     if (status["quality"].empty()) report.sentences.emplace_back("The data have no flags.");
     report.tables = {progressTable(status), balanceTable(status), flagTable(status)};

@@ -15,6 +15,7 @@
 #include "reports/json/prices_json.h"
 #include "reports/json/signals_json.h"
 #include "reports/text/plain_words.h"
+#include "study/records/display_response_record.h"
 #include "study/records/participants_sentence.h"
 #include "study/records/registered_plan.h"
 #include "study/records/shown_origin.h"
@@ -204,6 +205,7 @@ reports::StudyData describedStudy(const database::StudyStore& store, const datab
     data.name = facts.name;
     data.protocolSha256 = facts.protocolSha256;
     data.stamps = stampsOf(store, facts);
+    data.stamps.push_back(displayResponseSentence(facts));
     describeProtocol(protocol, data);
     data.blinded = !store.unblinding().has_value();  // decides whether the plan may name conditions
     describePlan(store, data);
@@ -246,6 +248,7 @@ std::vector<std::string> stampsOf(const database::StudyStore& store, const datab
         stamps.push_back(reports::counted(withoutDisplay, "sitting") +
                          " ran without a display: participants of these sittings felt no image on the glass.");
     for (std::string& sentence : programSentences(store, facts)) stamps.push_back(std::move(sentence));
+    if (auto sentence = otherDisplaySentence(store, facts); !sentence.empty()) stamps.push_back(std::move(sentence));
     return stamps;
 }
 

@@ -11,6 +11,7 @@
 #include "database/evidence/acts.h"
 #include "database/evidence/stored_tables.h"
 #include "database/stored_texts.h"
+#include "study/records/display_response_record.h"
 #include "study/records/evidence/data_words.h"
 #include "study/records/stored_study.h"
 
@@ -213,7 +214,8 @@ ordered_json dataSheetOf(const database::StudyStore& store)
                        {"passphrase", facts.hasPassphrase},
                        {"participants", peopleOf(store)},
                        {"facts_asked", protocol.facts},
-                       {"consent", protocol.consent}};
+                       {"consent", protocol.consent},
+                       {"display_response", displayResponseSentence(facts)}};
     sheet["place"] = {{"host", thisHost()},
                       {"folder", fs::absolute(store.folder().folder).lexically_normal().string()},
                       {"files", fileRows(store.folder().folder)}};

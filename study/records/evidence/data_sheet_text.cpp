@@ -153,7 +153,7 @@ std::string textOfDataSheet(const ordered_json& sheet)
     text += wrapped("", "Made on " + sheetField(sheet, "made_at") + " from the study itself, which " +
                             sheetField(sheet, "program") + " made.");
     text += wrapped("", "Protocol SHA-256 " + sheetField(sheet, "protocol_sha256")) +
-            wrapped("", "Log head " + sheetField(sheet, "log_head"));
+            wrapped("", "Log head " + sheetField(sheet, "log_head")) + wrapped("", sheetField(sheet, "display_response"));
     text += peopleChapter(sheet) + placeChapter(sheet) + contentChapter(sheet) + readersChapter(sheet) + durationChapter(sheet) +
             erasureChapter(sheet) + actsChapter(sheet);
     return text + chapterHeading("8. Contact") +

@@ -341,7 +341,7 @@ const RatingScale* memorisedScaleOf(const Protocol& protocol)
 std::string participantText(const Protocol& protocol, std::string_view key)
 {
     const auto own = protocol.participantTexts.find(std::string(key));
-    return own != protocol.participantTexts.end() ? own->second : usualParticipantTexts().find(key)->second;
+    return own != protocol.participantTexts.end() ? own->second : usualParticipantTexts(protocol.language).find(key)->second;
 }
 
 bool isPromptKey(const Protocol& protocol, std::string_view key)

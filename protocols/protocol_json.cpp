@@ -58,11 +58,17 @@ AnswerKind taskOf(const ProtocolPart& phase, const std::string& place)
     return declared.empty() ? AnswerKind() : declared.front();
 }
 
-BlockInstruction instructionFrom(const ProtocolPart& part)
+/// Which of the usual texts stand in for missing ones.
+struct WordingOfTexts {
+    ProtocolEdition edition;
+    std::string language;
+};
+
+BlockInstruction instructionFrom(const ProtocolPart& part, const std::string& language)
 {
     BlockInstruction instruction{InstructionId(part.text("id", "")), speedAimNamed(part.text("aim", "")), {}, {}};
     if (part.has("deadline_seconds")) instruction.deadlineSeconds = part.number("deadline_seconds", 1);
-    instruction.text = part.text("text", usualInstructionText(instruction));
+    instruction.text = part.text("text", usualInstructionText(instruction, language));
     return instruction;
 }
 
@@ -75,7 +81,7 @@ Anchors anchorsFrom(const ProtocolPart& part)
     return anchors;
 }
 
-Phase phaseFrom(const ProtocolPart& part, const ProtocolPart& texts, const std::string& place, ProtocolEdition edition)
+Phase phaseFrom(const ProtocolPart& part, const ProtocolPart& texts, const std::string& place, const WordingOfTexts& wording)
 {
     Phase phase;
     phase.task = taskOf(part, place);
@@ -84,9 +90,10 @@ Phase phaseFrom(const ProtocolPart& part, const ProtocolPart& texts, const std::
     if (part.yesOrNo("few_swaps", false)) phase.trayAim = TrayAim::FewSwaps;
     if (part.has("few_swaps") && !std::holds_alternative<ForcedChoice>(phase.task))
         part.faults().add(place + ".few_swaps: the tray has one piece, expected a phase with alternatives");
-    for (const ProtocolPart& instruction : part.parts("instructions")) phase.instructions.push_back(instructionFrom(instruction));
+    for (const ProtocolPart& instruction : part.parts("instructions"))
+        phase.instructions.push_back(instructionFrom(instruction, wording.language));
     for (const std::string& id : part.texts("questions")) {
-        const std::string text = texts.text(id, usualTextOf(QuestionId(id), phase.task, edition));
+        const std::string text = texts.text(id, usualTextOf(QuestionId(id), phase.task, wording.edition, wording.language));
         // A text that the schema refuses is no missing text.
         phase.questions.push_back({QuestionId(id), text.empty() && texts.has(id) ? "?" : text, phase.task});
     }
@@ -112,11 +119,11 @@ void checkTexts(const Protocol& protocol, const json& texts, ProtocolFaults& fau
             faults.add("question_texts: '" + id + "' is asked in no phase, expected ids of the phases' questions");
 }
 
-void readPhases(const ProtocolPart& document, Protocol& protocol, ProtocolEdition edition)
+void readPhases(const ProtocolPart& document, Protocol& protocol, const WordingOfTexts& wording)
 {
     const ProtocolPart texts = document.part("question_texts");
     for (const ProtocolPart& phase : document.parts("phases"))
-        protocol.phases.push_back(phaseFrom(phase, texts, "phases[" + std::to_string(protocol.phases.size()) + "]", edition));
+        protocol.phases.push_back(phaseFrom(phase, texts, "phases[" + std::to_string(protocol.phases.size()) + "]", wording));
     checkTexts(protocol, document.raw("question_texts"), document.faults());
 }
 
@@ -190,20 +197,19 @@ void readTextsByKey(const ProtocolPart& document, const std::string& key, std::m
     for (const auto& [name, text] : texts.items()) into[name] = part.text(name, "?");
 }
 
-void readCourse(const ProtocolPart& document, Protocol& protocol, ProtocolEdition edition)
+void readCourse(const ProtocolPart& document, Protocol& protocol, const WordingOfTexts& wording)
 {
     protocol.secondsPerPresentation = document.number("seconds_per_presentation", protocol.secondsPerPresentation);
     protocol.breakAfterPresentations = document.whole("break_after", protocol.breakAfterPresentations);
     protocol.sittingMinutes = document.whole("sitting_minutes", protocol.sittingMinutes);
     if (document.has("break_after_minutes")) protocol.breakAfterMinutes = document.whole("break_after_minutes", 1);
-    protocol.consent = document.text("consent", usualConsent(edition));
-    protocol.strokeWords = document.text("stroke_words", usualStrokeWords(edition));
+    protocol.consent = document.text("consent", usualConsent(wording.edition, wording.language));
+    protocol.strokeWords = document.text("stroke_words", usualStrokeWords(wording.edition, wording.language));
     protocol.swatchCodes = document.text("swatches", "once") == "fresh" ? SwatchCodes::PerParticipant : SwatchCodes::Once;
     protocol.familiarisationFabrics = document.whole("familiarisation_fabrics", protocol.familiarisationFabrics);
     protocol.secondEntry = document.yesOrNo("second_entry", protocol.secondEntry);
     protocol.deadTimeSeconds = document.number("dead_time_seconds", protocol.deadTimeSeconds);
     protocol.confirmPieces = document.yesOrNo("confirm_pieces", protocol.confirmPieces);
-    protocol.language = document.text("language", protocol.language);
     readTextsByKey(document, "participant_texts", protocol.participantTexts);
     readTextsByKey(document, "prompts", protocol.prompts);
     protocol.checklist = document.texts("checklist");
@@ -218,9 +224,11 @@ Protocol protocolFrom(const ProtocolPart& document, ProtocolEdition edition)
     protocol.participants = document.whole("participants", protocol.participants);
     readFabrics(document, protocol);
     readConditions(document, protocol);
-    readPhases(document, protocol, edition);
+    protocol.language = document.text("language", protocol.language);
+    const WordingOfTexts wording{edition, protocol.language};
+    readPhases(document, protocol, wording);
     readAnalysis(document, protocol);
-    readCourse(document, protocol, edition);
+    readCourse(document, protocol, wording);
     return protocol;
 }
 

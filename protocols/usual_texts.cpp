@@ -1,160 +1,263 @@
 #include "protocols/usual_texts.h"
 
-#include <array>
+#include <algorithm>
+#include <cctype>
+#include <nlohmann/json.hpp>
 
+#include "protocols/files/errors.h"
 #include "protocols/files/number_text.h"
+#include "protocols/files/strict_json.h"
+#include "protocols/texts/shipped_texts.h"
 
 namespace protocols {
 
 namespace {
 
-std::string inWords(int number)
+using nlohmann::json;
+
+/// Sentences of studies that were made before 0.6.0. Those of the questions are the paper's, except that Q1 leaves the number of
+/// pieces out.
+constexpr const char* choiceBefore06 = "Which of the showed fabric pieces does the haptic rendering match with?";
+constexpr const char* consentBefore06 =
+    "The participant has read the information sheet, was told that they may stop at any time without giving a reason, "
+    "and has agreed to take part";
+constexpr const char* strokeWordsBefore06 =
+    "Stroke from left to right with one finger, lightly, at about the width of the hand in two seconds; lift the finger on the "
+    "way back. Stroke the glass and the cloth the same way, as often as you like.";
+
+Error faultOfTexts(const std::string& what, const std::string& where)
 {
-    constexpr std::array<const char*, 13> words{"no",    "one",   "two",  "three", "four",   "five",  "six",
-                                                "seven", "eight", "nine", "ten",   "eleven", "twelve"};
+    return badInput({what, where, "the parts of protocols/texts/usual_texts.en.json", "add what is missing"});
+}
+
+/// The object at `key` as texts by key.
+TextsByKey textsAt(const json& document, const char* key, const std::string& where)
+{
+    TextsByKey texts;
+    const auto part = document.find(key);
+    if (part == document.end() || !part->is_object()) throw faultOfTexts("'" + std::string(key) + "' is missing", where);
+    for (const auto& [name, text] : part->items()) {
+        if (!text.is_string()) throw faultOfTexts("'" + std::string(key) + "." + name + "' is no text", where);
+        texts[name] = text.get<std::string>();
+    }
+    return texts;
+}
+
+std::vector<std::string> listAt(const json& document, const char* key, const std::string& where)
+{
+    const auto part = document.find(key);
+    const auto isText = [](const json& one) { return one.is_string(); };
+    if (part == document.end() || !part->is_array() || part->empty() || !std::ranges::all_of(*part, isText))
+        throw faultOfTexts("'" + std::string(key) + "' is no list of texts", where);
+    return part->get<std::vector<std::string>>();
+}
+
+std::string textAt(const json& document, const char* key, const std::string& where)
+{
+    const auto part = document.find(key);
+    if (part == document.end() || !part->is_string()) throw faultOfTexts("'" + std::string(key) + "' is missing", where);
+    return part->get<std::string>();
+}
+
+/// The parts that the file of another language must have as well, with the same names in braces.
+void requireSameParts(const TextsByKey& texts, const TextsByKey& english, const std::string& part, const std::string& where)
+{
+    for (const auto& [key, text] : english) {
+        const auto own = texts.find(key);
+        if (own == texts.end() || own->second.empty()) throw faultOfTexts("'" + part + "." + key + "' is missing", where);
+        if (placeholdersIn(own->second) != placeholdersIn(text))
+            throw faultOfTexts("'" + part + "." + key + "' has other names in braces than in English", where);
+    }
+    for (const auto& [key, text] : texts)
+        if (!english.contains(key)) throw faultOfTexts("'" + part + "." + key + "' is no known text", where);
+}
+
+/// Whether a file says all that the English one says.
+void requireSameParts(const UsualTexts& texts, const UsualTexts& english, const std::string& where)
+{
+    requireSameParts(texts.questions, english.questions, "questions", where);
+    requireSameParts(texts.instructions, english.instructions, "instructions", where);
+    requireSameParts(texts.letters, english.letters, "letters", where);
+    requireSameParts(texts.participant, english.participant, "participant", where);
+}
+
+/// The files of all languages, read once.
+const std::vector<UsualTexts>& allUsualTexts()
+{
+    static const std::vector<UsualTexts> all = [] {
+        std::vector<UsualTexts> read;
+        for (const auto& file : shipped::usualTexts()) {
+            const std::string where = std::string(file.name) + ".json";
+            read.push_back(usualTextsFromJson(file.json, where));
+            requireSameParts(read.back(), read.front(), where);
+        }
+        return read;
+    }();
+    return all;
+}
+
+const UsualTexts* textsOf(std::string_view language)
+{
+    std::string main(language.substr(0, language.find_first_of("-_")));
+    std::ranges::transform(main, main.begin(), [](unsigned char c) { return std::tolower(c); });
+    const auto found = std::ranges::find(allUsualTexts(), main, &UsualTexts::language);
+    return found == allUsualTexts().end() ? nullptr : &*found;
+}
+
+const std::string& valueOf(const TextsByKey& texts, std::string_view key) { return texts.find(key)->second; }
+
+std::string inWords(const UsualTexts& texts, int number)
+{
     const auto place = static_cast<std::size_t>(number);
-    return place < words.size() ? words[place] : std::to_string(number);
+    return place < texts.counts.size() ? texts.counts[place] : std::to_string(number);
 }
 
 std::string slotLetter(int slot) { return {static_cast<char>('A' + slot)}; }
 
 /// "A, B or C"; a longer list than can be kept in mind becomes "A to K".
-std::string lettersOf(int pieces)
+std::string lettersOf(const UsualTexts& texts, int pieces)
 {
     constexpr int mostToName = 6;
-    if (pieces > mostToName) return "A to " + slotLetter(pieces - 1);
+    if (pieces > mostToName)
+        return filledText(valueOf(texts.letters, "range"), {{"first", "A"}, {"last", slotLetter(pieces - 1)}});
     std::string letters = "A";
-    for (int slot = 1; slot < pieces; ++slot) letters += (slot + 1 == pieces ? " or " : ", ") + slotLetter(slot);
+    for (int slot = 1; slot < pieces; ++slot)
+        letters += valueOf(texts.letters, slot + 1 == pieces ? "last" : "between") + slotLetter(slot);
     return letters;
 }
 
-std::string choiceText(const AnswerKind& task)
+std::string choiceText(const UsualTexts& texts, const AnswerKind& task)
 {
     const int pieces = piecesOnTray(task);
-    if (pieces < 2) return "Which piece of fabric feels like the screen?";
-    return "Which of the " + inWords(pieces) + " pieces of fabric feels like the screen: " + lettersOf(pieces) + "?";
+    if (pieces < 2) return valueOf(texts.questions, "choice_of_one");
+    return filledText(valueOf(texts.questions, "choice"),
+                      {{"count", inWords(texts, pieces)}, {"letters", lettersOf(texts, pieces)}});
 }
 
-/// A sentence of each edition.
-struct UsualText {
-    const char* before06;
-    const char* current;
-
-    std::string of(ProtocolEdition edition) const { return edition == ProtocolEdition::Before06 ? before06 : current; }
-};
-
-constexpr const char* choiceBefore06 = "Which of the showed fabric pieces does the haptic rendering match with?";
-constexpr UsualText slipperiness{"Does the haptic rendering have the same slipperiness as the physical fabric?",
-                                 "How closely does the screen match the fabric in slipperiness?"};
-constexpr UsualText texture{"Does the haptic rendering have the same texture as the physical fabric?",
-                            "How closely does the screen match the fabric in texture?"};
-constexpr UsualText realism{"How much realism of haptic rendering do you feel compared with physical fabric?",
-                            "How real does the screen feel, compared with the fabric?"};
-constexpr UsualText consent{
-    "The participant has read the information sheet, was told that they may stop at any time without giving a reason, "
-    "and has agreed to take part",
-    "The participant has read the information sheet. They know that they may stop at any time without giving a reason. They have "
-    "agreed to take part."};
-constexpr UsualText strokeWords{
-    "Stroke from left to right with one finger, lightly, at about the width of the hand in two seconds; lift the finger on the "
-    "way back. Stroke the glass and the cloth the same way, as often as you like.",
-    "Stroke from left to right with one finger. Press lightly. Take two seconds for the width of your hand. Lift the finger on "
-    "the way back. Stroke the glass and the fabric in the same way, as often as you like."};
+constexpr const char* paperIds[] = {"Q1", "Q2", "Q3", "Q4"};
 
 }  // namespace
 
-std::string usualTextOf(const QuestionId& question, const AnswerKind& task, ProtocolEdition edition)
+UsualTexts usualTextsFromJson(std::string_view text, const std::string& where)
 {
-    if (question.value == "Q1") return edition == ProtocolEdition::Before06 ? choiceBefore06 : choiceText(task);
-    if (question.value == "Q2") return slipperiness.of(edition);
-    if (question.value == "Q3") return texture.of(edition);
-    if (question.value == "Q4") return realism.of(edition);
+    const json document = parseStrictJson(text, where);
+    if (!document.is_object()) throw faultOfTexts("this is no object", where);
+    return {.language = textAt(document, "language", where),
+            .name = textAt(document, "name", where),
+            .reviewer = textAt(document, "reviewer", where),
+            .questions = textsAt(document, "questions", where),
+            .instructions = textsAt(document, "instructions", where),
+            .counts = listAt(document, "counts", where),
+            .letters = textsAt(document, "letters", where),
+            .consent = textAt(document, "consent", where),
+            .strokeWords = textAt(document, "stroke_words", where),
+            .checklist = listAt(document, "checklist", where),
+            .readings = listAt(document, "readings", where),
+            .facts = listAt(document, "facts", where),
+            .participant = textsAt(document, "participant", where)};
+}
+
+std::vector<std::string> languagesOfUsualTexts()
+{
+    std::vector<std::string> languages;
+    for (const UsualTexts& texts : allUsualTexts()) languages.push_back(texts.language);
+    return languages;
+}
+
+bool hasUsualTexts(std::string_view language) { return textsOf(language) != nullptr; }
+
+const UsualTexts& usualTexts(std::string_view language)
+{
+    const UsualTexts* texts = textsOf(language);
+    return texts ? *texts : allUsualTexts().front();
+}
+
+std::string paperProtocolIn(std::string_view language)
+{
+    const UsualTexts& texts = usualTexts(language);
+    if (texts.language == "en") return std::string(shipped::paperProtocol());
+    auto protocol = nlohmann::ordered_json::parse(shipped::paperProtocol());
+    protocol["language"] = std::string(language);
+    for (const auto& phase : protocol.at("phases")) {
+        const AnswerKind task =
+            phase.contains("alternatives") ? AnswerKind(ForcedChoice{phase["alternatives"].get<int>()}) : AnswerKind(Rating{});
+        for (const auto& id : phase.at("questions"))
+            protocol["question_texts"][id.get<std::string>()] =
+                usualTextOf(QuestionId(id.get<std::string>()), task, ProtocolEdition::Current, language);
+    }
+    protocol["consent"] = texts.consent;
+    protocol["stroke_words"] = texts.strokeWords;
+    protocol["checklist"] = texts.checklist;
+    protocol["readings"] = texts.readings;
+    protocol["facts"] = texts.facts;
+    return protocol.dump(2) + "\n";
+}
+
+std::string usualTextOf(const QuestionId& question, const AnswerKind& task, ProtocolEdition edition, std::string_view language)
+{
+    if (std::ranges::find(paperIds, question.value) == std::end(paperIds)) return "";
+    if (edition == ProtocolEdition::Before06) return question.value == "Q1" ? choiceBefore06 : paperWordingOf(question);
+    const UsualTexts& texts = usualTexts(language);
+    return question.value == "Q1" ? choiceText(texts, task) : valueOf(texts.questions, question.value);
+}
+
+std::string paperWordingOf(const QuestionId& question)
+{
+    if (question.value == "Q1") return "Which of the showed three fabric pieces does the haptic rendering match with?";
+    if (question.value == "Q2") return "Does the haptic rendering have the same slipperiness as the physical fabric?";
+    if (question.value == "Q3") return "Does the haptic rendering have the same texture as the physical fabric?";
+    if (question.value == "Q4") return "How much realism of haptic rendering do you feel compared with physical fabric?";
     return "";
 }
 
-std::string usualConsent(ProtocolEdition edition) { return consent.of(edition); }
-
-std::string usualStrokeWords(ProtocolEdition edition) { return strokeWords.of(edition); }
-
-std::string usualInstructionText(const BlockInstruction& instruction)
+std::string wordingOf(const QuestionId& question, const AnswerKind& task, const std::string& text)
 {
+    const std::string paper = paperWordingOf(question);
+    if (paper.empty()) return "";
+    if (text == paper || text == usualTextOf(question, task, ProtocolEdition::Before06)) return "the paper's wording";
+    for (const UsualTexts& texts : allUsualTexts()) {
+        if (text != usualTextOf(question, task, ProtocolEdition::Current, texts.language)) continue;
+        if (texts.language == "en") return "the corrected wording";
+        return "the corrected wording in " + texts.name + ", " +
+               (texts.reviewer.empty() ? "translation not reviewed" : "reviewed by " + texts.reviewer);
+    }
+    return "the study's own wording";
+}
+
+std::string usualConsent(ProtocolEdition edition, std::string_view language)
+{
+    return edition == ProtocolEdition::Before06 ? consentBefore06 : usualTexts(language).consent;
+}
+
+std::string usualStrokeWords(ProtocolEdition edition, std::string_view language)
+{
+    return edition == ProtocolEdition::Before06 ? strokeWordsBefore06 : usualTexts(language).strokeWords;
+}
+
+std::string usualInstructionText(const BlockInstruction& instruction, std::string_view language)
+{
+    const TextsByKey& texts = usualTexts(language).instructions;
     std::string text;
     switch (instruction.aim) {
         case SpeedAim::Speed:
-            text = "Answer as fast as you can. Mistakes are all right now.";
+            text = valueOf(texts, "speed");
             break;
         case SpeedAim::Accuracy:
-            text = "Answer as accurately as you can. Take all the time that you need.";
+            text = valueOf(texts, "accuracy");
             break;
         case SpeedAim::None:
-            if (!instruction.deadlineSeconds) text = "Answer as accurately and as fast as you can.";
+            if (!instruction.deadlineSeconds) text = valueOf(texts, "both");
             break;
     }
     if (!instruction.deadlineSeconds) return text;
-    const std::string limit = shortest(*instruction.deadlineSeconds);
-    return text + (text.empty() ? "" : " ") + "Answer within " + limit + (limit == "1" ? " second" : " seconds") +
-           " after your finger touches the screen.";
+    std::string limit = shortest(*instruction.deadlineSeconds);
+    const std::string_view key = limit == "1" ? "deadline_of_one" : "deadline";
+    if (const auto point = limit.find('.'); point != std::string::npos)
+        limit.replace(point, 1, valueOf(usualParticipantTexts(language), "decimal_mark"));
+    return text + (text.empty() ? "" : valueOf(texts, "between")) + filledText(valueOf(texts, key), {{"seconds", limit}});
 }
 
-const std::map<std::string, std::string, std::less<>>& usualParticipantTexts()
-{
-    static const std::map<std::string, std::string, std::less<>> texts{
-        {"welcome_title", "Welcome"},
-        {"welcome_text",
-         "Read the information sheet. The experimenter explains what happens and answers your questions. You may stop at any "
-         "time. You do not have to give a reason."},
-        {"consent_title", "Consent"},
-        {"consent_text", "Read this statement. Then say whether you agree."},
-        {"agree", "I agree"},
-        {"decline", "I do not agree"},
-        {"declined_title", "Thank you"},
-        {"declined_text", "You do not have to take part. Tell the experimenter. You can also go back to the statement."},
-        {"back", "Back"},
-        {"facts_title", "About you"},
-        {"facts_text",
-         "You do not have to answer these questions. You may leave any line empty. Your answers are stored apart from your "
-         "other answers. You can ask us to erase them later."},
-        {"send", "Send"},
-        {"familiarise_title", "Get to know the display"},
-        {"familiarise_text", "The experimenter shows you how to feel the display."},
-        {"scale_title", "Learn the scale"},
-        {"scale_text", "The line has equal parts. Only its ends have numbers."},
-        {"scale_low", "unrelated"},
-        {"scale_high", "totally the same"},
-        {"scale_tap", "Tap the place of {number}."},
-        {"scale_say", "Which number belongs to the mark? Say it."},
-        {"scale_right", "Right. Your answer was {named}, and the place is {shown}."},
-        {"scale_wrong", "Your answer was {named}. The place is {shown}."},
-        {"scale_count", "{count} of {needed} right in a row"},
-        {"scale_done", "You know the scale now. The experimenter continues."},
-        {"mask_title", "Put on the blindfold and the headphones"},
-        {"mask_text", "The experimenter helps you."},
-        {"wait_title", "Please wait for the experimenter"},
-        {"feel_title", "Feel the display"},
-        {"break_title", "Break"},
-        {"break_text", "You may lift the blindfold, drink and move your hand. The experimenter tells you when we continue."},
-        {"break_clock", "The break has lasted {time}"},
-        {"pause_title", "Pause"},
-        {"pause_text", "Please wait for the experimenter."},
-        {"last_title", "Almost done"},
-        {"last_text", "Tell the experimenter what you noticed."},
-        {"end_title", "Thank you"},
-        {"end_text", "The session is over."},
-        {"spoken_same", "the same"},
-        {"spoken_different", "different"},
-        {"spoken_point", "point"},
-        {"code_title", "Enter the code"},
-        {"code_text", "The experimenter has a code of six digits for you."},
-        {"code_field", "Code"},
-        {"code_enter", "Continue"},
-        {"code_wrong", "This code is wrong. Try again."},
-        {"code_wait", "There were too many wrong codes. Wait {seconds} seconds."},
-        {"code_spent", "This code is not valid any more. Ask the experimenter for a new code."},
-        {"code_taken", "Another device shows this page. Ask the experimenter for a new code."},
-        {"no_connection", "There is no connection. This page continues by itself."},
-    };
-    return texts;
-}
+const TextsByKey& usualParticipantTexts(std::string_view language) { return usualTexts(language).participant; }
 
 std::set<std::string> placeholdersIn(std::string_view text)
 {
@@ -165,6 +268,16 @@ std::set<std::string> placeholdersIn(std::string_view text)
         names.emplace(text.substr(from + 1, to - from - 1));
     }
     return names;
+}
+
+std::string filledText(std::string text, const TextsByKey& values)
+{
+    for (const auto& [name, value] : values) {
+        const std::string place = "{" + name + "}";
+        for (std::size_t at = text.find(place); at != std::string::npos; at = text.find(place, at + value.size()))
+            text.replace(at, place.size(), value);
+    }
+    return text;
 }
 
 }  // namespace protocols

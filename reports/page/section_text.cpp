@@ -1,6 +1,7 @@
 #include "reports/page/section_text.h"
 
 #include "protocols/files/markup_text.h"
+#include "protocols/usual_texts.h"
 #include "reports/page/anchor_text.h"
 #include "reports/page/findings.h"
 #include "reports/page/html_parts.h"
@@ -40,6 +41,9 @@ std::string questionTexts(const StudyAnalysis& analysis)
         if (words.empty()) continue;
         text += (text.empty() ? "" : "<br>") + ("<b>" + protocols::escapedMarkup(question.id())) + "</b> \u201C" +
                 protocols::escapedMarkup(words) + "\u201D";
+        const auto& asked = question.analysis.question;
+        const std::string wording = protocols::wordingOf(protocols::QuestionId(asked.id), asked.kind, words);
+        if (!wording.empty()) text += " (" + protocols::escapedMarkup(wording) + ")";
     }
     return text.empty() ? text : paragraph(text);
 }

@@ -2,6 +2,7 @@
 
 #include <QApplication>
 
+#include "study/app/language/below.h"
 #include "study/app/main_window.h"
 #include "study/app/pages/monitor_window.h"
 #include "study/app/pages/start_page.h"
@@ -14,7 +15,10 @@ std::shared_ptr<QSettings> userSettings()
                                        QStringLiteral("vis2hap"));
 }
 
-int runApp(const AppOptions& options)
+namespace {
+
+/// Returns the language that the operator chose, and `exitCode` in any case.
+QString showWindow(const AppOptions& options, int& exitCode)
 {
     MainWindow window(options);
     window.setWindowState(Qt::WindowMaximized);  // content grows with the window, for eyes that are one or two metres away
@@ -23,10 +27,31 @@ int runApp(const AppOptions& options)
         try {
             window.openStudy(*options.study);
         } catch (const std::exception& fault) {
-            window.startPage().showFault(QString::fromUtf8(fault.what()));
+            window.startPage().showFault(inOwnLanguage(fault.what()));
         }
     }
-    return QApplication::exec();
+    exitCode = QApplication::exec();
+    return window.chosenLanguage();
+}
+
+}  // namespace
+
+int runApp(AppOptions options, LanguageInUse& language)
+{
+    int exitCode = 0;
+    for (;;) {
+        options.language = language.language();
+        const QString chosen = showWindow(options, exitCode);
+        if (chosen.isEmpty()) return exitCode;
+        options.study.reset();  // the start page is where a language is chosen
+        options.languageFault.clear();
+        try {
+            language.use(chosen);
+            rememberLanguage(options.settings.get(), chosen);
+        } catch (const std::exception& fault) {
+            options.languageFault = inOwnLanguage(fault.what());
+        }
+    }
 }
 
 int runMonitor(const AppOptions& options)

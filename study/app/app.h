@@ -9,8 +9,8 @@ namespace study::app {
 std::shared_ptr<QSettings> userSettings();
 
 /// Shows the window until the operator closes it and returns QApplication's exit code. If the study cannot be opened,
-/// the start page shows the reason.
-int runApp(const AppOptions& options);
+/// the start page shows the reason. Another language that is chosen there replaces `language` and is kept in the settings.
+int runApp(AppOptions options, LanguageInUse& language);
 
 /// Shows the live monitor of `options.study` until it is closed. Throws protocols::Error if the folder is not a study.
 int runMonitor(const AppOptions& options);

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "protocols/files/errors.h"
+#include "study/app/language/below.h"
 #include "study/app/pages/monitor_window.h"
 #include "study/app/pages/session_page.h"
 #include "study/app/pages/setup/connecting_page.h"
@@ -36,7 +37,7 @@ void showingFaults(Page& page, Work work)
     try {
         work();
     } catch (const std::exception& fault) {
-        page.showFault(QString::fromUtf8(fault.what()));
+        page.showFault(inOwnLanguage(fault.what()));
     }
 }
 
@@ -78,6 +79,7 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
     connectRehearsal();
     connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q), this), &QShortcut::activated, this, [this] { close(); });
     showStart();
+    if (!m_options.languageFault.isEmpty()) m_pages->start->showFault(m_options.languageFault);
     if (isWanted && !isAllowed)
         m_pages->start->showFault(
             tr("The display of the last time, %1, is not connected: an operator could open its plain images. Choose "
@@ -91,6 +93,12 @@ void MainWindow::connectPages()
 {
     connect(m_pages->start, &StartPage::openRequested, this,
             [this](const QString& folder) { showingFaults(*m_pages->start, [&] { openStudy(folder.toStdString()); }); });
+    m_pages->start->offerLanguages(m_options.language);
+    connect(m_pages->start, &StartPage::languageChosen, this, [this](const QString& tag) {
+        if (tag == m_options.language.tag) return;
+        m_chosenLanguage = tag;
+        close();  // the program opens another one with texts in this language
+    });
     connect(m_pages, &WindowPages::startRequested, this, &MainWindow::showStart);
     connect(m_pages, &WindowPages::studyMade, this, [this](const QString& folder) {
         showStart();
@@ -382,7 +390,7 @@ void MainWindow::requestSession(const protocols::ParticipantId& participant)
             try {
                 begin(*m_study, participant, std::move(display));
             } catch (const std::exception& fault) {
-                showStudyFault(QString::fromUtf8(fault.what()));
+                showStudyFault(inOwnLanguage(fault.what()));
             }
             return;
         }

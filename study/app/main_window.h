@@ -45,6 +45,9 @@ public:
     /// The visible page.
     QWidget* currentPage() const;
 
+    /// The language that the operator chose on the start page; the window has closed for it. Empty: none.
+    const QString& chosenLanguage() const { return m_chosenLanguage; }
+
     StartPage& startPage() const;
     ParticipantSide& participantSide() const;
     ParticipantSound& participantSound() const;
@@ -105,6 +108,7 @@ private:
 
     ParticipantRoom* m_participantRoom;
     WindowPages* m_pages;
+    QString m_chosenLanguage;
     QWidget* m_beforeParticipantPage = nullptr;  ///< the page to go back to
     std::unique_ptr<MonitorWindow> m_monitor;    ///< of the open study; empty until it is asked for
 };

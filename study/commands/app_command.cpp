@@ -5,6 +5,8 @@
 #include "protocols/files/errors.h"
 #include "reports/analysis/quality_flags.h"
 #include "study/app/app.h"
+#include "study/app/language/fonts.h"
+#include "study/app/language/language.h"
 #include "study/app/state/tried_display.h"
 #include "study/commands/command_line.h"
 #include "study/commands/parts/look_ahead.h"
@@ -24,6 +26,7 @@ struct AppCall {
     std::string study;
     std::string display;  ///< empty: the display that the display page remembers
     std::string operatorName;
+    std::string language;  ///< empty: the kept one, or that of the system
     bool monitor = false;
     bool plainImages = false;
 };
@@ -34,6 +37,7 @@ void makeForApp(const app::NewStudyRequest& form, const app::MakingProgress& pro
     request.study = form.study;
     request.dataset = form.dataset;
     request.protocol = form.protocol.value_or(std::filesystem::path());
+    request.language = form.language;
     request.participants = form.participants;
     request.seed = form.seed;
     request.passphrase = form.passphrase;
@@ -96,7 +100,11 @@ int runWindow(const AppCall& call)
     if (!call.study.empty() && !std::filesystem::exists(call.study))
         throw protocols::badInput(
             {"this is neither a command nor the folder of a study", call.study, "a study or a command", "see `vis2hap --help`"});
-    return call.monitor ? app::runMonitor(optionsOf(call)) : app::runApp(optionsOf(call));
+    app::requireFontFor(QStringLiteral("en"));
+    app::LanguageInUse language(QString::fromStdString(versionText()));
+    app::AppOptions options = optionsOf(call);
+    options.languageFault = app::chooseLanguage(language, QString::fromStdString(call.language), options.settings.get());
+    return call.monitor ? app::runMonitor(options) : app::runApp(std::move(options), language);
 }
 
 }  // namespace
@@ -112,6 +120,10 @@ void addApp(CLI::App& app, Action& action)
                    "\"Display\" remembers; none named here is a rehearsal without a display");
     app.add_option("--operator", call->operatorName, "who runs the sessions (default: the name of this account)")
         ->check(isName());
+    app.add_option(
+        "--language", call->language,
+        "language of the window: en, de, or the file of a catalogue (*.qm); default: the one chosen on the start page, "
+        "or the system's");
     app.add_flag("--plain-images", call->plainImages, "allow --display folder:DIR with people; every report states it");
     app.add_flag("--monitor", call->monitor,
                  "watch this study: progress of each participant, missing answers, flags; read-only and blinded");

@@ -12,6 +12,9 @@
 #include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
 #include "protocols/records/balance.h"
+#include "protocols/usual_texts.h"
+#include "study/app/app.h"
+#include "study/app/language/language.h"
 #include "study/commands/command_line.h"
 #include "study/commands/parts/cache_option.h"
 #include "study/commands/parts/explanation.h"
@@ -148,6 +151,11 @@ void addNew(CLI::App& study, Action& action)
     command->add_option("STUDY", call->study, "folder to make")->required();
     command->add_option("--dataset", call->dataset, "the data set")->required();
     command->add_option("--protocol", call->protocol, "protocol file (default: the paper's study)");
+    command
+        ->add_option("--language", call->language,
+                     "language of the participants in the paper's study: en or de (default: en); a protocol file states its own")
+        ->check(CLI::IsMember(protocols::languagesOfUsualTexts()))
+        ->excludes("--protocol");
     command->add_option("--model", call->model, "weights of the generators (default: the shipped ones)");
     command->add_option("--control", call->control, "weights of an L1-only control of the model, compared in the report");
     command
@@ -233,10 +241,16 @@ void addStudy(CLI::App& app, Action& action)
     auto out = std::make_shared<std::string>();
     sheetsCommand->add_option("STUDY", *folder, "the study")->required();
     sheetsCommand->add_option("--out", *out, "folder to write the pages to")->required();
-    sheetsCommand->callback([folder, out, &action] {
+    auto language = std::make_shared<std::string>();
+    sheetsCommand->add_option("--language", *language,
+                              "language of the sheets for operators (default: that of the window); the card of the scale follows "
+                              "the protocol");
+    sheetsCommand->callback([folder, out, language, &action] {
         action.surroundings = Surroundings::Core;
         action.handlesStudy = true;
-        action.work = [folder, out] {
+        action.work = [folder, out, language] {
+            app::LanguageInUse inUse(QString::fromStdString(versionText()));
+            app::chooseLanguage(inUse, QString::fromStdString(*language), app::userSettings().get());
             making::writeSheets(records::openStudy(*folder), *out);
             std::printf("%s: pages to print\n", out->c_str());
             return 0;

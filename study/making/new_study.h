@@ -21,6 +21,7 @@ struct NewStudy {
     std::filesystem::path study;
     std::filesystem::path dataset;
     std::filesystem::path protocol;    ///< empty: the protocol of the paper
+    std::string language = "en";       ///< of the participants, for the protocol of the paper; one that has usual texts
     std::filesystem::path model;       ///< empty: the shipped weights
     std::filesystem::path control;     ///< L1-only control of the model; empty: the shipped one of the shipped weights
     std::vector<OwnProgram> programs;  ///< of the conditions that the protocol leaves to the lab

@@ -7,6 +7,7 @@
 #include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
 #include "protocols/random.h"
+#include "protocols/usual_texts.h"
 #include "rendering/fabrics/dataset_hash.h"
 #include "rendering/response/response_file.h"
 #include "study/making/sample_choice.h"
@@ -22,7 +23,7 @@ void readProtocol(const NewStudy& request, StudyMaterial& material)
 {
     const std::string where = request.protocol.empty() ? "the paper's protocol" : request.protocol.string();
     auto& json = material.protocolJson;
-    json = request.protocol.empty() ? std::string(protocols::paperProtocolJson()) : protocols::readWholeFile(request.protocol);
+    json = request.protocol.empty() ? protocols::paperProtocolIn(request.language) : protocols::readWholeFile(request.protocol);
     material.protocol = protocols::protocolFromJson(json, where);
     if (!request.participants || *request.participants == material.protocol.participants) return;
     auto changed = nlohmann::ordered_json::parse(json);

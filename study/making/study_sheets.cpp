@@ -1,11 +1,13 @@
 #include "study/making/study_sheets.h"
 
+#include <QCoreApplication>
 #include <cstdio>
 
 #include "protocols/files/csv_table.h"
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/markup_text.h"
 #include "protocols/files/number_text.h"
+#include "protocols/usual_texts.h"
 #include "study/records/stored_study.h"
 
 namespace study::making {
@@ -14,23 +16,49 @@ namespace {
 
 using protocols::shortest;
 
+/// Texts for the operator, in the language of the window.
+struct SheetText {
+    Q_DECLARE_TR_FUNCTIONS(study::making::SheetText)
+};
+
+/// HTML. (lupdate mistakes functions that return std::string for members of a namespace std.)
+using Markup = std::string;
+
+Markup marked(const QString& text) { return protocols::escapedMarkup(text.toStdString()); }
+
+Markup operatorsLanguage() { return SheetText::tr("en", "language of the sheets").toStdString(); }
+
+/// The number with the decimal mark of the participants' language.
+std::string spokenNumber(double value, const protocols::Protocol& protocol)
+{
+    std::string text = shortest(value);
+    if (const auto point = text.find('.'); point != std::string::npos)
+        text.replace(point, 1, participantText(protocol, "decimal_mark"));
+    return text;
+}
+
 /// What every page says about the log when it was printed.
 struct PrintedHead {
     std::string study;  ///< name of the folder
     database::LogHead head;
 };
 
-std::string footOf(const PrintedHead& printed)
+Markup footOf(const PrintedHead& printed)
 {
     const std::string head = shortTextOf(printed.head);
-    return "<p class=\"foot\">Head of the log when this page was made: <b>" + head + "</b> (" +
-           std::to_string(printed.head.sequence) + (printed.head.sequence == 1 ? " entry" : " entries") +
-           "). Check: <code>vis2hap verify " + protocols::escapedMarkup(printed.study) + " --against " + head + "</code></p>\n";
+    const QString entries =
+        printed.head.sequence == 1 ? SheetText::tr("1 entry") : SheetText::tr("%1 entries").arg(printed.head.sequence);
+    return "<p class=\"foot\">" + marked(SheetText::tr("Head of the log when this page was made:")) + " <b>" + head + "</b> (" +
+           marked(entries) + "). " + marked(SheetText::tr("Check:")) + " <code>vis2hap verify " +
+           protocols::escapedMarkup(printed.study) + " --against " + head + "</code></p>\n";
 }
 
-std::string page(const std::string& title, const std::string& body, const PrintedHead& printed)
+/// `title` and `language` are plain text, `body` is markup.
+Markup page(const std::string& title, const std::string& body, const PrintedHead& printed,
+            const std::string& language = operatorsLanguage())
 {
-    return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + protocols::escapedMarkup(title) +
+    return "<!DOCTYPE html>\n<html lang=\"" + protocols::escapedMarkup(language) + "\"><head><meta charset=\"utf-8\"><title>" +
+           protocols::escapedMarkup(title) +
            "</title><style>\n"
            "body{font:14pt 'DejaVu Sans',sans-serif;margin:15mm;color:#000;background:#fff}\n"
            "h1{font-size:20pt}h2{font-size:15pt;margin-top:10mm}table{border-collapse:collapse}\n"
@@ -42,9 +70,18 @@ std::string page(const std::string& title, const std::string& body, const Printe
            protocols::escapedMarkup(title) + "</h1>\n" + body + footOf(printed) + "</body></html>\n";
 }
 
+Markup paragraph(const QString& text) { return "<p>" + marked(text) + "</p>\n"; }
+
+Markup headRow(std::initializer_list<QString> captions)
+{
+    std::string row = "<tr>";
+    for (const QString& caption : captions) row += "<th>" + marked(caption) + "</th>";
+    return row + "</tr>\n";
+}
+
 /// One set of labels. All slots share one set where the pieces are labelled once.
 struct LabelSet {
-    std::string title;
+    std::string title;  ///< markup
     protocols::SwatchLabels codes;
 };
 
@@ -52,105 +89,118 @@ std::vector<LabelSet> labelSetsOf(const database::StudyFacts& facts, const proto
 {
     std::vector<LabelSet> sets;
     if (facts.swatches.empty()) return sets;
-    if (protocol.swatchCodes == protocols::SwatchCodes::Once) return {{"All participants", facts.swatches.front()}};
+    if (protocol.swatchCodes == protocols::SwatchCodes::Once)
+        return {{marked(SheetText::tr("All participants")), facts.swatches.front()}};
     for (std::size_t slot = 0; slot < facts.swatches.size(); ++slot)
-        sets.push_back({"Slot " + std::to_string(slot + 1), facts.swatches[slot]});
+        sets.push_back({marked(SheetText::tr("Place %1").arg(slot + 1)), facts.swatches[slot]});
     return sets;
 }
 
-std::string labelsPage(const database::StudyFacts& facts, const std::vector<LabelSet>& sets, const PrintedHead& printed)
+Markup labelsPage(const database::StudyFacts& facts, const std::vector<LabelSet>& sets, const PrintedHead& printed)
 {
-    std::string body = "<p>Cut out the labels. Fix each label to the back of its piece, as the preparation sheet shows.</p>\n";
+    std::string body =
+        paragraph(SheetText::tr("Cut out the labels. Fix each label to the back of its piece, as the preparation sheet shows."));
     for (const auto& set : sets) {
         body += "<h2>" + set.title + "</h2>\n<div>";
         for (const auto& [fabric, code] : set.codes) body += "<span class=\"label\">" + code + "</span>";
         body += "</div>\n";
     }
-    return page(facts.name + ": labels of the fabric pieces", body, printed);
+    return page(SheetText::tr("%1: labels of the fabric pieces").arg(QString::fromStdString(facts.name)).toStdString(), body,
+                printed);
 }
 
-std::string preparationPage(const database::StudyFacts& facts, const std::vector<LabelSet>& sets, const PrintedHead& printed)
+Markup preparationPage(const database::StudyFacts& facts, const std::vector<LabelSet>& sets, const PrintedHead& printed)
 {
-    std::string body = "<p>For the person who labels the pieces. The operator of a session only needs the codes.</p>\n";
+    std::string body =
+        paragraph(SheetText::tr("For the person who labels the pieces. The operator of a session only needs the codes."));
     for (const auto& set : sets) {
-        body += "<div class=\"sheet\"><h2>" + set.title + "</h2>\n<table><tr><th>code</th><th>fabric</th><th>id</th></tr>\n";
+        body += "<div class=\"sheet\"><h2>" + set.title + "</h2>\n<table>" +
+                headRow({SheetText::tr("code"), SheetText::tr("fabric"), SheetText::tr("id")});
         for (const auto& [fabric, code] : set.codes)
             body += "<tr><td><b>" + code + "</b></td><td>" + protocols::escapedMarkup(facts.fabricNames.at(fabric)) +
                     "</td><td>" + protocols::escapedMarkup(fabric.value) + "</td></tr>\n";
-        body += "</table>\n<p>You also need sandpaper, silk and a second piece of one fabric, for the two ends of the scale.</p>";
+        body +=
+            "</table>\n" + paragraph(SheetText::tr("You also need sandpaper, silk and a second piece of one fabric, for the two "
+                                                   "ends of the scale."));
         if (!facts.familiarisation.empty()) {
-            body += "<p>Fabrics for familiarisation with the display:";
+            body += "<p>" + marked(SheetText::tr("Fabrics for familiarisation with the display:"));
             for (const auto& item : facts.familiarisation)
                 body += " " + protocols::escapedMarkup(item.name) + (&item == &facts.familiarisation.back() ? "." : ",");
             body += "</p>";
         }
         body += "</div>\n";
     }
-    return page(facts.name + ": preparation of the fabric pieces", body, printed);
+    return page(SheetText::tr("%1: preparation of the fabric pieces").arg(QString::fromStdString(facts.name)).toStdString(), body,
+                printed);
 }
 
 /// The line with its equal sections. Only the ends have numbers, because the participant memorises the rest.
-std::string scaleDrawing(const protocols::RatingScale& scale)
+Markup scaleDrawing(const protocols::RatingScale& scale, const protocols::Protocol& protocol)
 {
     const double width = 900, left = 60;
-    std::string svg =
-        "<svg viewBox=\"0 0 1020 190\" width=\"100%\" role=\"img\" aria-label=\"the scale\">"
-        "<line x1=\"60\" y1=\"80\" x2=\"960\" y2=\"80\" stroke=\"#000\" stroke-width=\"5\"/>";
+    std::string svg = "<svg viewBox=\"0 0 1020 190\" width=\"100%\" role=\"img\" aria-label=\"" +
+                      protocols::escapedMarkup(participantText(protocol, "card_title")) +
+                      "\">"
+                      "<line x1=\"60\" y1=\"80\" x2=\"960\" y2=\"80\" stroke=\"#000\" stroke-width=\"5\"/>";
     for (int mark = 0; mark <= scale.sections; ++mark) {
         const std::string x = shortest(left + width * mark / scale.sections);
         const bool isEnd = mark == 0 || mark == scale.sections;
         svg += "<line x1=\"" + x + "\" x2=\"" + x + "\" y1=\"" + (isEnd ? "45" : "62") + "\" y2=\"" + (isEnd ? "115" : "98") +
                "\" stroke=\"#000\" stroke-width=\"4\"/>";
     }
-    const auto end = [&](double x, protocols::Tenths value, const char* anchor, const char* words) {
+    const auto end = [&](double x, protocols::Tenths value, const char* anchor, const std::string& words) {
         return "<text x=\"" + shortest(x) + "\" y=\"30\" font-size=\"32\" font-weight=\"bold\" text-anchor=\"middle\">" +
-               shortest(value.inScaleUnits()) + "</text><text x=\"" + shortest(x) +
-               "\" y=\"160\" font-size=\"24\" text-anchor=\"" + anchor + "\">" + words + "</text>";
+               spokenNumber(value.inScaleUnits(), protocol) + "</text><text x=\"" + shortest(x) +
+               "\" y=\"160\" font-size=\"24\" text-anchor=\"" + anchor + "\">" + protocols::escapedMarkup(words) + "</text>";
     };
     return svg +
-           end(left, scale.min, "start",
-               scale.labels.empty() ? "unrelated" : protocols::escapedMarkup(scale.labels.front()).c_str()) +
+           end(left, scale.min, "start", scale.labels.empty() ? participantText(protocol, "scale_low") : scale.labels.front()) +
            end(left + width, scale.max, "end",
-               scale.labels.empty() ? "totally the same" : protocols::escapedMarkup(scale.labels.back()).c_str()) +
+               scale.labels.empty() ? participantText(protocol, "scale_high") : scale.labels.back()) +
            "</svg>\n";
 }
 
-std::string scaleCard(const database::StudyFacts& facts, const protocols::RatingScale& scale, const PrintedHead& printed)
+/// For the participant, in the participant's language.
+Markup scaleCard(const database::StudyFacts& facts, const protocols::Protocol& protocol, const protocols::RatingScale& scale,
+                 const PrintedHead& printed)
 {
-    std::string body = "<p>Memorise this line. You will not see it during the session.</p>\n" + scaleDrawing(scale);
+    const auto sentence = [&](const char* key) { return protocols::escapedMarkup(participantText(protocol, key)); };
+    const auto number = [&](protocols::Tenths value) { return spokenNumber(value.inScaleUnits(), protocol); };
+    std::string body = "<p>" + sentence("card_text") + "</p>\n" + scaleDrawing(scale, protocol);
     if (scale.labels.empty())
-        body += "<p><b>" + shortest(scale.min.inScaleUnits()) + "</b> means as different as sandpaper and silk. <b>" +
-                shortest(scale.max.inScaleUnits()) +
-                "</b> means as similar as two pieces of the same fabric. You may say any number in between, in steps of " +
-                shortest(scale.step.inScaleUnits()) + ".</p>\n";
+        body += "<p>" + protocols::filledText(sentence("card_low"), {{"number", "<b>" + number(scale.min) + "</b>"}}) + " " +
+                protocols::filledText(sentence("card_high"), {{"number", "<b>" + number(scale.max) + "</b>"}}) + " " +
+                protocols::filledText(sentence("card_between"), {{"step", number(scale.step)}}) + "</p>\n";
     else {
         body += "<ol start=\"" + shortest(scale.min.inScaleUnits()) + "\">";
         for (const auto& label : scale.labels) body += "<li>" + protocols::escapedMarkup(label) + "</li>";
         body += "</ol>\n";
     }
-    return page(facts.name + ": the scale", body, printed);
+    return page(facts.name + ": " + participantText(protocol, "card_title"), body, printed, protocol.language);
 }
 
 /// One row a sitting, to fill in by hand.
-std::string sessionPage(const database::StudyFacts& facts, const PrintedHead& printed)
+Markup sessionPage(const database::StudyFacts& facts, const PrintedHead& printed)
 {
     constexpr int rows = 12;
     std::string body =
-        "<p>At the end of a sitting the app shows the head of the log. Copy it here: the number, the colon and the 16 digits. "
-        "Keep "
-        "this sheet away from the computer. It then shows later whether the log was cut, put back or written anew.</p>\n"
-        "<table><tr><th>date</th><th>participant</th><th>operator</th><th>head of the log</th></tr>\n";
+        paragraph(SheetText::tr(
+            "At the end of a sitting the app shows the head of the log. Copy it here: the number, the colon and the 16 digits. "
+            "Keep this sheet away from the computer. It then shows later whether the log was cut, put back or written anew.")) +
+        "<table>" +
+        headRow(
+            {SheetText::tr("date"), SheetText::tr("participant"), SheetText::tr("operator"), SheetText::tr("head of the log")});
     for (int row = 0; row < rows; ++row) body += "<tr class=\"blank\"><td></td><td></td><td></td><td></td></tr>\n";
-    return page(facts.name + ": sittings", body + "</table>\n", printed);
+    return page(SheetText::tr("%1: sittings").arg(QString::fromStdString(facts.name)).toStdString(), body + "</table>\n",
+                printed);
 }
 
 /// The sentences, and their order for each slot.
-std::string instructionsPage(const database::StudyStore& store, const protocols::Protocol& protocol, const std::string& study,
-                             const PrintedHead& printed)
+Markup instructionsPage(const database::StudyStore& store, const protocols::Protocol& protocol, const std::string& study,
+                        const PrintedHead& printed)
 {
-    std::string body =
-        "<p>The app shows each sentence at the beginning of its block. Read it aloud.</p>\n<table><tr>"
-        "<th>questions</th><th>instruction</th><th>sentence</th></tr>\n";
+    std::string body = paragraph(SheetText::tr("The app shows each sentence at the beginning of its block. Read it aloud.")) +
+                       "<table>" + headRow({SheetText::tr("questions"), SheetText::tr("instruction"), SheetText::tr("sentence")});
     for (const auto& phase : protocol.phases)
         for (const auto& instruction : phase.instructions) {
             std::string questions;
@@ -158,7 +208,8 @@ std::string instructionsPage(const database::StudyStore& store, const protocols:
             body += "<tr><td>" + protocols::escapedMarkup(questions) + "</td><td>" + instruction.id.value + "</td><td>" +
                     protocols::escapedMarkup(instruction.text) + "</td></tr>\n";
         }
-    body += "</table>\n<h2>Order</h2>\n<table><tr><th>slot</th><th>instructions</th></tr>\n";
+    body += "</table>\n<h2>" + marked(SheetText::tr("Order")) + "</h2>\n<table>" +
+            headRow({SheetText::tr("place"), SheetText::tr("instructions")});
     for (const auto& slot : store.slots()) {
         std::string order;
         protocols::InstructionId before;
@@ -171,7 +222,8 @@ std::string instructionsPage(const database::StudyStore& store, const protocols:
         }
         body += "<tr><td>" + std::to_string(slot.number) + "</td><td>" + order + "</td></tr>\n";
     }
-    return page(study + ": instructions of the blocks", body + "</table>\n", printed);
+    return page(SheetText::tr("%1: instructions of the blocks").arg(QString::fromStdString(study)).toStdString(),
+                body + "</table>\n", printed);
 }
 
 }  // namespace
@@ -190,7 +242,7 @@ void writeSheets(const database::StudyStore& store, const std::filesystem::path&
     write("labels.html", labelsPage(facts, sets, printed));
     write("session.html", sessionPage(facts, printed));
     write("preparation.html", preparationPage(facts, sets, printed));
-    if (const auto* scale = memorisedScaleOf(protocol)) write("scale-card.html", scaleCard(facts, *scale, printed));
+    if (const auto* scale = memorisedScaleOf(protocol)) write("scale-card.html", scaleCard(facts, protocol, *scale, printed));
     if (hasInstructions(protocol)) write("instructions.html", instructionsPage(store, protocol, facts.name, printed));
     draft.putInPlace();
 }

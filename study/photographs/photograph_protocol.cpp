@@ -6,6 +6,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
+#include "protocols/usual_texts.h"
 #include "rendering/fabrics/dataset.h"
 
 namespace study::photographs {
@@ -23,9 +24,9 @@ int mostAlternativesOf(const nlohmann::ordered_json& protocol)
 
 }  // namespace
 
-std::string photographProtocol(const std::vector<std::string>& conditions, int fabrics)
+std::string photographProtocol(const std::vector<std::string>& conditions, int fabrics, const std::string& language)
 {
-    auto protocol = nlohmann::ordered_json::parse(protocols::paperProtocolJson());
+    auto protocol = nlohmann::ordered_json::parse(protocols::paperProtocolIn(language));
     if (const int needed = mostAlternativesOf(protocol); fabrics < needed)
         throw protocols::badInput({"the data set has too few fabrics for the paper's questions",
                                    std::to_string(fabrics) + " fabrics", std::to_string(needed) + " or more",
@@ -47,10 +48,10 @@ std::string photographProtocol(const std::vector<std::string>& conditions, int f
     return text;
 }
 
-fs::path writePhotographProtocol(const fs::path& dataset, const std::vector<std::string>& conditions)
+fs::path writePhotographProtocol(const fs::path& dataset, const std::vector<std::string>& conditions, const std::string& language)
 {
     const auto fabrics = rendering::fabrics::readDataset(dataset).fabrics.size();
-    const std::string text = photographProtocol(conditions, static_cast<int>(fabrics));
+    const std::string text = photographProtocol(conditions, static_cast<int>(fabrics), language);
     fs::path file = dataset.string() + "-protocol.json";
     std::error_code unknown;
     for (int number = 2; fs::exists(fs::symlink_status(file, unknown)); ++number) {

@@ -11,6 +11,7 @@
 #include "protocols/condition.h"
 #include "protocols/protocol_json.h"
 #include "protocols/records/anchor_trials.h"
+#include "protocols/usual_texts.h"
 #include "reports/cells/finger_motion.h"
 #include "reports/json/prices_json.h"
 #include "reports/json/signals_json.h"
@@ -214,6 +215,18 @@ reports::StudyData describedStudy(const database::StudyStore& store, const datab
     return data;
 }
 
+/// What participants read and hear, where it is not English; empty where it is.
+std::string languageStamp(const std::string& tag)
+{
+    const bool isUsual = protocols::hasUsualTexts(tag);
+    const protocols::UsualTexts& texts = protocols::usualTexts(tag);
+    if (isUsual && texts.language == "en") return "";
+    const std::string review = texts.reviewer.empty() ? "translation not reviewed" : "translation reviewed by " + texts.reviewer;
+    return "The language of the participants is '" + tag + "'" +
+           (isUsual ? "; the program's own sentences in " + texts.name + ": " + review + "."
+                    : "; sentences that the protocol does not give are in English.");
+}
+
 }  // namespace
 
 database::StudyStore openStudy(const std::filesystem::path& study)
@@ -240,6 +253,8 @@ std::vector<std::string> stampsOf(const database::StudyStore& store, const datab
             ++withoutDisplay;
     }
     std::vector<std::string> stamps = facts.stamps;
+    if (std::string language = languageStamp(protocolOf(facts).language); !language.empty())
+        stamps.push_back(std::move(language));
     if (!seen.empty())
         stamps.push_back("The display left its images as plain files in sessions of " +
                          reports::counted(seen.size(), "participant") +

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "protocols/protocol_json.h"
+#include "protocols/usual_texts.h"
 
 namespace tests::support {
 
@@ -28,23 +28,29 @@ std::string wholeProtocolText(const WholeProtocol& wanted)
                         {"C1", "How pleasant is the rendering?"},
                         {"Q2", "Does the rendering have the same slipperiness as the piece?"},
                         {"Q3", "Does the rendering have the same texture as the piece?"}};
-    const Json paper = Json::parse(protocols::paperProtocolJson());
-    const Json protocol = {{"schema", "vis2hap.protocol/1"},
-                           {"name", "Whole study"},
-                           {"participants", 3},
-                           {"fabrics", {"F01", "F02", "F03"}},
-                           {"conditions", wanted.conditions},
-                           {"phases", phases},
-                           {"question_texts", texts},
-                           {"seconds_per_presentation", 30},
-                           {"break_after", wanted.breakAfter},
-                           {"sitting_minutes", wanted.sittingMinutes},
-                           {"familiarisation_fabrics", 2},
-                           {"second_entry", wanted.secondEntry},
-                           {"dead_time_seconds", 0},
-                           {"checklist", paper.at("checklist")},
-                           {"readings", paper.at("readings")},
-                           {"facts", paper.at("facts")}};
+    const Json paper = Json::parse(protocols::paperProtocolIn(wanted.language));
+    Json protocol = {{"schema", "vis2hap.protocol/1"},
+                     {"name", "Whole study"},
+                     {"participants", 3},
+                     {"fabrics", {"F01", "F02", "F03"}},
+                     {"conditions", wanted.conditions},
+                     {"phases", phases},
+                     {"question_texts", texts},
+                     {"seconds_per_presentation", 30},
+                     {"break_after", wanted.breakAfter},
+                     {"sitting_minutes", wanted.sittingMinutes},
+                     {"familiarisation_fabrics", 2},
+                     {"second_entry", wanted.secondEntry},
+                     {"dead_time_seconds", 0},
+                     {"checklist", paper.at("checklist")},
+                     {"readings", paper.at("readings")},
+                     {"facts", paper.at("facts")}};
+    if (wanted.language != "en") {
+        protocol["name"] = "§";
+        protocol["language"] = wanted.language;
+        protocol["question_texts"] = {{"W1", "§1"}, {"S1", "§2"}, {"L1", "§3"}, {"C1", "§4"}};
+        protocol["phases"][3]["scale"]["labels"] = {"§5", "§6", "§7", "§8", "§9"};
+    }
     return protocol.dump(2);
 }
 

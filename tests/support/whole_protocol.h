@@ -15,6 +15,7 @@ struct WholeProtocol {
     bool secondEntry = false;
     int breakAfter = 4;
     int sittingMinutes = 60;
+    std::string language = "en";  ///< in another one, questions without usual texts and words of scales are "§1", "§2", …
 };
 
 /// Protocol with 3 fabrics and five phases: a choice with a question in words; same or different; two questions on the scale

@@ -17,6 +17,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "study/app/language/below.h"
 #include "study/app/pages/stage_page.h"
 #include "study/app/pieces/flow_layout.h"
 #include "study/app/pieces/pieces.h"
@@ -195,7 +196,7 @@ void DataPage::showOverview(const QString& folder, const DataOverview& overview)
     m_message->clearMessage();
     m_folder = folder;
     m_overview = overview;
-    m_about->setText(tr("%1: %2").arg(overview.name, overview.about));
+    m_about->setText(tr("%1: %2").arg(overview.name, inOwnLanguage(overview.about)));
     m_fabrics->clear();
     for (const auto& fabric : overview.fabrics) {
         auto* row = new QTreeWidgetItem(m_fabrics);

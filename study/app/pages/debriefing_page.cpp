@@ -9,13 +9,12 @@
 namespace study::app {
 
 DebriefingPage::DebriefingPage(QWidget* parent)
-    : StagePage(parent), m_notes(new WordsField("debriefingField", tr("Comments of the participant about the session"), this))
+    : StagePage(parent),
+      m_steps(new StepList(this)),
+      m_notes(new WordsField("debriefingField", tr("Comments of the participant about the session"), this))
 {
     auto* head = new PageHead(this);
     head->setTexts(tr("After the last presentation"), tr("The display is off. The participant may take off the mask now."));
-    auto* steps = new StepList(this);
-    steps->setSteps({tr("Ask: “How did you compare the display with the fabrics? Was anything unpleasant or strange?”"),
-                     tr("Ask: “What do you think this study is about?” Then explain the purpose of the study.")});
     auto* rights = quietLabel("rightsText", this);
     rights->setText(
         tr("You may leave the field empty. The text is stored apart from the answers and can be erased later. "
@@ -24,7 +23,7 @@ DebriefingPage::DebriefingPage(QWidget* parent)
     m_notes->setLines(2, 3, 8);
     auto* column = new QVBoxLayout(this);
     column->setSpacing(14);
-    for (QWidget* part : {static_cast<QWidget*>(head), static_cast<QWidget*>(steps), static_cast<QWidget*>(m_notes),
+    for (QWidget* part : {static_cast<QWidget*>(head), static_cast<QWidget*>(m_steps), static_cast<QWidget*>(m_notes),
                           static_cast<QWidget*>(rights)})
         column->addWidget(part, part == m_notes ? 1 : 0);
     column->addLayout(m_messagePlace);
@@ -35,7 +34,12 @@ DebriefingPage::DebriefingPage(QWidget* parent)
     connect(action, &QPushButton::clicked, this, &DebriefingPage::confirm);
 }
 
-void DebriefingPage::begin(const SessionFacts&) { m_notes->clear(); }
+void DebriefingPage::begin(const SessionFacts& facts)
+{
+    m_steps->setSteps({tr("Ask: “%1”").arg(facts.sentence("ask_strategy")),
+                       tr("Ask: “%1” Then explain the purpose of the study.").arg(facts.sentence("ask_purpose"))});
+    m_notes->clear();
+}
 
 void DebriefingPage::confirm() { Q_EMIT eventRequested(session::Debriefed{m_notes->words().toStdString()}); }
 

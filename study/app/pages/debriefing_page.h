@@ -5,6 +5,7 @@
 
 namespace study::app {
 
+class StepList;
 class WordsField;
 
 class DebriefingPage : public StagePage {
@@ -22,6 +23,7 @@ public:
 private:
     void confirm();
 
+    StepList* m_steps;
     WordsField* m_notes;
 };
 

@@ -8,19 +8,18 @@
 namespace study::app {
 
 FactsPage::FactsPage(QWidget* parent)
-    : StagePage(parent), m_form(new LineForm("fact", this)), m_action(mainButton("confirmButton", tr("Continue (Enter)"), this))
+    : StagePage(parent),
+      m_rights(quietLabel("rightsText", this)),
+      m_form(new LineForm("fact", this)),
+      m_action(mainButton("confirmButton", tr("Continue (Enter)"), this))
 {
     auto* head = new PageHead(this);
     head->setTexts(tr("About the participant"),
                    tr("Ask the participant and write the answers down. You may leave any line empty."));
-    auto* rights = quietLabel("rightsText", this);
-    rights->setText(
-        tr("Say: “You do not have to answer these questions. We store this information apart from your other answers. "
-           "You can ask us to erase it later.”"));
     auto* column = new QVBoxLayout(this);
     column->setSpacing(14);
     column->addWidget(head);
-    column->addWidget(rights);
+    column->addWidget(m_rights);
     column->addWidget(m_form);
     column->addLayout(m_messagePlace);
     column->addStretch(1);
@@ -29,6 +28,7 @@ FactsPage::FactsPage(QWidget* parent)
 
 void FactsPage::begin(const SessionFacts& facts)
 {
+    m_rights->setText(tr("Say: “%1”").arg(facts.sentence("say_facts")));
     m_form->setCaptions(facts.facts);
     setTabOrderAfter(*m_form, {m_action});
     Q_EMIT textChanged();

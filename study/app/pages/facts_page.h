@@ -3,6 +3,7 @@
 
 #include "study/app/pages/stage_page.h"
 
+class QLabel;
 class QPushButton;
 
 namespace study::app {
@@ -25,6 +26,7 @@ public:
 private:
     void confirm();
 
+    QLabel* m_rights;  ///< what the participant may leave out
     LineForm* m_form;
     QPushButton* m_action;
 };

@@ -40,6 +40,7 @@ FamiliarisationPage::FamiliarisationPage(QWidget* parent)
 void FamiliarisationPage::begin(const SessionFacts& facts)
 {
     m_strokeWords = facts.strokeWords;
+    m_saySoon = facts.sentence("say_soon");
     showSteps();
 }
 
@@ -52,11 +53,8 @@ void FamiliarisationPage::showSteps()
     else
         steps << tr(
             "Put one of these fabrics on the table and press its number: the display shows it. Let the participant stroke both "
-            "as "
-            "long as they like. Then take the next fabric.");
-    steps << tr(
-        "Say: “Soon you will compare the glass with a piece of fabric on the tray. There are no right or wrong answers. Take "
-        "your time.”");
+            "as long as they like. Then take the next fabric.");
+    steps << tr("Say: “%1”").arg(m_saySoon);
     m_steps->setSteps(steps);
     Q_EMIT textChanged();
 }

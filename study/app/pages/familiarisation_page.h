@@ -26,7 +26,7 @@ private:
     void setFabrics(const std::vector<std::string>& fabrics);
     void showSteps();
 
-    QString m_strokeWords;
+    QString m_strokeWords, m_saySoon;
     std::vector<std::string> m_fabrics;
     StepList* m_steps;
     QWidget* m_fabricsRow;

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "study/app/language/below.h"
 #include "study/app/pieces/pieces.h"
 #include "study/app/state/flag_reading.h"
 
@@ -43,8 +44,8 @@ QStringList cellsOf(const MonitorOverview::ParticipantRow& row)
 
 QString sentenceOf(const MonitorFlag& flag)
 {
-    const QString name = QString::fromStdString(flag.flag).replace(QLatin1Char('_'), QLatin1Char(' '));
-    const QString why = QString::fromStdString(flag.why);
+    const QString name = inOwnLanguage(flag.flag).replace(QLatin1Char('_'), QLatin1Char(' '));
+    const QString why = inOwnLanguage(flag.why);
     if (flag.participant.empty()) return QStringLiteral("%1: %2").arg(name, why);
     return QStringLiteral("%1, %2: %3").arg(QString::fromStdString(flag.participant), name, why);
 }
@@ -109,7 +110,7 @@ void MonitorWindow::refresh()
         present(monitorOverview(m_store, m_clock->wallTime()));
         m_message->clearMessage();
     } catch (const std::exception& fault) {
-        m_message->showFault(tr("%1. The window tries again in two seconds.").arg(QString::fromUtf8(fault.what())));
+        m_message->showFault(tr("%1. The window tries again in two seconds.").arg(inOwnLanguage(fault.what())));
     }
 }
 

@@ -1,5 +1,6 @@
 #include "study/app/pages/new_study_page.h"
 
+#include <QComboBox>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
@@ -9,6 +10,10 @@
 #include <QVBoxLayout>
 #include <charconv>
 
+#include "protocols/files/typed_number.h"
+#include "protocols/usual_texts.h"
+#include "study/app/language/app_text.h"
+#include "study/app/language/fonts.h"
 #include "study/app/pages/stage_page.h"
 #include "study/app/pieces/pieces.h"
 #include "study/app/state/study_making.h"
@@ -22,7 +27,7 @@ constexpr int progressSteps = 1000;
 template <class Number>
 std::optional<Number> wholeNumberFrom(const QString& typed)
 {
-    const std::string text = typed.trimmed().toStdString();
+    const std::string text = protocols::typedNumber(typed.toStdString());
     Number number = 0;
     const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
     return fault == std::errc() && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
@@ -44,6 +49,7 @@ QString nearestFolder(const QString& folder)
 NewStudyPage::NewStudyPage(MakeStudy make, QWidget* parent)
     : QWidget(parent),
       m_make(std::move(make)),
+      m_language(new QComboBox(this)),
       m_participants(field("participantsField", tr("Number of participants"), this)),
       m_seed(field("seedField", tr("Seed of the running orders"), this)),
       m_passphrase(field("passphraseField", tr("Passphrase of the allocation key"), this)),
@@ -64,6 +70,13 @@ NewStudyPage::NewStudyPage(MakeStudy make, QWidget* parent)
         tr("No data set yet? Go back to “Data set from photographs”. To practise, `vis2hap fabrics make FOLDER` makes one. "
            "Sessions need no passphrase. Reports before the end and the unblinding do; nobody can restore a lost one."));
     m_participants->setPlaceholderText(tr("empty: the number in the protocol"));
+    name(*m_language, "participantsLanguageList", tr("Language of the participants"));
+    setType(*m_language, Type::Body);
+    for (const std::string& tag : protocols::languagesOfUsualTexts()) {
+        const QString language = QString::fromStdString(tag);
+        m_language->addItem(nameInList(language), language);
+    }
+    m_language->setCurrentIndex(std::max(0, m_language->findData(languageOfWindow())));
     m_seed->setText(QStringLiteral("1"));
     name(*m_bar, "makingBar", tr("Progress of creating the study"));
     m_bar->setRange(0, progressSteps);
@@ -79,6 +92,7 @@ NewStudyPage::NewStudyPage(MakeStudy make, QWidget* parent)
         addPath(*form, "datasetField", tr("Fabric data set"), tr("the folder that contains dataset.json"), Browse::Folder);
     m_protocol = addPath(*form, "protocolField", tr("Protocol file"), tr("empty: the study of the paper"), Browse::File);
     form->addWidget(m_editProtocol, form->rowCount() + 1, 1, Qt::AlignLeft);
+    addRow(*form, tr("Language of the participants"), m_language);
     addRow(*form, tr("Participants"), m_participants);
     addRow(*form, tr("Seed"), m_seed);
     addRow(*form, tr("Passphrase"), m_passphrase);
@@ -88,6 +102,8 @@ NewStudyPage::NewStudyPage(MakeStudy make, QWidget* parent)
         line->setPlaceholderText(tr("8 characters or more; it seals which condition is shown when"));
     }
     m_inputs.insert(m_inputs.end(), {m_editProtocol, m_participants, m_seed, m_passphrase, m_passphraseAgain, m_makeButton});
+    // A protocol file states its own language.
+    connect(m_protocol, &QLineEdit::textChanged, this, &NewStudyPage::enable);
     auto* actions = new QHBoxLayout;
     actions->setSpacing(14);
     actions->addWidget(m_makeButton);
@@ -190,6 +206,7 @@ std::optional<NewStudyRequest> NewStudyPage::request()
     NewStudyRequest filled{
         pathOf(*m_study), pathOf(*m_dataset), std::nullopt, std::nullopt, *seed, m_passphrase->text().toStdString()};
     if (!m_protocol->text().trimmed().isEmpty()) filled.protocol = pathOf(*m_protocol);
+    filled.language = m_language->currentData().toString().toStdString();
     if (!m_participants->text().trimmed().isEmpty()) {
         filled.participants = wholeNumberFrom<int>(m_participants->text());
         if (!filled.participants || *filled.participants < 1)
@@ -245,6 +262,7 @@ void NewStudyPage::end()
 void NewStudyPage::enable()
 {
     for (QWidget* input : m_inputs) input->setEnabled(!m_making);
+    m_language->setEnabled(!m_making && m_protocol->text().trimmed().isEmpty());
     m_doing->setVisible(m_making != nullptr);
     m_bar->setVisible(m_making != nullptr);
     setButtonText(*m_back, m_making ? tr("Cancel (Esc)") : tr("Back (Esc)"));

@@ -8,6 +8,7 @@
 
 #include "study/app/state/app_options.h"
 
+class QComboBox;
 class QGridLayout;
 class QLabel;
 class QLineEdit;
@@ -60,6 +61,7 @@ private:
     QLineEdit* m_study;
     QLineEdit* m_dataset;
     QLineEdit* m_protocol;
+    QComboBox* m_language;  ///< of the participants
     QLineEdit* m_participants;
     QLineEdit* m_seed;
     QLineEdit* m_passphrase;

@@ -51,6 +51,8 @@ void QuestionPage::begin(const SessionFacts& facts)
 {
     m_wantsSecondEntry = facts.secondEntry;
     m_keys = facts.keys;
+    m_same = facts.sentence("spoken_same");
+    m_different = facts.sentence("spoken_different");
     m_shown.reset();
     showText(*m_stroke, strokeText(facts));
     m_touch->begin(facts);
@@ -78,7 +80,9 @@ void QuestionPage::present(const session::View& view)
     m_entries = 0;
     m_spoken->setEnabled(true);
     setButtonText(*m_spoken, m_keys.withKeys(tr("The answer begins"), KeyAct::AnswerBegins));
-    m_entry->ask(formOf(view));
+    AnswerForm form = formOf(view);
+    readBackInWords(form, m_same, m_different);
+    m_entry->ask(form);
 }
 
 void QuestionPage::markSpoken()

@@ -47,6 +47,7 @@ private:
     QLabel* m_stroke;
 
     KeyBindings m_keys;
+    QString m_same, m_different;  ///< as the participant says them
     bool m_wantsSecondEntry = false;
     std::optional<session::GivenAnswer> m_firstEntry;
     int m_entries = 0;  ///< of this answer, where it is entered twice

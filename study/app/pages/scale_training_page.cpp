@@ -74,6 +74,7 @@ QLayout* ScaleTrainingPage::placeRow()
 
 void ScaleTrainingPage::begin(const SessionFacts& facts)
 {
+    m_facts = facts;
     m_scale = facts.scale.value_or(protocols::RatingScale{});
     m_line->setScale(m_scale);
     showAnchors();
@@ -88,7 +89,8 @@ void ScaleTrainingPage::showInstruction(bool isRefresher)
     if (isRefresher)
         m_head->setTexts(tr("Repeat the scale"),
                          m_scale.labels.empty()
-                             ? tr("Show this line again. Say: “%1 means unrelated. %2 means totally the same.”").arg(low, high)
+                             ? tr("Show this line again. Say: “%1”")
+                                   .arg(m_facts.sentence("say_ends", {{"low", low.toStdString()}, {"high", high.toStdString()}}))
                              : tr("Show this line again, from %1 to %2.").arg(low, high));
     else
         m_head->setTexts(tr("Learn the scale"),
@@ -105,11 +107,10 @@ void ScaleTrainingPage::showAnchors()
         m_highAnchor->setText(high);
         return;
     }
-    m_lowAnchor->setText(
-        tr("Let the participant touch sandpaper, then silk. Say: “These two are unrelated. This is %1.”").arg(low));
-    m_highAnchor->setText(
-        tr("Let the participant touch two pieces of the same fabric. Say: “These two are totally the same. This is %1.”")
-            .arg(high));
+    m_lowAnchor->setText(tr("Let the participant touch sandpaper, then silk. Say: “%1”")
+                             .arg(m_facts.sentence("say_unrelated", {{"number", low.toStdString()}})));
+    m_highAnchor->setText(tr("Let the participant touch two pieces of the same fabric. Say: “%1”")
+                              .arg(m_facts.sentence("say_same", {{"number", high.toStdString()}})));
 }
 
 void ScaleTrainingPage::present(const session::View& view)
@@ -123,10 +124,11 @@ void ScaleTrainingPage::present(const session::View& view)
     showInstruction(training.isRefresher);
     m_line->setRating(m_place);
     m_placeRow->setVisible(m_place.has_value());
-    m_whichPlace->setText(training.isRefresher ? tr("Ask: “Which number belongs to this mark?”")
-                                               : tr("Mark %1; right in a row: %2 of 3. Ask: “Which number belongs to this mark?”")
-                                                     .arg(training.placed + 1)
-                                                     .arg(training.rightInARow));
+    const QString question = m_facts.sentence("ask_mark");
+    m_whichPlace->setText(training.isRefresher
+                              ? tr("Ask: “%1”").arg(question)
+                              : tr("Mark %1; right in a row: %2 of 3. Ask: “%3”")
+                                    .arg(QString::number(training.placed + 1), QString::number(training.rightInARow), question));
     showText(*m_deviation, training.last ? deviation(*training.last) : QString());
     setButtonText(*m_action, m_place ? tr("Store this number (Enter)") : tr("The participant knows the scale (Enter)"));
     m_done->setVisible(m_place.has_value());

@@ -35,6 +35,7 @@ private:
     /// Sentence on the distance between the spoken number and the mark, in friendly words.
     QString deviation(const session::NamedPlace& placed) const;
 
+    SessionFacts m_facts;
     protocols::RatingScale m_scale;
     std::optional<protocols::Tenths> m_place;  ///< the mark shown now
     int m_placed = 0;                          ///< number of marks before it

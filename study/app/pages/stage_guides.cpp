@@ -1,8 +1,8 @@
 #include "study/app/pages/stage_guides.h"
 
-#include <QCoreApplication>
 #include <cmath>
 
+#include "study/app/language/app_text.h"
 #include "study/app/pieces/question_head.h"
 
 namespace study::app {
@@ -11,49 +11,48 @@ using namespace session;
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("study::app::Guide", text); }
-
-Guide introduction()
+Guide introduction(const SessionFacts& facts)
 {
-    return {.title = tr("Welcome the participant"),
-            .lead = tr("The participant does not wear the mask yet."),
-            .steps = {tr("Give the participant the information sheet and time to read it."),
-                      tr("Explain the session: the participant strokes the glass and pieces of fabric and says how they feel. "
-                         "There are breaks."),
-                      tr("Say: “You may stop at any time. You do not have to give a reason.”")},
-            .action = tr("Begin (Enter)"),
+    return {.title = AppText::tr("Welcome the participant"),
+            .lead = AppText::tr("The participant does not wear the mask yet."),
+            .steps = {AppText::tr("Give the participant the information sheet and time to read it."),
+                      AppText::tr(
+                          "Explain the session: the participant strokes the glass and pieces of fabric and says how they feel. "
+                          "There are breaks."),
+                      AppText::tr("Say: “%1”").arg(facts.sentence("say_stop"))},
+            .action = AppText::tr("Begin (Enter)"),
             .event = Begun{}};
 }
 
 Guide consent(const SessionFacts& facts)
 {
     const bool hasFullStop = facts.consent.endsWith(QLatin1Char('.'));
-    return {.title = tr("Consent"),
-            .lead = tr("You confirm: %1.").arg(hasFullStop ? facts.consent.chopped(1) : facts.consent),
-            .steps = {tr("If the participant does not agree, do not begin. Press W instead.")},
-            .action = tr("The participant has agreed (Enter)"),
+    return {.title = AppText::tr("Consent"),
+            .lead = AppText::tr("You confirm: %1.").arg(hasFullStop ? facts.consent.chopped(1) : facts.consent),
+            .steps = {AppText::tr("If the participant does not agree, do not begin. Press W instead.")},
+            .action = AppText::tr("The participant has agreed (Enter)"),
             .event = Consented{}};
 }
 
 /// Steps of every break, whatever its reason.
 QStringList breakSteps()
 {
-    return {tr("The participant may lift the mask, drink and move the hand."),
-            tr("Clean the glass and the participant's finger. Let both dry."),
-            tr("Make sure that the participant wears the mask again before you continue.")};
+    return {AppText::tr("The participant may lift the mask, drink and move the hand."),
+            AppText::tr("Clean the glass and the participant's finger. Let both dry."),
+            AppText::tr("Make sure that the participant wears the mask again before you continue.")};
 }
 
 QString breakTitle(const OnBreak& onBreak, const View& view)
 {
     switch (onBreak.reason) {
         case BreakReason::Block:
-            return tr("Break");
+            return AppText::tr("Break");
         case BreakReason::Phase:
-            return tr("Break: new questions follow");
+            return AppText::tr("Break: new questions follow");
         case BreakReason::Time:
-            return tr("Break: time for a rest");
+            return AppText::tr("Break: time for a rest");
         case BreakReason::SittingOver:
-            return tr("This sitting has lasted %1 minutes").arg(std::lround(view.sittingMinutes));
+            return AppText::tr("This sitting has lasted %1 minutes").arg(std::lround(view.sittingMinutes));
     }
     return {};
 }
@@ -61,21 +60,23 @@ QString breakTitle(const OnBreak& onBreak, const View& view)
 /// An operator writes it down, so that nobody can later change the log unseen.
 QString headToNote(const View& view)
 {
-    return tr("Write down the head of the log: %1").arg(QString::fromStdString(view.logHead));
+    return AppText::tr("Write down the head of the log: %1").arg(QString::fromStdString(view.logHead));
 }
 
 QString breakLead(const OnBreak& onBreak, const View& view)
 {
-    const QString done = tr("%1 of %2 answers are stored. The display is off.").arg(view.answersStored).arg(view.answersInAll);
+    const QString done =
+        AppText::tr("%1 of %2 answers are stored. The display is off.").arg(view.answersStored).arg(view.answersInAll);
     switch (onBreak.reason) {
         case BreakReason::Block:
         case BreakReason::Time:
             return done;
         case BreakReason::Phase:
-            return tr("Questions that follow: %1. Explain them before the participant puts the mask on. %2")
+            return AppText::tr("Questions that follow: %1. Explain them before the participant puts the mask on. %2")
                 .arg(QString::fromStdString(view.phaseName), done);
         case BreakReason::SittingOver:
-            return tr("A tired hand feels less. Press Q to stop here and continue on another day. Everything is stored. %1")
+            return AppText::tr(
+                       "A tired hand feels less. Press Q to stop here and continue on another day. Everything is stored. %1")
                 .arg(done);
     }
     return done;
@@ -86,59 +87,60 @@ Guide breakGuide(const OnBreak& onBreak, const View& view)
     Guide guide{.title = breakTitle(onBreak, view),
                 .lead = breakLead(onBreak, view),
                 .steps = breakSteps(),
-                .action = tr("Continue (Enter)"),
+                .action = AppText::tr("Continue (Enter)"),
                 .event = BreakEnded{}};
     if (view.instruction) guide.steps << instructionAfterBreak(view);
     if (onBreak.reason == BreakReason::SittingOver) {
         guide.steps << headToNote(view);
-        guide.action = tr("Continue anyway (Enter)");
-        guide.second = Guide::Second{tr("Stop here for today (Q)"), Qt::Key_Q, GuideAct::Leave};
+        guide.action = AppText::tr("Continue anyway (Enter)");
+        guide.second = Guide::Second{AppText::tr("Stop here for today (Q)"), Qt::Key_Q, GuideAct::Leave};
     }
     return guide;
 }
 
 Guide paused(const View& view)
 {
-    return {.title = tr("Paused"),
-            .lead = tr("All answers so far are stored. The display is off."),
-            .steps = {tr("An interrupted presentation starts again with the tray."),
-                      tr("You may close the window now. The session continues here later."), headToNote(view)},
-            .action = tr("Continue the session (Enter)"),
+    return {.title = AppText::tr("Paused"),
+            .lead = AppText::tr("All answers so far are stored. The display is off."),
+            .steps = {AppText::tr("An interrupted presentation starts again with the tray."),
+                      AppText::tr("You may close the window now. The session continues here later."), headToNote(view)},
+            .action = AppText::tr("Continue the session (Enter)"),
             .event = Resumed{}};
 }
 
 Guide laterSitting(const View& view)
 {
-    return {.title = tr("Welcome back"),
-            .lead = tr("A new sitting begins. %1 of %2 answers are stored. First repeat the scale and the checklist.")
+    return {.title = AppText::tr("Welcome back"),
+            .lead = AppText::tr("A new sitting begins. %1 of %2 answers are stored. First repeat the scale and the checklist.")
                         .arg(view.answersStored)
                         .arg(view.answersInAll),
-            .steps = {tr("The participant does not wear the mask yet."),
-                      tr("After a short interruption you may skip this if everything is still in place.")},
-            .action = tr("Prepare this sitting (Enter)"),
+            .steps = {AppText::tr("The participant does not wear the mask yet."),
+                      AppText::tr("After a short interruption you may skip this if everything is still in place.")},
+            .action = AppText::tr("Prepare this sitting (Enter)"),
             .event = SittingPrepared{},
-            .second = Guide::Second{tr("Skip the preparation (G)"), Qt::Key_G, GuideAct::DeclinePreparation}};
+            .second = Guide::Second{AppText::tr("Skip the preparation (G)"), Qt::Key_G, GuideAct::DeclinePreparation}};
 }
 
 Guide finished(const View& view)
 {
-    return {.title = tr("The session is complete"),
-            .lead = tr("All %1 answers are stored. Thank the participant for the time and care.").arg(view.answersStored),
-            .steps = {tr("Clean the glass and put the fabrics back in order."), headToNote(view)},
-            .action = tr("Back to the study (Enter)"),
-            .event = {},
-            .act = GuideAct::Leave};
+    return {
+        .title = AppText::tr("The session is complete"),
+        .lead = AppText::tr("All %1 answers are stored. Thank the participant for the time and care.").arg(view.answersStored),
+        .steps = {AppText::tr("Clean the glass and put the fabrics back in order."), headToNote(view)},
+        .action = AppText::tr("Back to the study (Enter)"),
+        .event = {},
+        .act = GuideAct::Leave};
 }
 
 Guide withdrawn(const View& view)
 {
-    return {
-        .title = tr("The participant has withdrawn"),
-        .lead = tr("The session has ended. Stored answers: %1. Another participant can take this place.").arg(view.answersStored),
-        .steps = {tr("Thank the participant for coming."), headToNote(view)},
-        .action = tr("Back to the study (Enter)"),
-        .event = {},
-        .act = GuideAct::Leave};
+    return {.title = AppText::tr("The participant has withdrawn"),
+            .lead = AppText::tr("The session has ended. Stored answers: %1. Another participant can take this place.")
+                        .arg(view.answersStored),
+            .steps = {AppText::tr("Thank the participant for coming."), headToNote(view)},
+            .action = AppText::tr("Back to the study (Enter)"),
+            .event = {},
+            .act = GuideAct::Leave};
 }
 
 struct GuideOfStage {
@@ -150,7 +152,7 @@ struct GuideOfStage {
     {
         return std::nullopt;
     }
-    std::optional<Guide> operator()(const Enrolled&) const { return introduction(); }
+    std::optional<Guide> operator()(const Enrolled&) const { return introduction(facts); }
     std::optional<Guide> operator()(const Consenting&) const { return consent(facts); }
     std::optional<Guide> operator()(const OnBreak& onBreak) const { return breakGuide(onBreak, view); }
     std::optional<Guide> operator()(const Finished&) const { return finished(view); }

@@ -1,12 +1,16 @@
 #include "study/app/pages/start_page.h"
 
+#include <QComboBox>
 #include <QDir>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QListWidget>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <vector>
 
+#include "study/app/language/fonts.h"
 #include "study/app/pages/stage_page.h"
 #include "study/app/pieces/flow_layout.h"
 #include "study/app/pieces/pieces.h"
@@ -28,6 +32,9 @@ StartPage::StartPage(QWidget* parent)
       m_display(button("displayButton", tr("Display…"), this)),
       m_keys(button("keysButton", tr("Keys and pedals…"), this)),
       m_participant(button("participantScreenButton", tr("Participant's screen… (F4)"), this)),
+      m_languageCaption(quietLabel("languageCaption", this, Type::Plain)),
+      m_languages(new QComboBox(this)),
+      m_reviewed(quietLabel("translationReview", this, Type::Plain)),
       m_firstSteps(label("firstSteps", Type::Body, this)),
       m_message(new MessageBar("startMessage", this))
 {
@@ -69,6 +76,11 @@ StartPage::StartPage(QWidget* parent)
     column->addLayout(
         actionsRow({m_open, m_new, m_makeProtocol, m_changeProtocol, m_photographs, m_data, m_display, m_keys, m_participant}));
     column->addStretch(2);
+    m_languageCaption->setText(tr("Language"));
+    for (QLabel* text : {m_languageCaption, m_reviewed}) text->setWordWrap(false);
+    name(*m_languages, "languageList", tr("Language of this window"));
+    setType(*m_languages, Type::Plain);
+    column->addLayout(actionsRow({m_languageCaption, m_languages, m_reviewed}));
     column->addWidget(appearanceHint(page));
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
@@ -89,6 +101,27 @@ StartPage::StartPage(QWidget* parent)
     connect(m_display, &QPushButton::clicked, this, &StartPage::displayRequested);
     connect(m_keys, &QPushButton::clicked, this, &StartPage::keysRequested);
     connect(m_participant, &QPushButton::clicked, this, &StartPage::participantRequested);
+    connect(m_languages, &QComboBox::activated, this,
+            [this](int place) { Q_EMIT languageChosen(m_languages->itemData(place).toString()); });
+    offerLanguages({});
+}
+
+void StartPage::offerLanguages(const Language& present)
+{
+    m_languages->clear();
+    std::vector<Language> all = shippedLanguages();
+    // A catalogue of the laboratory's own stands at the end.
+    if (std::ranges::find(all, present.tag, &Language::tag) == all.end()) all.push_back(present);
+    for (const Language& one : all) {
+        const bool isWritable = missingFontPackage(one.tag).isEmpty();
+        m_languages->addItem(isWritable ? one.name : nameInList(one.tag), one.tag);
+    }
+    m_languages->setCurrentIndex(m_languages->findData(present.tag));
+    const bool isOriginal = present.tag == all.front().tag;
+    m_reviewed->setVisible(!isOriginal);
+    m_reviewed->setText(isOriginal                   ? QString()
+                        : present.reviewer.isEmpty() ? tr("translation not reviewed")
+                                                     : tr("translation reviewed by %1").arg(present.reviewer));
 }
 
 void StartPage::present(const QStringList& recentFolders, const Offered& offered)

@@ -4,6 +4,9 @@
 #include <QStringList>
 #include <QWidget>
 
+#include "study/app/language/language.h"
+
+class QComboBox;
 class QLabel;
 class QLineEdit;
 class QListWidget;
@@ -25,6 +28,8 @@ public:
     /// `recentFolders`: the most recent first.
     void present(const QStringList& recentFolders, const Offered& offered);
     void showFault(const QString& text);
+    /// Offers the shipped languages, with the present one chosen, and says whether somebody has checked its texts.
+    void offerLanguages(const Language& present);
     void focusFirst();
 
 Q_SIGNALS:
@@ -37,6 +42,7 @@ Q_SIGNALS:
     void displayRequested();
     void keysRequested();
     void participantRequested();
+    void languageChosen(const QString& tag);
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -58,6 +64,9 @@ private:
     QPushButton* m_display;
     QPushButton* m_keys;
     QPushButton* m_participant;
+    QLabel* m_languageCaption;
+    QComboBox* m_languages;
+    QLabel* m_reviewed;    ///< whether a native speaker has checked the texts
     QLabel* m_firstSteps;  ///< where to begin without a study
     MessageBar* m_message;
 };

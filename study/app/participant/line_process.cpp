@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "protocols/files/errors.h"
+#include "study/app/language/below.h"
 
 namespace study::app {
 
@@ -86,7 +87,7 @@ void LineProcess::read()
             if (!m_process) return;  // who heard the line has stopped the program
         }
     } catch (const protocols::Error& fault) {
-        fail(QString::fromUtf8(fault.what()));
+        fail(inOwnLanguage(fault.what()));
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/usual_texts.h"
+#include "study/app/language/below.h"
 
 namespace study::app {
 
@@ -43,7 +44,8 @@ ParticipantSide::ParticipantSide(QObject* parent) : QObject(parent), m_process(n
 void ParticipantSide::setWords(const protocols::Protocol& protocol)
 {
     m_texts = {protocol.language, {}};
-    for (const auto& [key, text] : protocols::usualParticipantTexts()) m_texts.texts[key] = participantText(protocol, key);
+    for (const auto& [key, text] : protocols::usualParticipantTexts(protocol.language))
+        m_texts.texts[key] = participantText(protocol, key);
     tell(m_texts);
 }
 
@@ -105,7 +107,7 @@ void ParticipantSide::launch()
                          ProgramSurroundings::None);
         m_state.fault.clear();
     } catch (const protocols::Error& fault) {
-        m_state.fault = QString::fromUtf8(fault.what());
+        m_state.fault = inOwnLanguage(fault.what());
         Q_EMIT stateChanged();
         return;
     }
@@ -125,7 +127,7 @@ void ParticipantSide::hear(const std::string& text)
     try {
         take(lineFromPage(text));
     } catch (const protocols::Error& fault) {
-        m_process->fail(QString::fromUtf8(fault.what()));
+        m_process->fail(inOwnLanguage(fault.what()));
     }
 }
 

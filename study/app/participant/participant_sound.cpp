@@ -5,6 +5,7 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/safe_text.h"
+#include "study/app/language/below.h"
 
 namespace study::app {
 
@@ -57,7 +58,7 @@ void ParticipantSound::start(double noise, Speech speech)
         setNoise(noise);
         tellLanguage();
     } catch (const protocols::Error& fault) {
-        m_state.fault = QString::fromUtf8(fault.what());
+        m_state.fault = inOwnLanguage(fault.what());
     }
     Q_EMIT stateChanged();
 }

@@ -2,6 +2,7 @@
 
 #include <QGridLayout>
 
+#include "protocols/files/typed_number.h"
 #include "study/app/pieces/pieces.h"
 
 namespace study::app {
@@ -37,7 +38,7 @@ std::map<std::string, std::string> LineForm::given() const
     std::map<std::string, std::string> filled;
     for (std::size_t i = 0; i < m_lines.size(); ++i)
         if (const QString text = m_lines[i]->text().trimmed(); !text.isEmpty())
-            filled[m_captions[static_cast<qsizetype>(i)].toStdString()] = text.toStdString();
+            filled[m_captions[static_cast<qsizetype>(i)].toStdString()] = protocols::typedNumber(text.toStdString());
     return filled;
 }
 

@@ -3,19 +3,31 @@
 #include <QEvent>
 #include <QVBoxLayout>
 
+#include "study/app/language/below.h"
 #include "study/app/pieces/flow_layout.h"
 #include "study/app/pieces/pieces.h"
+#include "study/app/state/rating_text.h"
 
 namespace study::app {
 
 namespace {
 
 /// Shortens a long answer; the footer only identifies the last answer.
-QString inShort(const std::string& answer)
+QString inShort(const QString& answer)
 {
     constexpr int longest = 24;
-    const QString line = QString::fromStdString(answer).simplified();
+    const QString line = answer.simplified();
     return line.size() > longest ? line.left(longest) + QStringLiteral("…") : line;
+}
+
+/// "Q2: 5.4", "S1: same", with the words and the decimal mark of the window.
+QString lastAnswerOf(const session::View& view)
+{
+    const QString question = QString::fromStdString(view.lastQuestion->value + ": ");
+    const session::GivenAnswer& response = view.state.answers.back().response;
+    if (const auto* rating = std::get_if<protocols::Tenths>(&response)) return question + textOf(*rating);
+    if (std::holds_alternative<session::Sameness>(response)) return question + inOwnLanguage(session::textOf(response));
+    return QString::fromStdString(*view.lastAnswer);
 }
 
 }  // namespace
@@ -90,7 +102,7 @@ void SessionFooter::present(const session::View& view, bool canCorrect)
     m_canFlag = !m_isOver && (isPresenting || !view.state.answers.empty());
     m_canVoid = isPresenting || std::holds_alternative<session::PlacingTray>(stage) ||
                 std::holds_alternative<session::OnBreak>(stage) || std::holds_alternative<session::Debriefing>(stage);
-    m_lastAnswer->setText(view.lastAnswer ? tr("Last answer  %1").arg(inShort(*view.lastAnswer)) : tr("No answer yet"));
+    m_lastAnswer->setText(view.lastAnswer ? tr("Last answer  %1").arg(inShort(lastAnswerOf(view))) : tr("No answer yet"));
     enable();
 }
 

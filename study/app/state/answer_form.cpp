@@ -1,7 +1,6 @@
 #include "study/app/state/answer_form.h"
 
-#include <QCoreApplication>
-
+#include "study/app/language/app_text.h"
 #include "study/app/state/rating_text.h"
 
 namespace study::app {
@@ -10,25 +9,24 @@ using session::GivenAnswer;
 
 namespace {
 
-QString answerTr(const char* text) { return QCoreApplication::translate("study::app::AnswerForm", text); }
-
 OptionsForm optionsOfTray(const std::vector<protocols::FabricId>& tray, const std::vector<std::string>& pieces)
 {
     OptionsForm form;
     for (std::size_t place = 0; place < tray.size(); ++place) {
         const QString letter = slotLetter(place), name = nameOfPiece(pieces.at(place));
-        form.options.push_back(
-            {tray[place], letter, name, QStringLiteral("%1    %2").arg(letter, name), answerTr("“%1.” (%2)").arg(letter, name)});
+        form.options.push_back({tray[place], letter, name, QStringLiteral("%1    %2").arg(letter, name),
+                                AppText::tr("“%1.” (%2)").arg(letter, name)});
     }
     return form;
 }
 
 OptionsForm sameOrDifferent()
 {
-    const QString same = answerTr("Same"), different = answerTr("Different");
+    const QString same = AppText::tr("Same"), different = AppText::tr("Different");
     // The keys are S and D in every language, like all keys of the program.
-    return {{{session::Sameness{true}, QStringLiteral("S"), same, same, answerTr("“same.”")},
-             {session::Sameness{false}, QStringLiteral("D"), different, different, answerTr("“different.”")}}};
+    return {
+        {{session::Sameness{true}, QStringLiteral("S"), same, same, AppText::tr("“%1.”").arg(same.toLower())},
+         {session::Sameness{false}, QStringLiteral("D"), different, different, AppText::tr("“%1.”").arg(different.toLower())}}};
 }
 
 QString wordsOf(const GivenAnswer& response) { return QString::fromStdString(std::get<session::Words>(response).text); }
@@ -57,6 +55,15 @@ AnswerForm formOf(const protocols::AnswerKind& kind, const std::vector<protocols
         kind);
 }
 
+void readBackInWords(AnswerForm& form, const QString& same, const QString& different)
+{
+    auto* choice = std::get_if<OptionsForm>(&form);
+    if (!choice) return;
+    for (AnswerOption& option : choice->options)
+        if (const auto* said = std::get_if<session::Sameness>(&option.response))
+            option.readBack = AppText::tr("“%1.”").arg(said->same ? same : different);
+}
+
 QString textOf(const AnswerForm& form, const GivenAnswer& response)
 {
     if (const auto* rating = std::get_if<protocols::Tenths>(&response)) return textOf(*rating);
@@ -66,12 +73,12 @@ QString textOf(const AnswerForm& form, const GivenAnswer& response)
     return QString::fromStdString(session::textOf(response));
 }
 
-QString nameOfPiece(const std::string& code) { return answerTr("Piece %1").arg(QString::fromStdString(code)); }
+QString nameOfPiece(const std::string& code) { return AppText::tr("Piece %1").arg(QString::fromStdString(code)); }
 
 QString disagreement(const AnswerForm& form, const GivenAnswer& first, const GivenAnswer& second)
 {
     if (agree(first, second)) return {};
-    return answerTr("The two entries differ: “%1” and “%2”. Ask the participant again, then enter the answer twice.")
+    return AppText::tr("The two entries differ: “%1” and “%2”. Ask the participant again, then enter the answer twice.")
         .arg(textOf(form, first).simplified(), textOf(form, second).simplified());
 }
 

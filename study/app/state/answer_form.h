@@ -43,6 +43,9 @@ AnswerForm formOf(const session::View& view);
 AnswerForm formOf(const protocols::AnswerKind& kind, const std::vector<protocols::FabricId>& tray,
                   const std::vector<std::string>& pieces);
 
+/// Puts the participant's words for same and different into what the operator reads back.
+void readBackInWords(AnswerForm& form, const QString& same, const QString& different);
+
 /// Text of a stored answer: "B    Piece 427", "5.5", "Same", or the words.
 QString textOf(const AnswerForm& form, const session::GivenAnswer& response);
 

@@ -13,6 +13,7 @@
 #include "database/study_store.h"
 #include "rendering/display/display.h"
 #include "study/app/drafts/session_outlook.h"
+#include "study/app/language/language.h"
 #include "study/app/state/data_look.h"
 #include "study/app/state/monitor.h"
 #include "study/app/state/photograph_steps.h"
@@ -32,6 +33,7 @@ struct NewStudyRequest {
     std::optional<int> participants;                ///< none: the number in the protocol
     std::uint64_t seed = 1;
     std::optional<std::string> passphrase;  ///< seals the allocation key; none: the key lies open
+    std::string language = "en";            ///< of the participants, in the study of the paper
     bool operator==(const NewStudyRequest&) const = default;
 };
 
@@ -61,6 +63,8 @@ struct AppOptions {
     UseTool useTool;                        ///< empty: the study page offers no tools
     MakeRehearsal makeRehearsal;            ///< empty: the study page offers no rehearsal
     ReadFlags readFlags;                    ///< for the monitor; empty: no flags are shown
+    Language language;                      ///< of the window's texts, which are in use already
+    QString languageFault;                  ///< why a kept language could not be used; empty: it could, or none is kept
     database::ParticipantKind kind = database::ParticipantKind::Human;
     session::OperatedBy operatedBy;  ///< recorded with every sitting
 };

@@ -2,6 +2,8 @@
 
 #include <exception>
 
+#include "study/app/language/below.h"
+
 namespace study::app {
 
 namespace {
@@ -12,7 +14,7 @@ InBackground::Then outcomeOf(const InBackground::Work& work, const std::atomic<b
     try {
         return work(isStopping);
     } catch (const std::exception& fault) {
-        return [failed, why = QString::fromUtf8(fault.what())] { failed(why); };
+        return [failed, why = inOwnLanguage(fault.what())] { failed(why); };
     }
 }
 

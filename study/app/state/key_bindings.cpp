@@ -1,15 +1,14 @@
 #include "study/app/state/key_bindings.h"
 
-#include <QCoreApplication>
 #include <QKeySequence>
 #include <QSettings>
 #include <algorithm>
 
+#include "study/app/language/app_text.h"
+
 namespace study::app {
 
 namespace {
-
-QString keyWords(const char* text) { return QCoreApplication::translate("KeyBindings", text); }
 
 const QString groupOfKeys = QStringLiteral("extraKeys/");
 
@@ -35,23 +34,23 @@ bool isStandardKey(const ActOfKey& one, int key)
 
 std::vector<ActOfKey> actsOfKeys()
 {
-    return {{KeyAct::Confirm, "confirm", Qt::Key_Return, keyWords("Confirm the tray, store the answer, go on")},
-            {KeyAct::Touch, "touch", Qt::Key_T, keyWords("Stamp the first touch")},
-            {KeyAct::AnswerBegins, "answerBegins", Qt::Key_F9, keyWords("The answer begins (the spoken word)")},
-            {KeyAct::Correct, "correct", Qt::Key_L, keyWords("Correct a stored answer")},
-            {KeyAct::Note, "note", Qt::Key_N, keyWords("Write a note")},
-            {KeyAct::Flag, "flag", Qt::Key_F, keyWords("Flag the presentation")},
-            {KeyAct::Void, "void", Qt::Key_V, keyWords("Void the presentation")},
-            {KeyAct::Pause, "pause", Qt::Key_Escape, keyWords("Pause")},
-            {KeyAct::Stop, "stop", Qt::Key_Q, keyWords("Stop for now")},
-            {KeyAct::Withdraw, "withdraw", Qt::Key_W, keyWords("Withdrawal of the participant")}};
+    return {{KeyAct::Confirm, "confirm", Qt::Key_Return, AppText::tr("Confirm the tray, store the answer, go on")},
+            {KeyAct::Touch, "touch", Qt::Key_T, AppText::tr("Stamp the first touch")},
+            {KeyAct::AnswerBegins, "answerBegins", Qt::Key_F9, AppText::tr("The answer begins (the spoken word)")},
+            {KeyAct::Correct, "correct", Qt::Key_L, AppText::tr("Correct a stored answer")},
+            {KeyAct::Note, "note", Qt::Key_N, AppText::tr("Write a note")},
+            {KeyAct::Flag, "flag", Qt::Key_F, AppText::tr("Flag the presentation")},
+            {KeyAct::Void, "void", Qt::Key_V, AppText::tr("Void the presentation")},
+            {KeyAct::Pause, "pause", Qt::Key_Escape, AppText::tr("Pause")},
+            {KeyAct::Stop, "stop", Qt::Key_Q, AppText::tr("Stop for now")},
+            {KeyAct::Withdraw, "withdraw", Qt::Key_W, AppText::tr("Withdrawal of the participant")}};
 }
 
 QString nameOfKey(int key)
 {
-    if (key == Qt::Key_Return) return keyWords("Enter");
-    if (key == Qt::Key_PageDown) return keyWords("Page Down");
-    if (key == Qt::Key_PageUp) return keyWords("Page Up");
+    if (key == Qt::Key_Return) return AppText::tr("Enter");
+    if (key == Qt::Key_PageDown) return AppText::tr("Page Down");
+    if (key == Qt::Key_PageUp) return AppText::tr("Page Up");
     return QKeySequence(key).toString(QKeySequence::NativeText);
 }
 
@@ -72,15 +71,15 @@ QString KeyBindings::faultOf(KeyAct act, int key) const
 {
     for (const ActOfKey& one : actsOfKeys()) {
         if (isStandardKey(one, key))
-            return keyWords("%1 is the standard key of “%2”. Press another key.").arg(nameOfKey(key), one.words);
+            return AppText::tr("%1 is the standard key of “%2”. Press another key.").arg(nameOfKey(key), one.words);
         if (one.act != act && extraKey(one.act) == key)
-            return keyWords("%1 acts as “%2” already. Press another key, or remove it there first.")
+            return AppText::tr("%1 acts as “%2” already. Press another key, or remove it there first.")
                 .arg(nameOfKey(key), one.words);
     }
     if (std::ranges::find(editingKeys, key) != std::end(editingKeys))
-        return keyWords("This key moves or edits in a field. Press another key, such as F13 or Page Down.");
+        return AppText::tr("This key moves or edits in a field. Press another key, such as F13 or Page Down.");
     if (key <= 0 || writes(key) || composes(key) || nameOfKey(key).isEmpty())
-        return keyWords("This key writes a character, and characters are answers. Set the pedal to another key, such as F13.");
+        return AppText::tr("This key writes a character, and characters are answers. Set the pedal to another key, such as F13.");
     return {};
 }
 
@@ -95,12 +94,12 @@ QString KeyBindings::keysOf(KeyAct act) const
 {
     QString names;
     for (const ActOfKey& one : actsOfKeys())
-        if (one.act == act) names = one.act == KeyAct::Pause ? keyWords("Esc") : nameOfKey(one.standardKey);
+        if (one.act == act) names = one.act == KeyAct::Pause ? AppText::tr("Esc") : nameOfKey(one.standardKey);
     const auto extra = extraKey(act);
-    return extra ? keyWords("%1 or %2").arg(names, nameOfKey(*extra)) : names;
+    return extra ? AppText::tr("%1 or %2").arg(names, nameOfKey(*extra)) : names;
 }
 
-QString KeyBindings::withKeys(const QString& text, KeyAct act) const { return keyWords("%1 (%2)").arg(text, keysOf(act)); }
+QString KeyBindings::withKeys(const QString& text, KeyAct act) const { return AppText::tr("%1 (%2)").arg(text, keysOf(act)); }
 
 KeyBindings rememberedKeys(const QSettings* settings)
 {

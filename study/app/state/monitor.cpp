@@ -1,11 +1,11 @@
 #include "study/app/state/monitor.h"
 
-#include <QCoreApplication>
 #include <QDateTime>
 #include <algorithm>
 #include <set>
 
 #include "protocols/protocol_json.h"
+#include "study/app/language/app_text.h"
 #include "study/session/driver.h"
 #include "study/session/session_moves.h"
 #include "study/session/session_record.h"
@@ -16,31 +16,29 @@ using namespace session;
 
 namespace {
 
-QString monitorTr(const char* text) { return QCoreApplication::translate("study::app::Monitor", text); }
-
 struct StageText {
     const Plan& plan;
-    QString operator()(const Enrolled&) const { return monitorTr("welcome"); }
-    QString operator()(const Consenting&) const { return monitorTr("consent"); }
-    QString operator()(const AskingFacts&) const { return monitorTr("facts"); }
-    QString operator()(const Familiarising&) const { return monitorTr("familiarisation"); }
-    QString operator()(const ScaleTraining&) const { return monitorTr("scale"); }
-    QString operator()(const CheckingList&) const { return monitorTr("checklist"); }
-    QString operator()(const PlacingTray&) const { return monitorTr("tray"); }
+    QString operator()(const Enrolled&) const { return AppText::tr("welcome"); }
+    QString operator()(const Consenting&) const { return AppText::tr("consent"); }
+    QString operator()(const AskingFacts&) const { return AppText::tr("facts"); }
+    QString operator()(const Familiarising&) const { return AppText::tr("familiarisation"); }
+    QString operator()(const ScaleTraining&) const { return AppText::tr("scale"); }
+    QString operator()(const CheckingList&) const { return AppText::tr("checklist"); }
+    QString operator()(const PlacingTray&) const { return AppText::tr("tray"); }
     QString operator()(const Presenting& asked) const
     {
-        return monitorTr("question %1").arg(QString::fromStdString(questionOf(plan, asked.index, asked.question).id.value));
+        return AppText::tr("question %1").arg(QString::fromStdString(questionOf(plan, asked.index, asked.question).id.value));
     }
-    QString operator()(const OnBreak&) const { return monitorTr("break"); }
-    QString operator()(const Debriefing&) const { return monitorTr("debriefing"); }
-    QString operator()(const Finished&) const { return monitorTr("finished"); }
-    QString operator()(const Withdrawn&) const { return monitorTr("withdrawn"); }
+    QString operator()(const OnBreak&) const { return AppText::tr("break"); }
+    QString operator()(const Debriefing&) const { return AppText::tr("debriefing"); }
+    QString operator()(const Finished&) const { return AppText::tr("finished"); }
+    QString operator()(const Withdrawn&) const { return AppText::tr("withdrawn"); }
 };
 
 QString stageText(const Plan& plan, const State& state)
 {
     const QString stage = std::visit(StageText{plan}, state.stage);
-    return state.paused ? monitorTr("paused (%1)").arg(stage) : stage;
+    return state.paused ? AppText::tr("paused (%1)").arg(stage) : stage;
 }
 
 /// State after all events of the log. Events that this version refuses are skipped.
@@ -88,7 +86,7 @@ MonitorOverview::ParticipantRow rowOf(const database::StudyStore& store, const d
     row.kind = one.kind;
     row.participant = QString::fromStdString(one.participant.value);
     if (isErased(store, one.participant)) {
-        row.stage = monitorTr("erased");
+        row.stage = AppText::tr("erased");
         return row;
     }
     const Plan plan = readPlan(store, one.participant);

@@ -6,6 +6,7 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/protocol_json.h"
+#include "study/app/language/below.h"
 #include "study/session/driver.h"
 #include "study/session/stimuli.h"
 
@@ -89,7 +90,7 @@ QString OpenStudy::protocolFault() const
     } catch (const protocols::Error& fault) {
         // Both remedies write to the study, which this window keeps locked.
         return QCoreApplication::translate("study::app::OpenStudy", "%1. First close the study in this window (Esc).")
-            .arg(QString::fromUtf8(fault.what()));
+            .arg(inOwnLanguage(fault.what()));
     }
 }
 

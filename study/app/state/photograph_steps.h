@@ -61,8 +61,11 @@ struct PhotographSteps {
     /// Renders friction images of all fabrics of the data set and draws them: a row for each fabric, a column for each condition.
     std::function<QImage(const FrictionPictureRequest& request, const ToolProgress& progress)> draw;
 
-    /// Writes the protocol of a study of this data set under these conditions, and returns its path.
-    std::function<std::filesystem::path(const std::filesystem::path& dataset, const std::vector<std::string>& conditions)> plan;
+    /// Writes the protocol of a study of this data set under these conditions, with the usual texts of a language, and returns
+    /// its path.
+    std::function<std::filesystem::path(const std::filesystem::path& dataset, const std::vector<std::string>& conditions,
+                                        const std::string& language)>
+        plan;
 
     explicit operator bool() const { return find && see && check && write && draw && plan; }
 };

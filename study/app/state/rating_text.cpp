@@ -1,6 +1,5 @@
 #include "study/app/state/rating_text.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -8,14 +7,15 @@
 #include <optional>
 #include <string>
 
+#include "protocols/files/typed_number.h"
+#include "study/app/language/app_text.h"
+
 namespace study::app {
 
 using protocols::RatingScale;
 using protocols::Tenths;
 
 namespace {
-
-QString ratingTr(const char* text) { return QCoreApplication::translate("study::app::ratingFromText", text); }
 
 /// Value of a text of digits; empty for other texts and for numbers too long for a rating.
 std::optional<int> digits(const std::string& text)
@@ -43,18 +43,18 @@ std::optional<int> tenths(std::string text)
 
 std::variant<Tenths, NoRating> ratingFromText(const QString& typed, const RatingScale& scale)
 {
-    const QString plain = typed.trimmed().replace(QLatin1Char(','), QLatin1Char('.'));
-    if (plain.isEmpty()) return NoRating{ratingTr("Type the number that the participant says.")};
-    const auto value = tenths(plain.toStdString());
+    const std::string plain = protocols::typedNumber(typed.toStdString());
+    if (plain.empty()) return NoRating{AppText::tr("Type the number that the participant says.")};
+    const auto value = tenths(plain);
     if (!value)
         return NoRating{
-            ratingTr("“%1” is not a rating. Type a number with at most one decimal, such as 5.4.").arg(typed.trimmed())};
+            AppText::tr("“%1” is not a rating. Type a number with at most one decimal, such as 5.4.").arg(typed.trimmed())};
     const Tenths rating{*value};
     if (rating < scale.min || rating > scale.max)
-        return NoRating{ratingTr("%1 is outside the scale. Ratings go from %2 to %3. Ask the participant again.")
+        return NoRating{AppText::tr("%1 is outside the scale. Ratings go from %2 to %3. Ask the participant again.")
                             .arg(textOf(rating), textOf(scale.min), textOf(scale.max))};
     if (!scale.holds(rating))
-        return NoRating{ratingTr("%1 is between two steps of the scale. Ratings go in steps of %2. Ask the participant again.")
+        return NoRating{AppText::tr("%1 is between two steps of the scale. Ratings go in steps of %2. Ask the participant again.")
                             .arg(textOf(rating), textOf(scale.step))};
     return rating;
 }
@@ -63,7 +63,7 @@ QString textOf(Tenths rating)
 {
     const int size = std::abs(rating.value);
     QString text = QString::number(size / 10);
-    if (size % 10 != 0) text += QLatin1Char('.') + QString::number(size % 10);
+    if (size % 10 != 0) text += decimalMark() + QString::number(size % 10);
     return rating.value < 0 ? QLatin1Char('-') + text : text;
 }
 
@@ -79,9 +79,9 @@ QString rangeText(const RatingScale& scale)
 {
     const QString from = textOf(scale.min), to = textOf(scale.max);
     const int wholePoint = 10;
-    if (scale.step.value == 1) return ratingTr("from %1 to %2, one decimal").arg(from, to);
-    if (scale.step.value == wholePoint) return ratingTr("from %1 to %2, whole numbers").arg(from, to);
-    return ratingTr("from %1 to %2 in steps of %3").arg(from, to, textOf(scale.step));
+    if (scale.step.value == 1) return AppText::tr("from %1 to %2, one decimal").arg(from, to);
+    if (scale.step.value == wholePoint) return AppText::tr("from %1 to %2, whole numbers").arg(from, to);
+    return AppText::tr("from %1 to %2 in steps of %3").arg(from, to, textOf(scale.step));
 }
 
 Tenths ratingAt(double fraction, const RatingScale& scale)

@@ -16,7 +16,7 @@ struct NoRating {
 /// Rating of a typed text such as "5", "5.4" or "5,4", in tenths; or the reason why it is none on this scale.
 std::variant<protocols::Tenths, NoRating> ratingFromText(const QString& typed, const protocols::RatingScale& scale);
 
-/// Text of a rating, such as "5.4" or "10": always with a point, whole numbers without a decimal.
+/// Text of a rating, such as "5.4" or "10": with the decimal mark of the window, whole numbers without a decimal.
 QString textOf(protocols::Tenths rating);
 
 /// Text of a rating with its word, such as "5, agree", if the scale has words for its steps; otherwise textOf(rating).

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "protocols/files/errors.h"
+#include "study/app/language/below.h"
 
 namespace study::app {
 
@@ -89,7 +90,7 @@ void SessionController::showPattern(const std::optional<TestPattern>& pattern, s
             Q_EMIT patternShown(m_pattern);
         }
     } catch (const std::exception& fault) {
-        const QString trouble = QString::fromUtf8(fault.what());
+        const QString trouble = inOwnLanguage(fault.what());
         try {
             clearPattern();
         } catch (const std::exception&) {
@@ -114,7 +115,7 @@ void SessionController::attendDisplay()
     } catch (const std::exception& fault) {
         // The participant may have felt a wrong image, so the presentation begins again after the pause.
         send(session::Paused{});
-        Q_EMIT reported(withNextStep(QString::fromUtf8(fault.what()), m_view.state.paused), Tone::Fault);
+        Q_EMIT reported(withNextStep(inOwnLanguage(fault.what()), m_view.state.paused), Tone::Fault);
     }
 }
 
@@ -135,7 +136,7 @@ void SessionController::send(const session::EventBody& asked)
         m_lastOutcome->refusal = m_driver.send(event);
     } catch (const std::exception& fault) {
         m_lastOutcome->fault = std::current_exception();
-        trouble = QString::fromUtf8(fault.what());
+        trouble = inOwnLanguage(fault.what());
     }
     m_view = m_driver.view();
     if (isOtherQuestion(askedBefore, m_view.state.stage)) forgetStamps();
@@ -147,7 +148,7 @@ void SessionController::reportOutcome(const QString& trouble)
 {
     const auto& event = m_lastOutcome->event;
     if (m_lastOutcome->refusal)
-        Q_EMIT reported(QString::fromStdString(m_lastOutcome->refusal->reason), Tone::Refusal);
+        Q_EMIT reported(inOwnLanguage(m_lastOutcome->refusal->reason), Tone::Refusal);
     else if (m_lastOutcome->fault)
         Q_EMIT reported(withNextStep(trouble, m_view.state.paused), Tone::Fault);
     else if (const QString done = confirmationOf(event); !done.isEmpty())
@@ -212,6 +213,8 @@ Correctable SessionController::correctableOf(const StoredAnswer& answer) const
     for (const protocols::FabricId& fabric : trial.alternatives) pieces.push_back(session::nameIn(plan().fabricNames, fabric));
     const auto& question = questionOf(answer);
     Correctable found{question.id, {}, formOf(question.kind, trial.alternatives, pieces)};
+    readBackInWords(found.form, QString::fromStdString(participantText(plan().protocol, "spoken_same")),
+                    QString::fromStdString(participantText(plan().protocol, "spoken_different")));
     found.current = textOf(found.form, answer.response);
     return found;
 }
@@ -249,6 +252,8 @@ SessionFacts SessionController::facts() const
     };
     const protocols::Protocol& protocol = plan().protocol;
     const protocols::RatingScale* scale = memorisedScaleOf(protocol);
+    protocols::TextsByKey said;
+    for (const auto& [key, text] : protocols::usualParticipantTexts()) said[key] = participantText(protocol, key);
     return {.participant = QString::fromStdString(m_view.participant),
             .consent = QString::fromStdString(protocol.consent),
             .facts = listOf(protocol.facts),
@@ -260,7 +265,8 @@ SessionFacts SessionController::facts() const
             .secondEntry = protocol.secondEntry,
             .confirmPieces = protocol.confirmPieces,
             .displayReportsTouches = m_display->reportsTouches(),
-            .displayName = m_display->isThere() ? QString::fromStdString(m_display->name()) : QString()};
+            .displayName = m_display->isThere() ? QString::fromStdString(m_display->name()) : QString(),
+            .said = std::move(said)};
 }
 
 }  // namespace study::app

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "protocols/protocol.h"
+#include "protocols/usual_texts.h"
 #include "study/app/state/key_bindings.h"
 
 namespace study::app {
@@ -26,6 +27,14 @@ struct SessionFacts {
     QString displayName;                    ///< empty: the session runs without a display
     KeyBindings keys = {};                  ///< extra keys of the operator's acts
     std::optional<double> mmPerPixel = {};  ///< scale of the display, mm per pixel, if the operator measured it
+    protocols::TextsByKey said = {};        ///< what the operator says to the participant, in the participant's language
+
+    /// The sentence with this key (protocols::usualParticipantTexts()), with values for its names in braces.
+    QString sentence(std::string_view key, const protocols::TextsByKey& values = {}) const
+    {
+        const auto found = said.find(key);
+        return found == said.end() ? QString() : QString::fromStdString(protocols::filledText(found->second, values));
+    }
 };
 
 /// The stroking instruction as the pages of a presentation show it; empty if the protocol has none.

@@ -1,6 +1,7 @@
 #include "study/app/state/study_making.h"
 
 #include "protocols/files/errors.h"
+#include "study/app/language/below.h"
 
 namespace study::app {
 
@@ -27,7 +28,7 @@ void StudyMaking::make(const std::atomic<bool>& isStopping)
                                          .where = m_request.study.string(),
                                          .expected = {},
                                          .nextStep = "nothing was kept; create the study again when you are ready"});
-        Q_EMIT progressed(fraction, QString::fromStdString(what));
+        Q_EMIT progressed(fraction, inOwnLanguage(what));
     });
 }
 

@@ -1,17 +1,15 @@
 #include "study/app/state/tray_steps.h"
 
-#include <QCoreApplication>
 #include <QStringList>
 #include <algorithm>
 #include <optional>
 
+#include "study/app/language/app_text.h"
 #include "study/app/state/answer_form.h"
 
 namespace study::app {
 
 namespace {
-
-QString stepTr(const char* text) { return QCoreApplication::translate("study::app::TraySteps", text); }
 
 std::optional<std::size_t> placeOf(const std::string& piece, const std::vector<std::string>& tray)
 {
@@ -22,10 +20,10 @@ std::optional<std::size_t> placeOf(const std::string& piece, const std::vector<s
 QString textOfStep(const TrayStep& step, bool hasLetters)
 {
     const QString piece = QString::fromStdString(step.piece);
-    if (step.to.isEmpty()) return stepTr("take off %1").arg(piece);
-    if (!hasLetters) return stepTr("put %1 on the tray").arg(piece);
-    return step.from.isEmpty() ? stepTr("put %1 on %2").arg(piece, step.to)
-                               : stepTr("move %1 from %2 to %3").arg(piece, step.from, step.to);
+    if (step.to.isEmpty()) return AppText::tr("take off %1").arg(piece);
+    if (!hasLetters) return AppText::tr("put %1 on the tray").arg(piece);
+    return step.from.isEmpty() ? AppText::tr("put %1 on %2").arg(piece, step.to)
+                               : AppText::tr("move %1 from %2 to %3").arg(piece, step.from, step.to);
 }
 
 }  // namespace
@@ -54,7 +52,7 @@ QString trayStepsText(const std::vector<TrayStep>& steps, std::size_t slots)
     QStringList texts;
     for (const TrayStep& step : steps)
         if (slots > 1 || step.from.isEmpty() || step.to.isEmpty()) texts << textOfStep(step, slots > 1);
-    if (texts.isEmpty()) return stepTr("All pieces stay on the tray.");
+    if (texts.isEmpty()) return AppText::tr("All pieces stay on the tray.");
     QString text = texts.join(QStringLiteral(" · "));
     text[0] = text[0].toUpper();
     return text;

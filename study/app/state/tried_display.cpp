@@ -3,6 +3,8 @@
 #include <QSettings>
 #include <utility>
 
+#include "study/app/language/below.h"
+
 namespace study::app {
 
 namespace {
@@ -13,7 +15,7 @@ const QString scaleOfKey = QStringLiteral("display/mmPerPixelOf");
 
 }  // namespace
 
-QString patternName(const TestPattern& pattern) { return QString::fromStdString(rendering::nameOf(pattern)); }
+QString patternName(const TestPattern& pattern) { return inOwnLanguage(rendering::nameOf(pattern)); }
 
 bool leavesPlainImages(const std::string& specification) { return specification.starts_with("folder:"); }
 
@@ -110,7 +112,7 @@ void TriedDisplay::attend()
     try {
         m_display->processMessages();
     } catch (const std::exception& fault) {
-        const QString text = QString::fromUtf8(fault.what());
+        const QString text = inOwnLanguage(fault.what());
         close();
         Q_EMIT lost(text);
     }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "protocols/files/typed_number.h"
+#include "protocols/usual_texts.h"
 #include "study/session/session_moves.h"
 
 namespace study::participant {
@@ -10,32 +12,23 @@ namespace study::participant {
 namespace {
 
 using namespace session;
+using protocols::filledText;
 using protocols::Protocol;
 using protocols::Tenths;
 
-/// The text with the values of its names in braces.
-std::string filled(std::string text, std::initializer_list<std::pair<std::string_view, std::string>> values)
-{
-    for (const auto& [name, value] : values) {
-        const std::string place = "{" + std::string(name) + "}";
-        for (std::size_t at = text.find(place); at != std::string::npos; at = text.find(place, at + value.size()))
-            text.replace(at, place.size(), value);
-    }
-    return text;
-}
-
-std::string numberText(Tenths rating)
+std::string numberText(Tenths rating, const Protocol& protocol)
 {
     const int absolute = std::abs(rating.value);
     const std::string sign = rating.value < 0 ? "-" : "";
-    return sign + std::to_string(absolute / 10) + (absolute % 10 == 0 ? "" : "." + std::to_string(absolute % 10));
+    return sign + std::to_string(absolute / 10) +
+           (absolute % 10 == 0 ? "" : participantText(protocol, "decimal_mark") + std::to_string(absolute % 10));
 }
 
-/// "5.4", or "4, agree" on a scale with words.
-std::string placeText(Tenths rating, const protocols::RatingScale& scale)
+/// "5.4", or "4, agree" on a scale with words; with the decimal mark of the language.
+std::string placeText(Tenths rating, const protocols::RatingScale& scale, const Protocol& protocol)
 {
     const std::size_t step = static_cast<std::size_t>((rating.value - scale.min.value) / scale.step.value);
-    return numberText(rating) + (step < scale.labels.size() ? ", " + scale.labels[step] : "");
+    return numberText(rating, protocol) + (step < scale.labels.size() ? ", " + scale.labels[step] : "");
 }
 
 struct InstructionOfStage {
@@ -121,10 +114,10 @@ private:
         task.low = endText(scale.min, scale, "scale_low");
         task.high = endText(scale.max, scale, "scale_high");
         task.asked = view.placeToName;
-        if (task.asked) task.tap = filled(text("scale_tap"), {{"number", placeText(*task.asked, scale)}});
+        if (task.asked) task.tap = filledText(text("scale_tap"), {{"number", placeText(*task.asked, scale, protocol)}});
         if (task.asked) task.say = text("scale_say");
-        task.count = filled(text("scale_count"), {{"count", std::to_string(training.rightInARow)},
-                                                  {"needed", std::to_string(placesInARow(training))}});
+        task.count = filledText(text("scale_count"), {{"count", std::to_string(training.rightInARow)},
+                                                      {"needed", std::to_string(placesInARow(training))}});
         if (training.last) task.last = feedback(*training.last, scale);
         return task;
     }
@@ -132,14 +125,15 @@ private:
     /// A scale has words for its ends, or the ends of the paper's scale.
     std::string endText(Tenths end, const protocols::RatingScale& scale, std::string_view key) const
     {
-        return scale.labels.empty() ? numberText(end) + " " + text(key) : placeText(end, scale);
+        return scale.labels.empty() ? numberText(end, protocol) + " " + text(key) : placeText(end, scale, protocol);
     }
 
     ScaleFeedback feedback(const NamedPlace& last, const protocols::RatingScale& scale) const
     {
-        return {last.shown, last.named, last.isRight,
-                filled(text(last.isRight ? "scale_right" : "scale_wrong"),
-                       {{"named", placeText(last.named, scale)}, {"shown", placeText(last.shown, scale)}})};
+        return {
+            last.shown, last.named, last.isRight,
+            filledText(text(last.isRight ? "scale_right" : "scale_wrong"),
+                       {{"named", placeText(last.named, scale, protocol)}, {"shown", placeText(last.shown, scale, protocol)}})};
     }
 };
 
@@ -172,7 +166,8 @@ std::optional<EventBody> eventOf(const ParticipantAct& act, const View& view, co
                               [&](const FactsTold& told) -> std::optional<EventBody> {
                                   FactsGiven given{{}, EnteredBy::Participant};
                                   for (std::size_t i = 0; i < told.answers.size(); ++i)
-                                      if (!told.answers[i].empty()) given.facts[protocol.facts[i]] = told.answers[i];
+                                      if (!told.answers[i].empty())
+                                          given.facts[protocol.facts[i]] = protocols::typedNumber(told.answers[i]);
                                   return given;
                               },
                               [&](const PlaceTapped& tapped) -> std::optional<EventBody> {

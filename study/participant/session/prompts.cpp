@@ -22,18 +22,11 @@ Keys numberKeys(protocols::Tenths rating)
     return keys;
 }
 
-bool isEnglish(const protocols::Protocol& protocol)
-{
-    const std::string& tag = protocol.language;
-    const auto isLetter = [&](std::size_t at, char letter) { return tag.size() > at && (tag[at] | 0x20) == letter; };
-    return isLetter(0, 'e') && isLetter(1, 'n') && (tag.size() == 2 || tag[2] == '-');
-}
-
-/// The sentence with this key; empty if the protocol gives none and speaks another language than English.
+/// The sentence with this key; empty if the protocol gives none and its language has no usual texts.
 std::string ownText(const protocols::Protocol& protocol, const std::string& key)
 {
     const bool isOwn = protocol.participantTexts.contains(key);
-    return isOwn || isEnglish(protocol) ? protocols::participantText(protocol, key) : std::string();
+    return isOwn || protocols::hasUsualTexts(protocol.language) ? protocols::participantText(protocol, key) : std::string();
 }
 
 std::string titleAndText(const protocols::Protocol& protocol, const std::string& key)
@@ -42,11 +35,18 @@ std::string titleAndText(const protocols::Protocol& protocol, const std::string&
     return title.empty() || text.empty() ? title + text : title + ". " + text;
 }
 
-bool isUsual(const protocols::Question& question, const protocols::Phase& phase)
+bool isEnglish(const protocols::Protocol& protocol)
+{
+    return protocols::hasUsualTexts(protocol.language) && protocols::usualTexts(protocol.language).language == "en";
+}
+
+/// Whether a voice of the protocol's language can say the sentence. The program's English sentences need an English voice.
+bool isSpoken(const protocols::Question& question, const protocols::Phase& phase, const protocols::Protocol& protocol)
 {
     using Edition = protocols::ProtocolEdition;
-    return question.text == usualTextOf(question.id, phase.task, Edition::Current) ||
-           question.text == usualTextOf(question.id, phase.task, Edition::Before06);
+    const bool isUsualEnglish = question.text == usualTextOf(question.id, phase.task, Edition::Current) ||
+                                question.text == usualTextOf(question.id, phase.task, Edition::Before06);
+    return isEnglish(protocol) || !isUsualEnglish;
 }
 
 bool isPresenting(const View& view) { return std::holds_alternative<Presenting>(view.state.stage) && !view.state.paused; }
@@ -99,7 +99,7 @@ std::map<std::string, std::string> spokenTexts(const protocols::Protocol& protoc
         {"point", ownText(protocol, "spoken_point")}};
     for (const auto& phase : protocol.phases)
         for (const auto& question : phase.questions)
-            if (isEnglish(protocol) || !isUsual(question, phase)) texts["question_" + question.id.value] = question.text;
+            if (isSpoken(question, phase, protocol)) texts["question_" + question.id.value] = question.text;
     for (char slot = 'A'; slot <= 'Z'; ++slot) texts[std::string("answer_") + slot] = std::string(1, slot);
     for (int number = 0; number <= 100; ++number) texts["number_" + std::to_string(number)] = std::to_string(number);
     std::erase_if(texts, [](const auto& one) { return one.second.empty(); });

@@ -6,6 +6,7 @@
 
 #include "protocols/files/markup_text.h"
 #include "protocols/files/number_text.h"
+#include "protocols/files/typed_number.h"
 
 using namespace protocols;
 
@@ -38,6 +39,17 @@ private Q_SLOTS:
         QCOMPARE(*numberIn("5.4"), 5.4);
         QCOMPARE(shortest(5.4), std::string("5.4"));
         std::setlocale(LC_ALL, "C");
+    }
+
+    void typedNumbersHaveAPoint()
+    {
+        for (const char* typed : {"21.5", "21,5", " 21,5 ", "２１．５", "21，5", "２１。５"})
+            QCOMPARE(typedNumber(typed), std::string("21.5"));
+        QCOMPARE(typedNumber("−3,0"), std::string("-3.0"));
+        QCOMPARE(typedNumber("１２"), std::string("12"));
+        for (const char* text : {"", "1,2,3", "links, rechts", "5,", ",5", "21,5 °C", "1.000,5", "右手"})
+            QCOMPARE(typedNumber(text), std::string(text));
+        QCOMPARE(typedNumber("  links "), std::string("links"));
     }
 
     void markupIsEscaped()

@@ -6,6 +6,8 @@
 #include <QPlainTextEdit>
 #include <QTest>
 
+#include "study/app/language/app_text.h"
+#include "study/app/language/language.h"
 #include "study/app/pieces/pieces.h"
 #include "study/app/pieces/scale_line.h"
 #include "study/app/state/appearance.h"
@@ -192,6 +194,11 @@ void AppLooksTest::pagesAreSavedAsPictures()
                              {"dark", {Theme::DarkRoom, 100}},
                              {"contrast", {Theme::HighContrast, 100}},
                              {"large", {Theme::Light, 200}}};
+    LanguageInUse language("vis2hap 0.6.0");
+    if (const QString tag = qEnvironmentVariable("VIS2HAP_SCREENSHOT_LANGUAGE"); !tag.isEmpty()) {
+        language.use(tag);
+        m_language = languageOfWindow().toStdString();
+    }
     const QStringList wanted = qEnvironmentVariable("VIS2HAP_SCREENSHOT_PAGES").split(QLatin1Char(','), Qt::SkipEmptyParts);
     const QSize only = QSize(qEnvironmentVariableIntValue("VIS2HAP_SCREENSHOT_WIDTH"), 0);
     visitPages([&](QWidget& window, const char* page) {

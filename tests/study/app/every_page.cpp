@@ -64,7 +64,7 @@ PhotographSteps somePhotographs()
         picture.fill(Qt::gray);
         return picture;
     };
-    steps.plan = [](const std::filesystem::path&, const std::vector<std::string>&) -> std::filesystem::path {
+    steps.plan = [](const std::filesystem::path&, const std::vector<std::string>&, const std::string&) -> std::filesystem::path {
         throw protocols::badInput({"the data set has too few fabrics for the paper's questions", "2 fabrics", "3 or more",
                                    "add photographs, or make a new study with a protocol of your own"});
     };
@@ -91,7 +91,7 @@ void EveryPage::visitPages(const Look& look)
         throw protocols::workFailed({"the station key is missing", "station-key.json", "the file of the study", "restore it"});
     };
     options.settings = std::make_shared<QSettings>(filePath("pages.ini"), QSettings::IniFormat);
-    OpenWindow open(newStudy(tests::support::wholeStudy()), options);
+    OpenWindow open(newStudy(tests::support::wholeStudy({.language = m_language})), options);
     open.window().startSession(protocols::ParticipantId("P01"));
     open.playTo("Debriefing");
     open.gui().type("One felt sticky, the others dry.");

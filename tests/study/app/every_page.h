@@ -16,6 +16,7 @@ protected:
     void visitPages(const Look& look);
 
     QFont m_font = QApplication::font();
+    std::string m_language = "en";  ///< of the protocol
 
 private:
     void visitPreparation(support::OpenWindow& open, const Look& look);

@@ -306,19 +306,23 @@ private Q_SLOTS:
         for (const auto& phase : protocol.phases)
             for (const auto& question : phase.questions) QCOMPARE(english.at("question_" + question.id.value), question.text);
         for (const auto& [key, text] : english) QVERIFY2(protocols::isPromptKey(protocol, key) && !text.empty(), key.c_str());
-        protocol.language = "de";
-        protocol.participantTexts = {{"feel_title", "Fühlen"}, {"break_text", "Ruhen Sie sich aus."}};
-        protocol.phases[0].questions[1].text = "Wie fühlt es sich an?";
+        protocol.language = "nl";  // has no usual texts
+        protocol.participantTexts = {{"feel_title", "Voel"}, {"break_text", "Rust uit."}};
+        protocol.phases[0].questions[1].text = "Hoe voelt het?";
         auto usual = protocol.phases[0].questions[0];
         usual.id = protocols::QuestionId("Q4");
         usual.text = protocols::usualTextOf(usual.id, protocol.phases[0].task, protocols::ProtocolEdition::Current);
         protocol.phases[0].questions.push_back(usual);
-        const auto german = spokenTexts(protocol);
-        QCOMPARE(german.at("feel"), std::string("Fühlen"));
-        QCOMPARE(german.at("break"), std::string("Ruhen Sie sich aus."));
-        QCOMPARE(german.at("question_W1"), std::string("Wie fühlt es sich an?"));
-        for (const char* key : {"wait", "end", "same", "different", "point", "question_Q4"}) QVERIFY2(!german.contains(key), key);
-        QCOMPARE(german.at("number_5"), std::string("5"));
+        const auto dutch = spokenTexts(protocol);
+        QCOMPARE(dutch.at("feel"), std::string("Voel"));
+        QCOMPARE(dutch.at("break"), std::string("Rust uit."));
+        QCOMPARE(dutch.at("question_W1"), std::string("Hoe voelt het?"));
+        for (const char* key : {"wait", "end", "same", "different", "point", "question_Q4"}) QVERIFY2(!dutch.contains(key), key);
+        QCOMPARE(dutch.at("number_5"), std::string("5"));
+        const auto german = spokenTexts(protocols::protocolFromJson(protocols::paperProtocolIn("de"), "German"));
+        QCOMPARE(german.at("feel"), std::string("Fühlen Sie das Display"));
+        QCOMPARE(german.at("point"), std::string("Komma"));
+        QVERIFY(german.at("question_Q4").starts_with("Wie echt"));
     }
 
     void theProgramWritesWhatIsHeard()

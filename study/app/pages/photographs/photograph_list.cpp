@@ -9,6 +9,7 @@
 #include <set>
 
 #include "protocols/files/id_rule.h"
+#include "study/app/language/below.h"
 #include "study/app/pieces/flow_layout.h"
 #include "study/app/pieces/pieces.h"
 
@@ -175,7 +176,8 @@ QString PhotographList::faultOf(const fs::path& group) const
         if (groupOf(one) == group) own = nameOf(one);
     if (own.empty()) return tr("This fabric has no name. Type a name, such as the one on its label.");
     if (const std::string fault = protocols::faultOfId(own); !fault.empty())
-        return tr("The name \"%1\" %2. A name has %3.").arg(textOf(own), textOf(fault), textOf(protocols::idRule()));
+        return tr("The name \"%1\" %2. A name has %3.")
+            .arg(textOf(own), inOwnLanguage(fault), inOwnLanguage(protocols::idRule()));
     for (const Photograph& other : m_photographs)
         if (groupOf(other) != group && nameOf(other) == own)
             return tr("Two fabrics have the name \"%1\". Give one of them another name.").arg(textOf(own));

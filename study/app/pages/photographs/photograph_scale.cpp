@@ -4,6 +4,8 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "protocols/files/typed_number.h"
+#include "study/app/language/app_text.h"
 #include "study/app/pages/photographs/photograph_ruler.h"
 #include "study/app/pieces/pieces.h"
 #include "study/app/state/photograph_steps.h"
@@ -16,11 +18,11 @@ namespace {
 std::optional<double> millimetresIn(const QLineEdit& entry)
 {
     bool isNumber = false;
-    const double mm = entry.text().trimmed().replace(QLatin1Char(','), QLatin1Char('.')).toDouble(&isNumber);
+    const double mm = QString::fromStdString(protocols::typedNumber(entry.text().toStdString())).toDouble(&isNumber);
     return isNumber && std::isfinite(mm) ? std::optional(mm) : std::nullopt;
 }
 
-QString threeDigits(double mm) { return QString::number(mm, 'g', 3); }
+QString threeDigits(double mm) { return QString::number(mm, 'g', 3).replace(QLatin1Char('.'), decimalMark()); }
 
 }  // namespace
 

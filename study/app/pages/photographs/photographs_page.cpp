@@ -7,6 +7,8 @@
 #include <QPlainTextEdit>
 #include <algorithm>
 
+#include "study/app/language/app_text.h"
+#include "study/app/language/below.h"
 #include "study/app/pages/photographs/photograph_list.h"
 #include "study/app/pages/photographs/photograph_scale.h"
 #include "study/app/pieces/pieces.h"
@@ -130,7 +132,7 @@ void PhotographsPage::addAll(const std::vector<fs::path>& places)
                        } catch (const StepStopped&) {
                            throw;
                        } catch (const std::exception& fault) {
-                           faults << QString::fromUtf8(fault.what());
+                           faults << inOwnLanguage(fault.what());
                        }
                    };
                    for (const fs::path& place : places)
@@ -252,8 +254,9 @@ void PhotographsPage::plan()
     const auto conditions = chosenConditions();
     if (conditions.empty()) return;
     m_work.run(*m_form.studyMessage, tr("The program writes the protocol."),
-               [this, conditions, dataset = m_dataset, plan = m_steps.plan](const ToolProgress&) -> InBackground::Then {
-                   return [this, dataset, protocol = plan(dataset, conditions)] {
+               [this, conditions, dataset = m_dataset, plan = m_steps.plan,
+                language = languageOfWindow().toStdString()](const ToolProgress&) -> InBackground::Then {
+                   return [this, dataset, protocol = plan(dataset, conditions, language)] {
                        m_form.studyMessage->clearMessage();
                        Q_EMIT studyRequested(textOf(dataset), textOf(protocol));
                    };

@@ -3,6 +3,7 @@
 #include <QWidget>
 #include <stdexcept>
 
+#include "study/app/language/below.h"
 #include "study/app/pieces/pieces.h"
 
 namespace study::app {
@@ -17,8 +18,7 @@ void StepWork::run(MessageBar& message, const QString& doing, Step step)
         [this, &message, step = std::move(step)](const std::atomic<bool>& isStopping) -> InBackground::Then {
             const auto progress = [this, &message, &isStopping](double fraction, const std::string& what) {
                 if (isStopping) throw StepStopped();
-                const QString text =
-                    tr("%1: %2 %. Esc stops it.").arg(QString::fromStdString(what)).arg(static_cast<int>(100 * fraction));
+                const QString text = tr("%1: %2 %. Esc stops it.").arg(inOwnLanguage(what)).arg(static_cast<int>(100 * fraction));
                 QMetaObject::invokeMethod(
                     this,
                     [this, &message, text] {

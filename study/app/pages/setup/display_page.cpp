@@ -7,6 +7,8 @@
 #include <QVBoxLayout>
 #include <array>
 
+#include "protocols/files/typed_number.h"
+#include "study/app/language/below.h"
 #include "study/app/pages/stage_page.h"
 #include "study/app/pieces/flow_layout.h"
 #include "study/app/pieces/pattern_buttons.h"
@@ -166,7 +168,7 @@ std::string DisplayPage::specification() const
 std::optional<double> DisplayPage::scale() const
 {
     bool isNumber = false;
-    const double mm = m_scale->text().trimmed().replace(QLatin1Char(','), QLatin1Char('.')).toDouble(&isNumber);
+    const double mm = QString::fromStdString(protocols::typedNumber(m_scale->text().toStdString())).toDouble(&isNumber);
     return isNumber && mm > 0 && mm <= largestMmPerPixel ? std::optional(mm) : std::nullopt;
 }
 
@@ -257,7 +259,7 @@ void DisplayPage::showPattern(const std::optional<TestPattern>& pattern)
             m_tried->clear();
         showState();
     } catch (const std::exception& fault) {
-        showFault(QString::fromUtf8(fault.what()));
+        showFault(inOwnLanguage(fault.what()));
     }
 }
 

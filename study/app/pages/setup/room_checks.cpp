@@ -3,11 +3,12 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <QCoreApplication>
 #include <QDateTime>
 #include <QElapsedTimer>
 #include <algorithm>
 #include <array>
+
+#include "study/app/language/app_text.h"
 
 namespace study::app {
 
@@ -18,8 +19,6 @@ namespace fs = std::filesystem;
 constexpr std::uintmax_t leastRoom = 100'000'000;  // bytes
 constexpr int shortWrites = 20;
 constexpr qint64 longestWriteMs = 200;
-
-QString tr(const char* text) { return QCoreApplication::translate("RoomChecks", text); }
 
 /// The slowest of the writes, ms; -1 where one failed.
 qint64 slowestWriteMs(const fs::path& folder)
@@ -46,13 +45,15 @@ QString faultOfDisk(const fs::path& folder)
 {
     std::error_code error;
     const auto room = fs::space(folder, error);
-    if (error) return tr("The disk of %1 cannot be asked for its room.").arg(QString::fromStdString(folder.string()));
+    if (error) return AppText::tr("The disk of %1 cannot be asked for its room.").arg(QString::fromStdString(folder.string()));
     if (room.available < leastRoom)
-        return tr("The disk has %1 MB of room left. Make room for at least 100 MB.").arg(room.available / 1'000'000);
+        return AppText::tr("The disk has %1 MB of room left. Make room for at least 100 MB.").arg(room.available / 1'000'000);
     const qint64 slowest = slowestWriteMs(folder);
-    if (slowest < 0) return tr("Nothing can be written into the study's folder. See whether the disk is full or locked.");
+    if (slowest < 0)
+        return AppText::tr("Nothing can be written into the study's folder. See whether the disk is full or locked.");
     if (slowest > longestWriteMs)
-        return tr("A write took %1 ms, so an answer would wait. End other work on this disk, or use a faster one.").arg(slowest);
+        return AppText::tr("A write took %1 ms, so an answer would wait. End other work on this disk, or use a faster one.")
+            .arg(slowest);
     return {};
 }
 
@@ -61,9 +62,9 @@ QString faultOfClocks(const std::string& lastWallTime)
     const auto last = QDateTime::fromString(QString::fromStdString(lastWallTime), Qt::ISODateWithMs);
     const auto now = QDateTime::currentDateTimeUtc();
     if (last.isValid() && now < last.addSecs(-1))
-        return tr("The computer's clock is behind the last entry of the study. Set the clock.");
+        return AppText::tr("The computer's clock is behind the last entry of the study. Set the clock.");
     if (QElapsedTimer::clockType() != QElapsedTimer::MonotonicClock)
-        return tr("This computer has no clock that runs evenly, so response times cannot be measured.");
+        return AppText::tr("This computer has no clock that runs evenly, so response times cannot be measured.");
     return {};
 }
 

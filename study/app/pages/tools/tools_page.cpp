@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <stdexcept>
 
+#include "study/app/language/below.h"
 #include "study/app/pieces/flow_layout.h"
 #include "study/app/pieces/pieces.h"
 
@@ -107,7 +108,7 @@ void ToolsPage::use(StudyTool tool)
         [this, tool, into, study = m_study, work = m_use](const std::atomic<bool>& isStopping) -> InBackground::Then {
             const auto progress = [&](double fraction, const std::string& what) {
                 if (isStopping) throw std::runtime_error(tr("Stopped. Nothing was written.").toStdString());
-                const QString text = tr("%1: %2 %").arg(QString::fromStdString(what)).arg(static_cast<int>(100 * fraction));
+                const QString text = tr("%1: %2 %").arg(inOwnLanguage(what)).arg(static_cast<int>(100 * fraction));
                 QMetaObject::invokeMethod(
                     this, [this, text] { showProgress(text); }, Qt::QueuedConnection);
             };
@@ -129,7 +130,7 @@ void ToolsPage::showProgress(const QString& text)
 void ToolsPage::show(const ToolOutcome& outcome)
 {
     m_made = outcome.made;
-    m_text->setPlainText(QString::fromStdString(outcome.text));
+    m_text->setPlainText(inOwnLanguage(outcome.text));
     m_text->show();
     if (!outcome.isSound)
         m_message->showFault(tr("The study has faults. Keep it as it is, make a backup, and show the list to its owner."));

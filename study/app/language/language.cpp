@@ -1,0 +1,170 @@
+#include "study/app/language/language.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QStringList>
+#include <algorithm>
+#include <utility>
+
+#include "protocols/files/errors.h"
+#include "study/app/language/fonts.h"
+
+namespace study::app {
+
+namespace {
+
+/// What each catalogue says of itself. The translations are the language's own name, the reviewer and the version.
+constexpr const char* contextOfFacts = "study::app::Catalogue";
+//: The name of your language in your language, such as "Deutsch".
+constexpr const char* nameFact = QT_TRANSLATE_NOOP("study::app::Catalogue", "name of the language");
+//: The native speaker who has checked the catalogue. Leave it empty until somebody has.
+constexpr const char* reviewerFact = QT_TRANSLATE_NOOP("study::app::Catalogue", "reviewer");
+//: The version of the program that the catalogue is made for, such as "0.6.0".
+constexpr const char* versionFact = QT_TRANSLATE_NOOP("study::app::Catalogue", "version of the program");
+
+constexpr const char* languageKey = "language";
+constexpr const char* shippedTags[] = {"de"};
+
+QString factOf(const QTranslator& texts, const char* fact) { return texts.translate(contextOfFacts, fact); }
+
+QString pathOfShipped(const QString& tag) { return QStringLiteral(":/translations/vis2hap_%1.qm").arg(tag); }
+
+std::unique_ptr<QTranslator> shippedTexts(const QString& tag)
+{
+    auto texts = std::make_unique<QTranslator>();
+    if (!texts->load(pathOfShipped(tag))) return nullptr;
+    return texts;
+}
+
+/// "0.6" of "0.6.1": only these parts of the version change texts.
+QString seriesOf(const QString& version) { return version.section(QLatin1Char('.'), 0, 1); }
+
+QString namesOfShipped()
+{
+    QStringList tags;
+    for (const Language& one : shippedLanguages()) tags << one.tag;
+    return tags.join(QStringLiteral(", "));
+}
+
+protocols::Error faultOfCatalogue(const std::string& what, const QString& file, const QString& expected)
+{
+    return protocols::badInput({what, file.toStdString(), expected.toStdString(),
+                                "update it as CONTRIBUTING.md says (\"A language\"), or leave --language out"});
+}
+
+/// The catalogue in a file, made for this version of the program.
+std::unique_ptr<QTranslator> textsInFile(const QString& file, const QString& version)
+{
+    if (!QFileInfo(file).isFile())
+        throw protocols::badInput({"there is no such catalogue", file.toStdString(),
+                                   "a file made by lrelease, or one of " + namesOfShipped().toStdString(), "correct --language"});
+    auto texts = std::make_unique<QTranslator>();
+    if (!texts->load(QFileInfo(file).absoluteFilePath()) || factOf(*texts, nameFact).isEmpty())
+        throw faultOfCatalogue("this is no catalogue of this program, or it is damaged", file,
+                               QStringLiteral("a file that lrelease made from study/app/translations"));
+    const QString madeFor = factOf(*texts, versionFact);
+    if (seriesOf(madeFor) != seriesOf(version))
+        throw faultOfCatalogue("the catalogue was made for version " + (madeFor.isEmpty() ? "?" : madeFor.toStdString()), file,
+                               QStringLiteral("a catalogue for version %1").arg(version));
+    return texts;
+}
+
+}  // namespace
+
+std::vector<Language> shippedLanguages()
+{
+    std::vector<Language> all{Language()};
+    for (const char* tag : shippedTags)
+        if (const auto texts = shippedTexts(QString::fromLatin1(tag)))
+            all.push_back({QString::fromLatin1(tag), factOf(*texts, nameFact), factOf(*texts, reviewerFact)});
+    return all;
+}
+
+std::optional<QString> shippedTagFor(const QString& wanted)
+{
+    const QLocale asked(QString(wanted).replace(QLatin1Char('-'), QLatin1Char('_')));
+    if (asked.language() == QLocale::C) return std::nullopt;
+    for (const Language& one : shippedLanguages()) {
+        const QLocale shipped(one.tag);
+        if (shipped.language() == asked.language() && shipped.script() == asked.script()) return one.tag;
+    }
+    return std::nullopt;
+}
+
+LanguageInUse::LanguageInUse(const QString& program) : m_version(program.section(QLatin1Char(' '), -1)) {}
+
+LanguageInUse::~LanguageInUse() { remove(); }
+
+void LanguageInUse::use(const QString& wanted)
+{
+    const bool isFile = wanted.endsWith(QLatin1String(".qm")) || wanted.contains(QLatin1Char('/'));
+    if (isFile) {
+        auto texts = textsInFile(wanted, m_version);
+        if (!texts->language().isEmpty()) requireFontFor(texts->language());
+        const Language own{wanted, factOf(*texts, nameFact), factOf(*texts, reviewerFact)};
+        return install(own, std::move(texts));
+    }
+    const auto tag = shippedTagFor(wanted);
+    if (!tag)
+        throw protocols::badInput({"there is no catalogue for the language '" + wanted.toStdString() + "'", "--language",
+                                   "one of " + namesOfShipped().toStdString() + ", or a file *.qm",
+                                   "CONTRIBUTING.md says how to make one (\"A language\")"});
+    const auto all = shippedLanguages();
+    const Language shipped = *std::ranges::find(all, *tag, &Language::tag);
+    requireFontFor(*tag);
+    install(shipped, *tag == Language().tag ? nullptr : shippedTexts(*tag));
+}
+
+void LanguageInUse::install(const Language& language, std::unique_ptr<QTranslator> texts)
+{
+    remove();
+    m_language = language;
+    m_texts = std::move(texts);
+    if (!m_texts) return;
+    auto ofQt = std::make_unique<QTranslator>();
+    const QLocale locale(m_texts->language().isEmpty() ? language.tag : m_texts->language());
+    if (ofQt->load(locale, QStringLiteral("qtbase"), QStringLiteral("_"), QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+        m_qtTexts = std::move(ofQt);
+    if (m_qtTexts) QCoreApplication::installTranslator(m_qtTexts.get());
+    QCoreApplication::installTranslator(m_texts.get());
+}
+
+void LanguageInUse::remove()
+{
+    for (auto* texts : {&m_texts, &m_qtTexts})
+        if (*texts) QCoreApplication::removeTranslator(texts->get());
+    m_texts.reset();
+    m_qtTexts.reset();
+}
+
+QString chooseLanguage(LanguageInUse& use, const QString& asked, const QSettings* settings)
+{
+    if (!asked.isEmpty()) {
+        use.use(asked);
+        return {};
+    }
+    try {
+        const QString kept = settings ? settings->value(languageKey).toString() : QString();
+        if (!kept.isEmpty()) {
+            use.use(kept);
+            return {};
+        }
+        for (const QString& wanted : QLocale::system().uiLanguages())
+            if (const auto tag = shippedTagFor(wanted)) {
+                use.use(*tag);
+                return {};
+            }
+    } catch (const std::exception& fault) {
+        return QString::fromUtf8(fault.what());
+    }
+    return {};
+}
+
+void rememberLanguage(QSettings* settings, const QString& tag)
+{
+    if (settings) settings->setValue(languageKey, tag);
+}
+
+}  // namespace study::app

@@ -59,12 +59,14 @@ std::string textAt(const json& document, const char* key, const std::string& whe
     return part->get<std::string>();
 }
 
-/// The parts that the file of another language must have as well, with the same names in braces.
+/// The parts that the file of another language must have as well, with the same names in braces. Nothing need stand between two
+/// sentences.
 void requireSameParts(const TextsByKey& texts, const TextsByKey& english, const std::string& part, const std::string& where)
 {
     for (const auto& [key, text] : english) {
         const auto own = texts.find(key);
-        if (own == texts.end() || own->second.empty()) throw faultOfTexts("'" + part + "." + key + "' is missing", where);
+        if (own == texts.end() || (own->second.empty() && key != "between"))
+            throw faultOfTexts("'" + part + "." + key + "' is missing", where);
         if (placeholdersIn(own->second) != placeholdersIn(text))
             throw faultOfTexts("'" + part + "." + key + "' has other names in braces than in English", where);
     }
@@ -96,11 +98,20 @@ const std::vector<UsualTexts>& allUsualTexts()
     return all;
 }
 
+/// Whether the tag (in small letters) asks for traditional characters: "zh-hant", or a place where they are usual.
+bool isTraditionalChinese(std::string_view tag)
+{
+    const auto asksFor = [&](std::string_view part) { return tag.find(part) != std::string_view::npos; };
+    if (!tag.starts_with("zh") || asksFor("hans")) return false;
+    return asksFor("hant") || asksFor("tw") || asksFor("hk") || asksFor("mo");
+}
+
 const UsualTexts* textsOf(std::string_view language)
 {
-    std::string main(language.substr(0, language.find_first_of("-_")));
-    std::ranges::transform(main, main.begin(), [](unsigned char c) { return std::tolower(c); });
-    const auto found = std::ranges::find(allUsualTexts(), main, &UsualTexts::language);
+    std::string tag(language);
+    std::ranges::transform(tag, tag.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (isTraditionalChinese(tag)) return nullptr;  // the file has simplified characters
+    const auto found = std::ranges::find(allUsualTexts(), tag.substr(0, tag.find_first_of("-_")), &UsualTexts::language);
     return found == allUsualTexts().end() ? nullptr : &*found;
 }
 

@@ -36,7 +36,8 @@ struct UsualTexts {
 /// The languages that have usual texts, English first.
 std::vector<std::string> languagesOfUsualTexts();
 
-/// Whether the main part of the tag has usual texts: "de-CH" has those of "de".
+/// Whether the main part of the tag has usual texts: "de-CH" has those of "de". "zh-Hant" and "zh-TW" have none, because those of
+/// "zh" are in simplified characters.
 bool hasUsualTexts(std::string_view language);
 
 /// The usual texts for this BCP 47 tag, by its main part; English where there are none.

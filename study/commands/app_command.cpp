@@ -120,10 +120,10 @@ void addApp(CLI::App& app, Action& action)
                    "\"Display\" remembers; none named here is a rehearsal without a display");
     app.add_option("--operator", call->operatorName, "who runs the sessions (default: the name of this account)")
         ->check(isName());
-    app.add_option(
-        "--language", call->language,
-        "language of the window: en, de, or the file of a catalogue (*.qm); default: the one chosen on the start page, "
-        "or the system's");
+    app.add_option("--language", call->language,
+                   "language of the window: a tag such as de or zh_CN, or the file of a catalogue (*.qm); default: the one "
+                   "chosen on the start page, "
+                   "or the system's");
     app.add_flag("--plain-images", call->plainImages, "allow --display folder:DIR with people; every report states it");
     app.add_flag("--monitor", call->monitor,
                  "watch this study: progress of each participant, missing answers, flags; read-only and blinded");

@@ -153,7 +153,7 @@ void addNew(CLI::App& study, Action& action)
     command->add_option("--protocol", call->protocol, "protocol file (default: the paper's study)");
     command
         ->add_option("--language", call->language,
-                     "language of the participants in the paper's study: en or de (default: en); a protocol file states its own")
+                     "language of the participants in the paper's study (default: en); a protocol file states its own")
         ->check(CLI::IsMember(protocols::languagesOfUsualTexts()))
         ->excludes("--protocol");
     command->add_option("--model", call->model, "weights of the generators (default: the shipped ones)");

@@ -1,6 +1,7 @@
 #include "study/making/study_sheets.h"
 
 #include <QCoreApplication>
+#include <QStringList>
 #include <cstdio>
 
 #include "protocols/files/csv_table.h"
@@ -48,9 +49,12 @@ Markup footOf(const PrintedHead& printed)
     const std::string head = shortTextOf(printed.head);
     const QString entries =
         printed.head.sequence == 1 ? SheetText::tr("1 entry") : SheetText::tr("%1 entries").arg(printed.head.sequence);
-    return "<p class=\"foot\">" + marked(SheetText::tr("Head of the log when this page was made:")) + " <b>" + head + "</b> (" +
-           marked(entries) + "). " + marked(SheetText::tr("Check:")) + " <code>vis2hap verify " +
-           protocols::escapedMarkup(printed.study) + " --against " + head + "</code></p>\n";
+    const QString check = "<code>vis2hap verify " + QString::fromStdString(protocols::escapedMarkup(printed.study)) +
+                          " --against " + QString::fromStdString(head) + "</code>";
+    const QString sentences =
+        QString::fromStdString(marked(SheetText::tr("Head of the log when this page was made: %1 (%2). Check: %3")));
+    return "<p class=\"foot\">" + sentences.arg("<b>" + QString::fromStdString(head) + "</b>", entries, check).toStdString() +
+           "</p>\n";
 }
 
 /// `title` and `language` are plain text, `body` is markup.
@@ -123,10 +127,10 @@ Markup preparationPage(const database::StudyFacts& facts, const std::vector<Labe
             "</table>\n" + paragraph(SheetText::tr("You also need sandpaper, silk and a second piece of one fabric, for the two "
                                                    "ends of the scale."));
         if (!facts.familiarisation.empty()) {
-            body += "<p>" + marked(SheetText::tr("Fabrics for familiarisation with the display:"));
-            for (const auto& item : facts.familiarisation)
-                body += " " + protocols::escapedMarkup(item.name) + (&item == &facts.familiarisation.back() ? "." : ",");
-            body += "</p>";
+            QStringList names;
+            for (const auto& item : facts.familiarisation) names << QString::fromStdString(item.name);
+            body += paragraph(SheetText::tr("Fabrics for familiarisation with the display: %1.")
+                                  .arg(names.join(SheetText::tr(", ", "between the names of a list"))));
         }
         body += "</div>\n";
     }
@@ -168,8 +172,8 @@ Markup scaleCard(const database::StudyFacts& facts, const protocols::Protocol& p
     const auto number = [&](protocols::Tenths value) { return spokenNumber(value.inScaleUnits(), protocol); };
     std::string body = "<p>" + sentence("card_text") + "</p>\n" + scaleDrawing(scale, protocol);
     if (scale.labels.empty())
-        body += "<p>" + protocols::filledText(sentence("card_low"), {{"number", "<b>" + number(scale.min) + "</b>"}}) + " " +
-                protocols::filledText(sentence("card_high"), {{"number", "<b>" + number(scale.max) + "</b>"}}) + " " +
+        body += "<p>" + protocols::filledText(sentence("card_low"), {{"number", "<b>" + number(scale.min) + "</b>"}}) + "<br>" +
+                protocols::filledText(sentence("card_high"), {{"number", "<b>" + number(scale.max) + "</b>"}}) + "<br>" +
                 protocols::filledText(sentence("card_between"), {{"step", number(scale.step)}}) + "</p>\n";
     else {
         body += "<ol start=\"" + shortest(scale.min.inScaleUnits()) + "\">";

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QString>
+#include <QStringList>
 
 namespace study::app {
 
@@ -20,5 +21,17 @@ inline QString languageOfWindow()
 
 /// "." or ","; every field takes both.
 inline QString decimalMark() { return AppText::tr(".", "decimal mark"); }
+
+/// ", " between the names of a list.
+inline QString listMark() { return AppText::tr(", ", "between the names of a list"); }
+
+/// Sentences one after the other. Some languages put no space between them.
+inline QString sentencesTogether(const QStringList& sentences)
+{
+    QString text;
+    for (const QString& sentence : sentences)
+        text = text.isEmpty() ? sentence : AppText::tr("%1 %2", "two sentences").arg(text, sentence);
+    return text;
+}
 
 }  // namespace study::app

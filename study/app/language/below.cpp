@@ -115,7 +115,7 @@ QString inOwnLanguage(const QString& english)
         const QString own = wholeOf(part);
         part = own.isEmpty() ? afterPlace(part) : own;
     }
-    return parts.join(QStringLiteral("; "));
+    return parts.join(AppText::tr("; ", "between the parts of a message"));
 }
 
 QString inOwnLanguage(const char* english) { return inOwnLanguage(QString::fromUtf8(english)); }

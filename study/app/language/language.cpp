@@ -25,7 +25,7 @@ constexpr const char* reviewerFact = QT_TRANSLATE_NOOP("study::app::Catalogue", 
 constexpr const char* versionFact = QT_TRANSLATE_NOOP("study::app::Catalogue", "version of the program");
 
 constexpr const char* languageKey = "language";
-constexpr const char* shippedTags[] = {"de"};
+constexpr const char* shippedTags[] = {"de", "zh_CN"};
 
 QString factOf(const QTranslator& texts, const char* fact) { return texts.translate(contextOfFacts, fact); }
 

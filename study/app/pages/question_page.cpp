@@ -2,6 +2,7 @@
 
 #include <QVBoxLayout>
 
+#include "study/app/language/app_text.h"
 #include "study/app/pieces/answer_entry.h"
 #include "study/app/pieces/flow_layout.h"
 #include "study/app/pieces/pieces.h"
@@ -110,7 +111,7 @@ void QuestionPage::showReadBack()
     if (m_firstEntry) sentences.prepend(tr("Second entry."));
     if (readBack.isComplete)
         sentences.append(isFirstOfTwo ? tr("Press Enter, then enter the same answer again.") : tr("Press Enter to store it."));
-    m_readBack->setText(sentences.join(QLatin1Char(' ')));
+    m_readBack->setText(sentencesTogether(sentences));
 }
 
 void QuestionPage::store()

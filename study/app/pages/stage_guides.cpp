@@ -26,7 +26,8 @@ Guide introduction(const SessionFacts& facts)
 
 Guide consent(const SessionFacts& facts)
 {
-    const bool hasFullStop = facts.consent.endsWith(QLatin1Char('.'));
+    const bool hasFullStop =
+        facts.consent.endsWith(QLatin1Char('.')) || facts.consent.endsWith(QChar(0x3002));  // or that of Chinese
     return {.title = AppText::tr("Consent"),
             .lead = AppText::tr("You confirm: %1.").arg(hasFullStop ? facts.consent.chopped(1) : facts.consent),
             .steps = {AppText::tr("If the participant does not agree, do not begin. Press W instead.")},

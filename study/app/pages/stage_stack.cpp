@@ -1,6 +1,7 @@
 #include "study/app/pages/stage_stack.h"
 
 #include <QApplication>
+#include <QLineEdit>
 #include <QScrollBar>
 #include <algorithm>
 
@@ -48,7 +49,7 @@ void scrollToEntry(QScrollArea& area, StagePage& page)
     if (!focus || !area.isAncestorOf(focus)) return;
     if (page.lastOfAnswer()) area.verticalScrollBar()->setValue(0);
     if (QWidget* last = page.lastOfAnswer()) area.ensureWidgetVisible(last, 0, 4);
-    if (page.lastOfAnswer() || focus->testAttribute(Qt::WA_InputMethodEnabled))
+    if (page.lastOfAnswer() || qobject_cast<QLineEdit*>(focus) || focus->testAttribute(Qt::WA_InputMethodEnabled))
         area.ensureWidgetVisible(focus, 0, page.lastOfAnswer() ? 4 : marginPx);
 }
 

@@ -22,6 +22,8 @@ RatingField::RatingField(const char* objectName, const QString& accessibleName, 
     name(*this, objectName, accessibleName);
     setMaxLength(longestRating);
     setInputMethodHints(Qt::ImhFormattedNumbersOnly);
+    // An input method, such as one for Chinese, would take the letters that are keys here: T, V, N.
+    setAttribute(Qt::WA_InputMethodEnabled, false);
 }
 
 QSize RatingField::sizeHint() const

@@ -410,6 +410,21 @@
         <extracomment>The BCP 47 tag of your language, such as &quot;de&quot;: new protocols take their texts for participants from it.</extracomment>
         <translation>de</translation>
     </message>
+    <message>
+        <source>, </source>
+        <comment>between the names of a list</comment>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>two sentences</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>; </source>
+        <comment>between the parts of a message</comment>
+        <translation>; </translation>
+    </message>
 </context>
 <context>
     <name>study::app::Below</name>
@@ -3628,14 +3643,6 @@
         <translation>%1 Einträge</translation>
     </message>
     <message>
-        <source>Head of the log when this page was made:</source>
-        <translation>Logbuch-Stand, als diese Seite entstand:</translation>
-    </message>
-    <message>
-        <source>Check:</source>
-        <translation>Prüfen:</translation>
-    </message>
-    <message>
         <source>Cut out the labels. Fix each label to the back of its piece, as the preparation sheet shows.</source>
         <translation>Schneiden Sie die Etiketten aus. Befestigen Sie jedes auf der Rückseite seiner Stoffprobe, wie der Vorbereitungsbogen es zeigt.</translation>
     </message>
@@ -3662,10 +3669,6 @@
     <message>
         <source>You also need sandpaper, silk and a second piece of one fabric, for the two ends of the scale.</source>
         <translation>Sie brauchen außerdem Schleifpapier, Seide und eine zweite Probe eines Stoffs, für die beiden Enden der Skala.</translation>
-    </message>
-    <message>
-        <source>Fabrics for familiarisation with the display:</source>
-        <translation>Stoffe zum Kennenlernen des Displays:</translation>
     </message>
     <message>
         <source>%1: preparation of the fabric pieces</source>
@@ -3726,6 +3729,19 @@
     <message>
         <source>%1: instructions of the blocks</source>
         <translation>%1: Anweisungen für die Blöcke</translation>
+    </message>
+    <message>
+        <source>Head of the log when this page was made: %1 (%2). Check: %3</source>
+        <translation>Logbuch-Stand, als diese Seite entstand: %1 (%2). Prüfen: %3</translation>
+    </message>
+    <message>
+        <source>Fabrics for familiarisation with the display: %1.</source>
+        <translation>Stoffe zum Kennenlernen des Displays: %1.</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between the names of a list</comment>
+        <translation>, </translation>
     </message>
 </context>
 </TS>

@@ -226,6 +226,17 @@ private Q_SLOTS:
         QCOMPARE(answersIn(folder).size(), before.size() + 1);
     }
 
+    /// Else an input method, such as one for Chinese, would compose words from the letters that are keys.
+    void noInputMethodReadsARating()
+    {
+        OpenWindow open(newStudy());
+        open.enrolAndBegin();
+        open.playTo("Presenting", "Q2");
+        const auto& field = open.widget<QLineEdit>("ratingField");
+        QVERIFY(field.hasFocus());
+        QVERIFY(!field.testAttribute(Qt::WA_InputMethodEnabled) && !field.inputMethodQuery(Qt::ImEnabled).toBool());
+    }
+
     void aScannerConfirmsPieces()
     {
         StudyRecipe recipe;

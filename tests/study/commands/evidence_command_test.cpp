@@ -422,6 +422,18 @@ private Q_SLOTS:
         QVERIFY(mustRun({"verify", study, "--against", brief}).out.contains("the log contains the given head"));
     }
 
+    void printedPagesFollowTheirLanguage()
+    {
+        const QString study = playedStudy(), head = headIn(study), number = head.left(head.indexOf(':'));
+        mustRun({"study", "sheets", study, "--out", at("sheets"), "--language", "zh_CN"});
+        for (const char* page : {"labels.html", "preparation.html", "session.html"}) {
+            const QString text = bytesOf(at("sheets/") + page);
+            QVERIFY2(text.contains("<html lang=\"zh\">") && text.contains("</b>（" + number + "条记录）。校验："), page);
+        }
+        QVERIFY(bytesOf(at("sheets/labels.html")).contains("布样标签</h1>"));
+        QVERIFY(bytesOf(at("sheets/scale-card.html")).contains("<html lang=\"en\">"));  // the card is for participants
+    }
+
     void aSignedHeadIsChecked()
     {
         const QString study = playedStudy(), key = at("lab"), statement = at("head.txt");

@@ -323,6 +323,9 @@ private Q_SLOTS:
         QCOMPARE(german.at("feel"), std::string("Fühlen Sie das Display"));
         QCOMPARE(german.at("point"), std::string("Komma"));
         QVERIFY(german.at("question_Q4").starts_with("Wie echt"));
+        const auto chinese = spokenTexts(protocols::protocolFromJson(protocols::paperProtocolIn("zh"), "Chinese"));
+        QCOMPARE(chinese.at("wait"), std::string("请等候实验人员"));
+        QVERIFY(chinese.at("question_Q4").starts_with("与布料相比"));
     }
 
     void theProgramWritesWhatIsHeard()

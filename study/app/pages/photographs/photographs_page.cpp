@@ -280,7 +280,7 @@ void PhotographsPage::draw()
                 m_form.drawMessage->clearMessage();
                 m_drawn = picture;
                 showPicture();
-                m_form.picture->setAccessibleName(tr("Friction images: %1").arg(request.captions.join(QStringLiteral(", "))));
+                m_form.picture->setAccessibleName(tr("Friction images: %1").arg(request.captions.join(listMark())));
                 m_form.picture->show();
                 m_form.toStudy->setFocus();  // it stands below the picture, so the page scrolls to both
             };

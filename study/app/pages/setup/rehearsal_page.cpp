@@ -4,6 +4,7 @@
 #include <QKeyEvent>
 #include <QVBoxLayout>
 
+#include "study/app/language/app_text.h"
 #include "study/app/pages/stage_page.h"
 #include "study/app/pieces/flow_layout.h"
 #include "study/app/pieces/pieces.h"
@@ -145,7 +146,7 @@ void RehearsalPage::show()
     m_display->setText(m_state.displayIsThere ? tr("Display: %1 is connected.").arg(m_room.displayName)
                                               : tr("No display is connected. Choose one on the page of the display."));
     m_felt->setEnabled(m_state.displayIsThere);
-    const QString left = m_state.piecesLeft.join(QStringLiteral(", "));
+    const QString left = m_state.piecesLeft.join(listMark());
     m_pieces->setText(m_state.piecesLeft.isEmpty()
                           ? tr("Every fabric piece is there.")
                           : tr("Scan or type the code of every fabric piece. Still to come: %1").arg(left));
@@ -153,13 +154,13 @@ void RehearsalPage::show()
     QStringList computer;
     computer << (m_state.diskFault.isEmpty() ? tr("The disk is in order.") : m_state.diskFault);
     computer << (m_state.clockFault.isEmpty() ? tr("The clock is in order.") : m_state.clockFault);
-    m_computer->setText(computer.join(QLatin1Char(' ')));
+    m_computer->setText(sentencesTogether(computer));
     m_session->setText(m_state.sessionWasPlayed ? tr("The session was played to its end.")
                                                 : tr("Play the session: every page, a few presentations of each part, a break."));
     const QStringList missing = m_state.missing();
     setRole(*m_result, missing.isEmpty() ? "done" : "hint");
     m_result->setText(missing.isEmpty() ? tr("Ready for %1.").arg(m_room.nextParticipant)
-                                        : tr("Still missing: %1.").arg(missing.join(QStringLiteral(", "))));
+                                        : tr("Still missing: %1.").arg(missing.join(listMark())));
 }
 
 void RehearsalPage::showFault(const QString& text)

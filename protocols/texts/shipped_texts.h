@@ -1,7 +1,6 @@
 // The JSON files of protocols/, of its texts and of its examples, built into the program.
 #pragma once
 
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -10,7 +9,7 @@ namespace protocols::shipped {
 std::string_view protocolSchema();  ///< protocol.schema.json
 std::string_view paperProtocol();   ///< vis2hap.json
 
-/// A file with usual texts.
+/// A file that is built in.
 struct TextFile {
     std::string_view name;  ///< "texts/usual_texts.de"
     std::string_view json;
@@ -19,12 +18,7 @@ struct TextFile {
 /// The usual texts of all languages, English first.
 std::vector<TextFile> usualTexts();
 
-/// A protocol of protocols/examples.
-struct Example {
-    std::string_view name;  ///< of its file, without ".json"
-    std::string_view text;
-};
-/// All of them, those that are explained first come first.
-std::span<const Example> examples();
+/// The protocols of protocols/examples by their names without folder and ".json"; those that are explained first come first.
+std::vector<TextFile> examples();
 
 }  // namespace protocols::shipped

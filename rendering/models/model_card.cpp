@@ -1,6 +1,6 @@
 #include "rendering/models/model_card.h"
 
-#include "protocols/files/shipped_folder.h"
+#include "protocols/shipped_folder.h"
 #include "rendering/models/model_card_fields.h"
 
 namespace rendering::models {

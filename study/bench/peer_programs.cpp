@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "protocols/files/errors.h"
-#include "protocols/files/shipped_folder.h"
+#include "protocols/shipped_folder.h"
 
 extern char** environ;
 

@@ -9,7 +9,7 @@
 
 #include "database/keys.h"
 #include "protocols/files/errors.h"
-#include "protocols/files/shipped_folder.h"
+#include "protocols/shipped_folder.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/display/display.h"
 #include "study/app/gui_operator.h"

@@ -149,7 +149,7 @@ void AppEditorFaultsTest::everyFaultLeadsToItsField()
     QFETCH(QString, field);
     ProtocolDraft draft;
     for (const auto& example : protocols::shipped::examples())
-        if (example.name == "two_choice_likert") draft = ProtocolDraft::fromText(example.text, "example");
+        if (example.name == "two_choice_likert") draft = ProtocolDraft::fromText(example.json, "example");
     draft.set(place.toStdString(), Json::parse(value.toStdString()));
     ShownEditor shown;
     QVERIFY(QTest::qWaitForWindowActive(&shown.window));

@@ -96,7 +96,7 @@ void AppEditorTest::examplesAreSavedAsTheyAre_data()
     const auto textOf = [](std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); };
     QTest::newRow("paper") << textOf(protocols::paperProtocolJson());
     for (const auto& example : protocols::shipped::examples())
-        QTest::newRow(std::string(example.name).c_str()) << textOf(example.text);
+        QTest::newRow(std::string(example.name).c_str()) << textOf(example.json);
 }
 
 void AppEditorTest::examplesAreSavedAsTheyAre()

@@ -110,8 +110,8 @@ void EditorStart::addExamples()
         auto* item = new QListWidgetItem(shown, m_examples);
         item->setData(Qt::UserRole, text);
     };
-    for (const protocols::shipped::Example& example : protocols::shipped::examples())
-        add(shownName(example.name), qtText(example.text));
+    for (const protocols::shipped::TextFile& example : protocols::shipped::examples())
+        add(shownName(example.name), qtText(example.json));
     add(tr("The study of the paper\n10 participants, 7 fabrics, 9 conditions, a choice among three pieces and three ratings."),
         qtText(protocols::paperProtocolJson()));
     add(tr("Empty\nNothing is chosen yet."), QString());

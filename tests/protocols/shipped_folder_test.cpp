@@ -1,5 +1,5 @@
 // What the package holds, and where an installed program finds it.
-#include "protocols/files/shipped_folder.h"
+#include "protocols/shipped_folder.h"
 
 #include <QCoreApplication>
 #include <QDir>

@@ -14,7 +14,7 @@ namespace protocols {
 
 /// The label of a catch trial (blank glass). Catch trials are not balanced.
 constexpr int catchTrialLabel = -1;
-/// The label of a mismatched presentation, whose condition the protocol says.
+/// The label of a mismatched presentation, whose condition the protocol names.
 constexpr int mismatchedLabel = -2;
 
 /// One presentation of the design. All numbers count from 0.
@@ -39,8 +39,7 @@ struct Design {
 /// per true fabric and do not repeat within participant x true fabric. True slots are balanced per participant x fabric and per
 /// label. A phase with instructions has one such list for each of them; its lists follow one another in an order that is
 /// balanced over the participants (running_orders.h). Catch trials and anchors are put between the others (extra_trials.h) and
-/// change nothing of their order. Integer arithmetic only: the same seed gives the same design on every
-/// machine.
+/// change nothing of their order. Integer arithmetic only: the same seed gives the same design on every machine.
 Design drawDesign(const Protocol& protocol, std::uint64_t seed);
 
 }  // namespace protocols

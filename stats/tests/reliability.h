@@ -65,7 +65,8 @@ struct ChoiceReliability {
     /// differ more than chance makes them (Kish 1965; Korn and Graubard 1998, Survey Methodology 24, 193).
     Estimate agreement;
     /// (agreement - 1/m) / (1 - 1/m): kappa for alternatives that change from pair to pair, so that no alternative has a
-    /// frequency of its own (Brennan and Prediger 1981, Educ Psychol Meas 41, 687).
+    /// frequency of its own (Brennan and Prediger 1981, Educ Psychol Meas 41, 687). A habit for one of the words "same" and
+    /// "different" counts as agreement.
     Estimate kappa;
     /// The highest share of right answers over the presentations that came twice; those of one condition may be answered with
     /// less noise than those of another. Who chooses alternative j with probability q_j agrees with themselves with the sum of

@@ -90,7 +90,8 @@ cv::Mat heights()
 
 const std::string smallProtocol =
     R"({"schema":"vis2hap.protocol/1","name":"x","participants":3,"fabrics":["F01","F02","F03"],"conditions":["v_grey","h&f","f"],)"
-    R"("phases":[{"questions":["Q1"],"alternatives":3,"catch_trials":1},{"questions":["Q2"],"scale":{"min":0,"max":10,"step":0.1}}],)"
+    R"("phases":[{"questions":["Q1"],"alternatives":3,"catch_trials":1},{"questions":["Q2"],"scale":{"min":0,"max":10,"step":0.1},)"
+    R"("anchors":{"mismatched":1,"repeated":2,"condition":"f"}}],)"
     R"("question_texts":{"Q1":"Which?"},"equivalence_bounds":[-0.5,0.5],"planned":[["h&f","f"]],"primary":["h&f","f"],"facts":["age"]})";
 
 const std::string smallScript =

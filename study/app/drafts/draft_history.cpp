@@ -16,7 +16,7 @@ void DraftHistory::begin(const ProtocolDraft& draft)
     m_steps = {Step{draft, {}}};
     m_present = 0;
     m_mayMerge = false;
-    m_mostSteps = std::clamp(mostBytes / std::max<std::size_t>(1, draft.fileText().size()), fewestSteps, mostSteps);
+    m_mostSteps = std::clamp(mostBytes / std::max<std::size_t>(1, now().fileText().size()), fewestSteps, mostSteps);
 }
 
 void DraftHistory::add(const ProtocolDraft& draft, const std::string& field)

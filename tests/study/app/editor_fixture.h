@@ -85,11 +85,13 @@ struct ShownEditor : support::ShownWindow {
     /// Chooses the row of a list by its number, with the keys.
     void pick(const char* box, int row)
     {
-        gui.focusOn(QLatin1String(box));
-        auto& choice = *qobject_cast<QComboBox*>(&gui.widget(QLatin1String(box)));
-        for (int step = 0; choice.currentIndex() != row && step < 50; ++step)
-            QTest::keyClick(&choice, choice.currentIndex() < row ? Qt::Key_Down : Qt::Key_Up);
-        QCOMPARE(choice.currentIndex(), row);
+        // A choice may build its part of the page anew, and itself with it.
+        const auto choice = [&] { return qobject_cast<QComboBox*>(&gui.widget(QLatin1String(box))); };
+        for (int step = 0; choice()->currentIndex() != row && step < 50; ++step) {
+            choice()->setFocus();
+            QTest::keyClick(choice(), choice()->currentIndex() < row ? Qt::Key_Down : Qt::Key_Up);
+        }
+        QCOMPARE(choice()->currentIndex(), row);
     }
     void section(int number) { gui.click(QStringLiteral("section%1Button").arg(number)); }
     void check() { QTRY_VERIFY_WITH_TIMEOUT(!page().isBusy(), 60000); }

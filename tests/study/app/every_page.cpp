@@ -322,17 +322,16 @@ void EveryPage::visitEditor(OpenWindow& open, const Look& look)
     settle();
     const char* const sections[] = {"editor-study",  "editor-conditions", "editor-questions",
                                     "editor-course", "editor-texts",      "editor-analysis"};
-    for (int number = 0; number < 6; ++number) {
-        QTest::keyClick(open.window().focusWidget(), static_cast<Qt::Key>(Qt::Key_1 + number), Qt::AltModifier);
+    for (int number = 0; number < editorSections; ++number) {
+        page.showSection(static_cast<EditorSection>(number));
         look(open.window(), sections[number]);
     }
-    QTest::keyClick(open.window().focusWidget(), Qt::Key_F6);
+    page.showPanel(true);
     look(open.window(), "editor-check");
-    QTest::keyClick(open.window().focusWidget(), Qt::Key_F6);
-    QTest::keyClick(open.window().focusWidget(), Qt::Key_1, Qt::AltModifier);
+    page.showSection(EditorSection::Study);
     open.gui().clear();
     settle();
-    QTest::keyClick(open.window().focusWidget(), Qt::Key_F6);
+    page.showPanel(true);
     look(open.window(), "editor-faults");
     open.gui().pressKey(Qt::Key_Escape);
     look(open.window(), "editor-unsaved");

@@ -45,6 +45,9 @@ public:
     /// Shows this draft. `file`: where it stands as it is; empty if it is not saved yet.
     void edit(const ProtocolDraft& draft, const std::filesystem::path& file);
     const ProtocolDraft& draft() const;
+    void showSection(EditorSection section);
+    /// Shows faults, numbers and preview where the window has no room for them beside the section, or the section again.
+    void showPanel(bool isShown);
     const std::filesystem::path& file() const { return m_file; }
     bool hasUnsavedChanges() const;
     /// False if the draft is not saved; the page then asks what to do with it.
@@ -66,12 +69,10 @@ private:
     void buildEditor();
     void buildBars(QWidget& editor);
     void connectParts();
-    void showSection(EditorSection section);
     void jumpTo(const QString& place);
     void checkSoon();
     void check();
     void arrange();
-    void showPanel(bool isShown);
     void showTitle();
     void commitField();
     bool save();

@@ -216,7 +216,10 @@ FeltDifference feltBetween(const players::Percept& a, const players::Percept& b)
 /// Compares the renderings of one study; every image is felt once.
 class PriceList {
 public:
-    explicit PriceList(const RenderedFabrics& rendering) : m_rendering(rendering) {}
+    PriceList(const RenderedFabrics& rendering, const rendering::DisplayResponse* response)
+        : m_rendering(rendering), m_response(response)
+    {
+    }
 
     RenderingPrice priceOf(const ConditionId& id)
     {
@@ -253,7 +256,9 @@ private:
     {
         const auto key = std::pair(rendered.condition, fabric);
         if (const auto known = m_felt.find(key); known != m_felt.end()) return known->second;
-        return m_felt.emplace(key, players::feel(rendered.images.at(fabric))).first->second;
+        const cv::Mat& image = rendered.images.at(fabric);
+        const auto percept = players::feel(m_response != nullptr ? frictionOnDisplay(image, *m_response) : image);
+        return m_felt.emplace(key, percept).first->second;
     }
 
     FeltDifference difference(const RenderedCondition& a, const RenderedCondition& b, const FabricId& fabric)
@@ -324,6 +329,7 @@ private:
     }
 
     const RenderedFabrics& m_rendering;
+    const rendering::DisplayResponse* m_response;
     std::map<std::pair<ConditionId, FabricId>, players::Percept> m_felt;
 };
 
@@ -343,11 +349,12 @@ std::vector<ConditionId> accurateReferences(const std::vector<ConditionId>& cond
     return references;
 }
 
-std::vector<RenderingPrice> renderingPrices(const std::vector<ConditionId>& conditions, const RenderedFabrics& rendering)
+std::vector<RenderingPrice> renderingPrices(const std::vector<ConditionId>& conditions, const RenderedFabrics& rendering,
+                                            const rendering::DisplayResponse* response)
 {
     std::vector<RenderingPrice> prices;
     if (std::ranges::none_of(conditions, carriesQuality)) return prices;
-    PriceList list(rendering);
+    PriceList list(rendering, response);
     for (const ConditionId& id : conditions) prices.push_back(list.priceOf(id));
     return prices;
 }

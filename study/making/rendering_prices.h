@@ -14,8 +14,10 @@ namespace study::making {
 /// condition carries a quality, because each costs as much as a condition of the study.
 std::vector<protocols::ConditionId> accurateReferences(const std::vector<protocols::ConditionId>& conditions);
 
-/// In the order of `conditions`; empty where none carries a quality. `rendering` holds them and their accurateReferences().
+/// In the order of `conditions`; empty where none carries a quality. `rendering` holds them and their accurateReferences(), whose
+/// images are mapped through `response`, if there is one.
 std::vector<reports::RenderingPrice> renderingPrices(const std::vector<protocols::ConditionId>& conditions,
-                                                     const rendering::RenderedFabrics& rendering);
+                                                     const rendering::RenderedFabrics& rendering,
+                                                     const rendering::DisplayResponse* response = nullptr);
 
 }  // namespace study::making

@@ -94,7 +94,7 @@ PricedRendering pricedRendering(const StudyMaterial& material, const StepProgres
         request.cache = nullptr;
     request.conditions.insert(request.conditions.end(), references.begin(), references.end());
     PricedRendering priced{renderFabrics(material.dataset, request, progress), {}};
-    priced.prices = renderingPrices(material.render.conditions, priced.rendering);
+    priced.prices = renderingPrices(material.render.conditions, priced.rendering, request.mapping.response.get());
     // The references are not shown, so warnings and files do not name them.
     priced.rendering.conditions.resize(material.render.conditions.size());
     return priced;

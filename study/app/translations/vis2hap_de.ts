@@ -3562,7 +3562,7 @@
     </message>
     <message>
         <source>put here</source>
-        <translation>hierher legen</translation>
+        <translation>hinlegen</translation>
     </message>
     <message>
         <source>from %1</source>

@@ -363,7 +363,8 @@ void MainWindow::showStudy()
 {
     setWindowTitle(tr("%1 – Vis2Hap").arg(m_study->name()));
     m_pages->study->present(m_study->overview(), m_options.kind);
-    if (const QString fault = m_study->protocolFault(); !fault.isEmpty()) m_pages->study->showFault(fault);
+    for (const QString& fault : {m_study->fontFault(), m_study->protocolFault()})
+        if (!fault.isEmpty()) m_pages->study->showFault(fault);
     m_pages->bring(*m_pages->study);
 }
 

@@ -6,7 +6,9 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/protocol_json.h"
+#include "study/app/language/app_text.h"
 #include "study/app/language/below.h"
+#include "study/app/language/fonts.h"
 #include "study/session/driver.h"
 #include "study/session/stimuli.h"
 
@@ -80,6 +82,16 @@ std::string OpenStudy::lastWallTime() const
         time = events.back().wallTime;
     }
     return time;
+}
+
+QString OpenStudy::fontFault() const
+{
+    const QString language = QString::fromStdString(m_protocol.language), package = missingFontPackage(language);
+    if (package.isEmpty()) return {};
+    return AppText::tr(
+               "This computer has no font for the language of the participants, %1: they would see boxes. "
+               "Run: apt-get install %2")
+        .arg(language, package);
 }
 
 QString OpenStudy::protocolFault() const

@@ -47,6 +47,8 @@ public:
     rendering::StimulusBank& bank();
     const protocols::Protocol& protocol() const { return m_protocol; }
     QString name() const;
+    /// Which package a font for the participants' language needs; empty if there is one.
+    QString fontFault() const;
     StudyOverview overview() const;
     /// Adds a run of the latency task to the log. Throws the errors of database::recordOperatorLatency.
     void storeLatency(const database::OperatorLatency& run) const { recordOperatorLatency(m_store, run); }

@@ -425,6 +425,10 @@
         <comment>between the parts of a message</comment>
         <translation>; </translation>
     </message>
+    <message>
+        <source>This computer has no font for the language of the participants, %1: they would see boxes. Run: apt-get install %2</source>
+        <translation>Dieser Rechner hat keine Schrift für die Sprache der Versuchspersonen, %1: Sie sähen nur Kästchen. Rufen Sie auf: apt-get install %2</translation>
+    </message>
 </context>
 <context>
     <name>study::app::Below</name>

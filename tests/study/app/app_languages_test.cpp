@@ -25,6 +25,7 @@
 #include "tests/study/app/every_page.h"
 #include "tests/study/app/page_measures.h"
 #include "tests/support/program.h"
+#include "tests/support/whole_protocol.h"
 
 using namespace study::app;
 
@@ -303,6 +304,16 @@ private Q_SLOTS:
         const auto older = support::runProgram({"--language", catalogueFor("0.5.0")}, home);
         QCOMPARE(older.exitCode, 2);
         QVERIFY2(older.messages().size() == 1 && older.err.contains("0.5.0"), qPrintable(older.err));
+    }
+
+    void aStudyNamesTheFontThatItsParticipantsNeed()
+    {
+        if (missingFontPackage("th").isEmpty()) QSKIP("this computer has a font for Thai");
+        tests::support::OpenWindow open(newStudy(tests::support::wholeStudy({.language = "th"})));
+        QVERIFY2(open.message("studyMessage").contains("apt-get install fonts-noto-core"),
+                 qPrintable(open.message("studyMessage")));
+        tests::support::OpenWindow english(newStudy(tests::support::wholeStudy()));
+        QCOMPARE(english.message("studyMessage"), QString());
     }
 
     void aMissingFontIsAskedForByName()

@@ -156,6 +156,7 @@ UsualTexts usualTextsFromJson(std::string_view text, const std::string& where)
     return {.language = textAt(document, "language", where),
             .name = textAt(document, "name", where),
             .reviewer = textAt(document, "reviewer", where),
+            .studyName = textAt(document, "study_name", where),
             .questions = textsAt(document, "questions", where),
             .instructions = textsAt(document, "instructions", where),
             .counts = listAt(document, "counts", where),
@@ -189,6 +190,7 @@ std::string paperProtocolIn(std::string_view language)
     if (texts.language == "en") return std::string(shipped::paperProtocol());
     auto protocol = nlohmann::ordered_json::parse(shipped::paperProtocol());
     protocol["language"] = std::string(language);
+    protocol["name"] = texts.studyName;
     for (const auto& phase : protocol.at("phases")) {
         const AnswerKind task =
             phase.contains("alternatives") ? AnswerKind(ForcedChoice{phase["alternatives"].get<int>()}) : AnswerKind(Rating{});

@@ -20,10 +20,11 @@ using TextsByKey = std::map<std::string, std::string, std::less<>>;
 
 /// What one file of usual texts holds. In a text, {name} stands for a value.
 struct UsualTexts {
-    std::string language;  ///< main part of a BCP 47 tag: "en", "de"
-    std::string name;      ///< of the language in English, for the report: "German"
-    std::string reviewer;  ///< who speaks the language natively and checked the texts; empty: nobody yet
-    TextsByKey questions;  ///< "Q2", "Q3", "Q4"; "choice" ({count}, {letters}) and "choice_of_one" are Q1
+    std::string language;   ///< main part of a BCP 47 tag: "en", "de"
+    std::string name;       ///< of the language in English, for the report: "German"
+    std::string reviewer;   ///< who speaks the language natively and checked the texts; empty: nobody yet
+    std::string studyName;  ///< of the paper's study
+    TextsByKey questions;   ///< "Q2", "Q3", "Q4"; "choice" ({count}, {letters}) and "choice_of_one" are Q1
     TextsByKey instructions;
     std::vector<std::string> counts;  ///< "no", "one", ... in words
     TextsByKey letters;               ///< "between", "last" and "range" ({first}, {last}) of "A, B or C"

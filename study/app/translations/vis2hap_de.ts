@@ -1080,6 +1080,182 @@
         <source>strokes at %1 mm/s and %2 Hz</source>
         <translation>Striche mit %1 mm/s und %2 Hz</translation>
     </message>
+    <message>
+        <source>is empty, expected a name for the study</source>
+        <translation>ist leer, erwartet: ein Name für die Studie</translation>
+    </message>
+    <message>
+        <source>%1, expected at least %2</source>
+        <translation>%1, erwartet: mindestens %2</translation>
+    </message>
+    <message>
+        <source>%1 are named, expected %2</source>
+        <translation>%1 sind genannt, erwartet: %2</translation>
+    </message>
+    <message>
+        <source>is empty, expected the id of a fabric</source>
+        <translation>ist leer, erwartet: die Kennung eines Stoffs</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is named twice, expected each fabric once</source>
+        <translation>„%1“ ist zweimal genannt, erwartet: jeder Stoff einmal</translation>
+    </message>
+    <message>
+        <source>is empty, expected at least one of %1</source>
+        <translation>ist leer, erwartet: mindestens eine von %1</translation>
+    </message>
+    <message>
+        <source>is empty, expected the folder of the images</source>
+        <translation>ist leer, erwartet: der Ordner der Bilder</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is named twice, expected each condition once</source>
+        <translation>„%1“ ist zweimal genannt, erwartet: jede Bedingung einmal</translation>
+    </message>
+    <message>
+        <source>%1, expected at most the number of presentations in the phase</source>
+        <translation>%1, erwartet: höchstens die Anzahl der Darbietungen in der Phase</translation>
+    </message>
+    <message>
+        <source>%1 questions with a right answer, expected one (and any number in free_text)</source>
+        <translation>%1 Fragen mit richtiger Antwort, erwartet: eine (und beliebig viele in free_text)</translation>
+    </message>
+    <message>
+        <source>is empty, expected at least one question</source>
+        <translation>ist leer, erwartet: mindestens eine Frage</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is asked twice, expected each question once</source>
+        <translation>„%1“ wird zweimal gefragt, erwartet: jede Frage einmal</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has no text, expected one in question_texts</source>
+        <translation>„%1“ hat keinen Satz, erwartet: einer in question_texts</translation>
+    </message>
+    <message>
+        <source>is empty, expected a name such as &quot;speed&quot;</source>
+        <translation>ist leer, erwartet: ein Name wie „speed“</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is named twice, expected ids that differ also when their case is ignored</source>
+        <translation>„%1“ ist zweimal genannt, erwartet: Kennungen, die sich nicht nur in der Groß- und Kleinschreibung unterscheiden</translation>
+    </message>
+    <message>
+        <source>expected 0.1 to 3600 seconds</source>
+        <translation>erwartet: 0,1 bis 3600 Sekunden</translation>
+    </message>
+    <message>
+        <source>is empty, expected the sentence that the operator says</source>
+        <translation>ist leer, erwartet: der Satz, den die Versuchsleitung sagt</translation>
+    </message>
+    <message>
+        <source>is empty, expected at least one phase</source>
+        <translation>ist leer, erwartet: mindestens eine Phase</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; and &apos;%2&apos; are not a planned contrast in this order, expected a pair of planned</source>
+        <translation>„%1“ und „%2“ sind in dieser Reihenfolge kein geplanter Kontrast, erwartet: ein Paar aus planned</translation>
+    </message>
+    <message>
+        <source>is empty, expected the id of a condition</source>
+        <translation>ist leer, erwartet: die Kennung einer Bedingung</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not among the conditions, expected a pair of the protocol&apos;s conditions</source>
+        <translation>„%1“ ist nicht unter den Bedingungen, erwartet: ein Paar von Bedingungen des Protokolls</translation>
+    </message>
+    <message>
+        <source>compares &apos;%1&apos; with itself, expected two conditions</source>
+        <translation>vergleicht „%1“ mit sich selbst, erwartet: zwei Bedingungen</translation>
+    </message>
+    <message>
+        <source>repeats an earlier contrast, expected each pair once</source>
+        <translation>wiederholt einen früheren Kontrast, erwartet: jedes Paar einmal</translation>
+    </message>
+    <message>
+        <source>the lower is not below the upper, expected [lower, upper]</source>
+        <translation>die untere liegt nicht unter der oberen, erwartet: [untere, obere]</translation>
+    </message>
+    <message>
+        <source>expected more than 0</source>
+        <translation>erwartet: mehr als 0</translation>
+    </message>
+    <message>
+        <source>expected at least 1 presentation</source>
+        <translation>erwartet: mindestens 1 Darbietung</translation>
+    </message>
+    <message>
+        <source>expected at least 1 minute</source>
+        <translation>erwartet: mindestens 1 Minute</translation>
+    </message>
+    <message>
+        <source>expected 0 to 5 seconds</source>
+        <translation>erwartet: 0 bis 5 Sekunden</translation>
+    </message>
+    <message>
+        <source>expected 0 or more</source>
+        <translation>erwartet: 0 oder mehr</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is missing</source>
+        <translation>„%1“ fehlt</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;%1&apos;</source>
+        <translation>unbekannter Schlüssel „%1“</translation>
+    </message>
+    <message>
+        <source>%1, expected %2</source>
+        <translation>%1, erwartet: %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a column of exported answers, expected another id</source>
+        <translation>„%1“ ist eine Spalte exportierter Antworten, erwartet: eine andere Kennung</translation>
+    </message>
+    <message>
+        <source>the tray has one piece, expected a phase with alternatives</source>
+        <translation>auf dem Tablett liegt eine Probe, erwartet: eine Phase mit alternatives</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not among the phase&apos;s questions</source>
+        <translation>„%1“ ist nicht unter den Fragen der Phase</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is asked in no phase, expected ids of the phases&apos; questions</source>
+        <translation>„%1“ wird in keiner Phase gefragt, erwartet: Kennungen der Fragen der Phasen</translation>
+    </message>
+    <message>
+        <source>%1, expected a whole number of tenths</source>
+        <translation>%1, erwartet: eine ganze Zahl von Zehnteln</translation>
+    </message>
+    <message>
+        <source>%1, expected at most 26, for the slots A to Z</source>
+        <translation>%1, erwartet: höchstens 26, für die Felder A bis Z</translation>
+    </message>
+    <message>
+        <source>%1 of %2 fabrics, expected no more alternatives than fabrics</source>
+        <translation>%1 von %2 Stoffen, erwartet: nicht mehr Alternativen als Stoffe</translation>
+    </message>
+    <message>
+        <source>max is not above min, expected min &lt; max</source>
+        <translation>das Maximum liegt nicht über dem Minimum, erwartet: min &lt; max</translation>
+    </message>
+    <message>
+        <source>is not positive, expected at least 0.1</source>
+        <translation>ist nicht positiv, erwartet: mindestens 0,1</translation>
+    </message>
+    <message>
+        <source>does not lead from min to max, expected a whole number of steps</source>
+        <translation>führt nicht vom Minimum zum Maximum, erwartet: eine ganze Zahl von Schritten</translation>
+    </message>
+    <message>
+        <source>%1 words, expected %2</source>
+        <translation>%1 Wörter, erwartet: %2</translation>
+    </message>
+    <message>
+        <source>one fabric, expected at least 2, so that some can differ</source>
+        <translation>ein Stoff, erwartet: mindestens 2, damit manche verschieden sein können</translation>
+    </message>
 </context>
 <context>
     <name>study::app::Catalogue</name>

@@ -961,14 +961,6 @@
         <translation>第%1张照片，共%2张</translation>
     </message>
     <message>
-        <source>the station key is missing</source>
-        <translation>缺少工作站密钥</translation>
-    </message>
-    <message>
-        <source>the file of the study</source>
-        <translation>研究的文件</translation>
-    </message>
-    <message>
         <source>running orders</source>
         <translation>呈现顺序</translation>
     </message>
@@ -1354,7 +1346,7 @@
     </message>
     <message>
         <source>Ask: “%1” Then explain the purpose of the study.</source>
-        <translation>请问：“%1”然后说明研究目的。</translation>
+        <translation>请问：“%1”随后请说明研究目的。</translation>
     </message>
 </context>
 <context>

@@ -286,8 +286,10 @@ private Q_SLOTS:
             QSKIP("espeak-ng is not installed (apt-get install espeak-ng)");
         Speaking speaking(m_folder.path(), "exit 1");
         speaking.path = qEnvironmentVariable("PATH");
-        for (const auto& [language, text] :
-             {std::pair("en", "Feel the display."), {"pt-BR", "Toque a tela."}, {"ja", "触ってください。"}}) {
+        for (const auto& [language, text] : {std::pair("en", "Feel the display."),
+                                             {"pt-BR", "Toque a tela."},
+                                             {"ja", "触ってください。"},
+                                             {"zh", "请感受触觉屏。"}}) {
             const auto heard = speaking.heard({SpeechLanguage{language}, PlayPrompts{{SpokenText{text}}}});
             QVERIFY2(speaking.told.startsWith("{\"voice\""), speaking.told.constData());
             const double seconds = double(heard.size()) / mixRateHz - 0.5;

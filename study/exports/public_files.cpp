@@ -15,7 +15,7 @@ namespace {
 
 /// A scalar of YAML in double quotes. Control characters, byte order marks and the line ends of Unicode are written as numbers,
 /// because YAML takes them for no text or for the end of a line.
-std::string quoted(std::string_view text)
+std::string yamlText(std::string_view text)
 {
     std::string yaml = "\"";
     while (!text.empty()) {
@@ -47,8 +47,8 @@ std::string citationText(const std::string& study, const std::string& spdx, cons
 {
     std::string text =
         "cff-version: 1.2.0\nmessage: \"If you use these data, please cite them as below.\"\ntype: dataset\ntitle: " +
-        quoted(study) + "\nlicense: " + quoted(spdx) + "\ndate-released: " + quoted(released) + "\nauthors:\n";
-    for (const std::string& author : authors) text += "  - name: " + quoted(author) + "\n";
+        yamlText(study) + "\nlicense: " + yamlText(spdx) + "\ndate-released: " + yamlText(released) + "\nauthors:\n";
+    for (const std::string& author : authors) text += "  - name: " + yamlText(author) + "\n";
     if (authors.empty()) text += "  - name: \"NAME THE AUTHORS HERE\"\n";
     return text;
 }

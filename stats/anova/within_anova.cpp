@@ -110,7 +110,7 @@ EffectSpace interactionSpace(std::size_t levelsA, std::size_t levelsB, std::size
 }
 
 /// One stratum: an effect space with the participants' groups, its means, and the deviations from them.
-struct Stratum {
+struct ErrorStratum {
     const EffectSpace& space;
     const CompleteTable& table;
     std::vector<std::vector<double>> groupMeans;
@@ -118,7 +118,7 @@ struct Stratum {
     std::vector<double> unweightedMean;
     std::vector<double> residuals;  ///< row-major [participants x columns]
 
-    Stratum(const EffectSpace& of, const CompleteTable& whole)
+    ErrorStratum(const EffectSpace& of, const CompleteTable& whole)
         : space(of),
           table(whole),
           groupMeans(whole.groupSize.size(), std::vector<double>(of.columns)),
@@ -193,7 +193,7 @@ double squaresOfProducts(std::span<const double> rows, std::size_t n, std::size_
     return squares;
 }
 
-MauchlyTest sphericityOf(const Stratum& stratum, double trace)
+MauchlyTest sphericityOf(const ErrorStratum& stratum, double trace)
 {
     const double p = stratum.space.dimension;
     if (p < 2 || stratum.errorDegrees() < p || stratum.space.projector.rows() == 0)
@@ -214,7 +214,7 @@ MauchlyTest sphericityOf(const Stratum& stratum, double trace)
     return mauchlyTest(logarithm, p, stratum.errorDegrees());
 }
 
-void setCorrections(AnovaEffect& effect, const Stratum& stratum, double errorSquares)
+void setCorrections(AnovaEffect& effect, const ErrorStratum& stratum, double errorSquares)
 {
     const double p = stratum.space.dimension, degrees = stratum.errorDegrees();
     const double squares = squaresOfProducts(stratum.residuals, stratum.table.participants(), stratum.space.columns);
@@ -242,7 +242,7 @@ void setCorrections(AnovaEffect& effect, const Stratum& stratum, double errorSqu
 }
 
 /// `df1`: degrees of freedom of the effect, a multiple of the dimension of its space for an interaction with groups.
-AnovaEffect withinEffect(const std::string& name, const Stratum& stratum, double squares, double df1, double generalError,
+AnovaEffect withinEffect(const std::string& name, const ErrorStratum& stratum, double squares, double df1, double generalError,
                          const ScaledSamples& scale, double grain)
 {
     if (stratum.hasNoResiduals(grain))
@@ -333,11 +333,11 @@ TwoWayAnova twoWayWithin(std::span<const double> values, const Factor& participa
         for (std::size_t c = 0; c < cells.size(); ++c)
             spaceAb.values.push_back(cells[c] - mean.a[c / levelsB] - mean.b[c % levelsB] + mean.all);
     }
-    const Stratum ofA(spaceA, table), ofB(spaceB, table), ofAb(spaceAb, table);
+    const ErrorStratum ofA(spaceA, table), ofB(spaceB, table), ofAb(spaceAb, table);
     const double participants = static_cast<double>(table.cells) * momentsOf(level).squares;
     const double general = participants + ofA.squaresOfError() + ofB.squaresOfError() + ofAb.squaresOfError();
     std::size_t place = 0;
-    for (const Stratum* stratum : {&ofA, &ofB, &ofAb}) {
+    for (const ErrorStratum* stratum : {&ofA, &ofB, &ofAb}) {
         AnovaEffect& effect = anova.effects[place++];
         effect = withinEffect(effect.name, *stratum, stratum->squaresOfMean(SumsOfSquares::TypeII), stratum->space.dimension,
                               general, scaled, grain);
@@ -382,7 +382,7 @@ TwoWayAnova twoWayMixed(std::span<const double> values, const Factor& participan
         level.values.push_back(root * mean.all);
         for (const double x : cells) space.values.push_back(x - mean.all);
     }
-    const Stratum ofPeople(level, table), ofCells(space, table);
+    const ErrorStratum ofPeople(level, table), ofCells(space, table);
     const double general = ofPeople.squaresOfError() + ofCells.squaresOfError();
     if (ofPeople.hasNoResiduals(grain))
         anova.effects[0] = untestedEffect(between.name, "no error variance: participants of a group have equal means");

@@ -15,9 +15,9 @@
 #include "reports/analysis/speed_analysis.h"
 #include "reports/cells/answer_cells.h"
 #include "reports/data/analysis_options.h"
+#include "stats/claims/match_sensitivity.h"
 #include "stats/models/crossed_study.h"
 #include "stats/tests/binomial.h"
-#include "stats/tests/match_sensitivity.h"
 #include "stats/tests/rank_tests.h"
 #include "stats/tests/t_tests.h"
 

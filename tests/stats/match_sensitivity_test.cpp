@@ -1,5 +1,5 @@
 // Sensitivity of a same-different task: numbers of an independent program, freedom from the criterion, and coverage of intervals.
-#include "stats/tests/match_sensitivity.h"
+#include "stats/claims/match_sensitivity.h"
 
 #include <QtTest>
 #include <cmath>

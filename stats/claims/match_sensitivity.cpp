@@ -1,4 +1,4 @@
-#include "stats/tests/match_sensitivity.h"
+#include "stats/claims/match_sensitivity.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,85 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de">
 <context>
+    <name>study::app::AnalysisSection</name>
+    <message>
+        <source>Lower bound of equivalence</source>
+        <translation>Untere Grenze der Äquivalenz</translation>
+    </message>
+    <message>
+        <source>Upper bound of equivalence</source>
+        <translation>Obere Grenze der Äquivalenz</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Make it the primary one</source>
+        <translation>Zum Hauptkontrast machen</translation>
+    </message>
+    <message>
+        <source>First condition of the contrast</source>
+        <translation>Erste Bedingung des Kontrasts</translation>
+    </message>
+    <message>
+        <source>Second condition of the contrast</source>
+        <translation>Zweite Bedingung des Kontrasts</translation>
+    </message>
+    <message>
+        <source>Add the contrast</source>
+        <translation>Kontrast hinzufügen</translation>
+    </message>
+    <message>
+        <source>Analysis</source>
+        <translation>Auswertung</translation>
+    </message>
+    <message>
+        <source>Decide before the first participant comes what the report tests first, and which difference is too small to matter.</source>
+        <translation>Entscheiden Sie, bevor die erste Versuchsperson kommt, was der Bericht zuerst prüft und welcher Unterschied zu klein ist, um etwas zu bedeuten.</translation>
+    </message>
+    <message>
+        <source>Equal from (scale points)</source>
+        <translation>Gleich von (Skalenpunkte)</translation>
+    </message>
+    <message>
+        <source>to (scale points)</source>
+        <translation>bis (Skalenpunkte)</translation>
+    </message>
+    <message>
+        <source>Bounds of equivalence</source>
+        <translation>Grenzen der Äquivalenz</translation>
+    </message>
+    <message>
+        <source>Planned contrasts</source>
+        <translation>Geplante Kontraste</translation>
+    </message>
+    <message>
+        <source>Pairs of conditions. The primary one is tested first; without a choice it is the first.</source>
+        <translation>Paare von Bedingungen. Der Hauptkontrast wird zuerst geprüft; ohne Wahl ist es der erste.</translation>
+    </message>
+    <message>
+        <source>Primary contrast</source>
+        <translation>Hauptkontrast</translation>
+    </message>
+    <message>
+        <source>%1 − %2</source>
+        <translation>%1 − %2</translation>
+    </message>
+    <message>
+        <source>%1    (primary)</source>
+        <translation>%1    (Hauptkontrast)</translation>
+    </message>
+    <message>
+        <source>Both conditions are the same. Choose two different ones.</source>
+        <translation>Beide Bedingungen sind dieselbe. Wählen Sie zwei verschiedene.</translation>
+    </message>
+    <message>
+        <source>This pair is planned already. Choose another one.</source>
+        <translation>Dieses Paar ist schon geplant. Wählen Sie ein anderes.</translation>
+    </message>
+</context>
+<context>
     <name>study::app::AppText</name>
     <message>
         <source>.</source>
@@ -1267,12 +1346,103 @@
     <message>
         <source>reviewer</source>
         <extracomment>The native speaker who has checked the catalogue. Leave it empty until somebody has.</extracomment>
-        <translation type="unfinished"></translation>
+        <translation></translation>
     </message>
     <message>
         <source>version of the program</source>
         <extracomment>The version of the program that the catalogue is made for, such as &quot;0.6.0&quot;.</extracomment>
         <translation>0.6.0</translation>
+    </message>
+</context>
+<context>
+    <name>study::app::CheckPanel</name>
+    <message>
+        <source>has no sentence</source>
+        <translation>hat keinen Satz</translation>
+    </message>
+    <message>
+        <source>and any number answered in own words</source>
+        <translation>und beliebig viele, die in eigenen Worten beantwortet werden</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Line %1, column %2. %3</source>
+        <translation>Zeile %1, Spalte %2. %3</translation>
+    </message>
+    <message>
+        <source>No fault</source>
+        <translation>Kein Fehler</translation>
+    </message>
+    <message>
+        <source>1 fault</source>
+        <translation>1 Fehler</translation>
+    </message>
+    <message>
+        <source>%1 faults</source>
+        <translation>%1 Fehler</translation>
+    </message>
+    <message>
+        <source>Remove it</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Go to</source>
+        <translation>Dorthin</translation>
+    </message>
+    <message>
+        <source>Remove it: %1</source>
+        <translation>Entfernen: %1</translation>
+    </message>
+    <message>
+        <source>Go to: %1</source>
+        <translation>Dorthin: %1</translation>
+    </message>
+    <message>
+        <source>… and %1 more</source>
+        <translation>… und %1 weitere</translation>
+    </message>
+    <message>
+        <source>No fault. Presentations: %1, minutes: %2, sittings: %3</source>
+        <translation>Kein Fehler. Darbietungen: %1, Minuten: %2, Sitzungen: %3</translation>
+    </message>
+    <message>
+        <source>Minutes, power and the preview follow when there is no fault.</source>
+        <translation>Minuten, Power und Vorschau folgen, sobald es keinen Fehler gibt.</translation>
+    </message>
+    <message>
+        <source>Each participant: about %1 minutes without breaks. Presentations: %2, answers: %3, breaks: %4, sittings: %5. The whole study: answers: %6.</source>
+        <translation>Jede Versuchsperson: etwa %1 Minuten ohne Pausen. Darbietungen: %2, Antworten: %3, Pausen: %4, Sitzungen: %5. Die ganze Studie: Antworten: %6.</translation>
+    </message>
+    <message>
+        <source>Power and balance are being computed …</source>
+        <translation>Power und Ausgewogenheit werden berechnet …</translation>
+    </message>
+    <message>
+        <source>%1: a difference of %2 scale points between two conditions</source>
+        <translation>%1: ein Unterschied von %2 Skalenpunkten zwischen zwei Bedingungen</translation>
+    </message>
+    <message>
+        <source>%1: %2 % right answers in one condition</source>
+        <translation>%1: %2 % richtige Antworten in einer Bedingung</translation>
+    </message>
+    <message>
+        <source>With a power of 80 %, under the usual assumptions, the study detects:</source>
+        <translation>Mit einer Power von 80 % entdeckt die Studie unter den üblichen Annahmen:</translation>
+    </message>
+    <message>
+        <source>%1: %2 to %3</source>
+        <translation>%1: %2 bis %3</translation>
+    </message>
+    <message>
+        <source>Balance of the running orders:</source>
+        <translation>Ausgewogenheit der Abfolgen:</translation>
+    </message>
+    <message>
+        <source>Orders of this length take long to draw; `vis2hap protocol show` prints their balance.</source>
+        <translation>Abfolgen dieser Länge brauchen lange; `vis2hap protocol show` gibt ihre Ausgewogenheit aus.</translation>
     </message>
 </context>
 <context>
@@ -1319,6 +1489,145 @@
     <message>
         <source>Read back: %1</source>
         <translation>Lesen Sie vor: %1</translation>
+    </message>
+</context>
+<context>
+    <name>study::app::ConditionsSection</name>
+    <message>
+        <source>The brightness of the photograph is felt as relief.</source>
+        <translation>Die Helligkeit des Fotos ist als Relief zu fühlen.</translation>
+    </message>
+    <message>
+        <source>Relief that is computed from the shading of the photograph.</source>
+        <translation>Relief, das aus der Schattierung des Fotos berechnet wird.</translation>
+    </message>
+    <message>
+        <source>Friction along the stroke, generated from the photograph.</source>
+        <translation>Reibung entlang des Strichs, aus dem Foto erzeugt.</translation>
+    </message>
+    <message>
+        <source>Relief that is generated from the photograph.</source>
+        <translation>Relief, das aus dem Foto erzeugt wird.</translation>
+    </message>
+    <message>
+        <source>Relief and mean friction, both generated from the photograph.</source>
+        <translation>Relief und mittlere Reibung, beide aus dem Foto erzeugt.</translation>
+    </message>
+    <message>
+        <source>The brightness of a tactile sensor&apos;s picture is felt as relief.</source>
+        <translation>Die Helligkeit der Aufnahme eines Tastsensors ist als Relief zu fühlen.</translation>
+    </message>
+    <message>
+        <source>Friction that was measured along a stroke.</source>
+        <translation>Reibung, die entlang eines Strichs gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>Relief that was measured with a tactile sensor.</source>
+        <translation>Relief, das mit einem Tastsensor gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>Relief and mean friction, both measured.</source>
+        <translation>Relief und mittlere Reibung, beide gemessen.</translation>
+    </message>
+    <message>
+        <source>Slope of the measured relief along the stroke; not in the paper.</source>
+        <translation>Steigung des gemessenen Reliefs entlang des Strichs; nicht im Artikel.</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Name of your condition</source>
+        <translation>Name Ihrer Bedingung</translation>
+    </message>
+    <message>
+        <source>Folder of its images</source>
+        <translation>Ordner ihrer Bilder</translation>
+    </message>
+    <message>
+        <source>Add your images</source>
+        <translation>Ihre Bilder hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add your program</source>
+        <translation>Ihr Programm hinzufügen</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Durchsuchen …</translation>
+    </message>
+    <message>
+        <source>Condition at another quality</source>
+        <translation>Bedingung in anderer Qualität</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Qualität</translation>
+    </message>
+    <message>
+        <source>Add this quality</source>
+        <translation>Diese Qualität hinzufügen</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>Bedingungen</translation>
+    </message>
+    <message>
+        <source>Ways to turn a fabric into what the finger feels on the screen.</source>
+        <translation>Wege von einem Stoff zu dem, was der Finger auf dem Bildschirm fühlt.</translation>
+    </message>
+    <message>
+        <source>Condition %1: %2</source>
+        <translation>Bedingung %1: %2</translation>
+    </message>
+    <message>
+        <source>Your own conditions</source>
+        <translation>Ihre eigenen Bedingungen</translation>
+    </message>
+    <message>
+        <source>A folder with one ready friction image a fabric: F01.png, F02.png, … Or a program, which you name when you make the study with `vis2hap study new --program`. They are blinded and balanced like all others.</source>
+        <translation>Ein Ordner mit einem fertigen Reibungsbild je Stoff: F01.png, F02.png, … Oder ein Programm, das Sie beim Anlegen der Studie mit `vis2hap study new --program` nennen. Sie werden verblindet und ausgewogen wie alle anderen.</translation>
+    </message>
+    <message>
+        <source>Further conditions of the study</source>
+        <translation>Weitere Bedingungen der Studie</translation>
+    </message>
+    <message>
+        <source>mine</source>
+        <translation>meine</translation>
+    </message>
+    <message>
+        <source>the folder with the images</source>
+        <translation>der Ordner mit den Bildern</translation>
+    </message>
+    <message>
+        <source>One condition at several qualities</source>
+        <translation>Eine Bedingung in mehreren Qualitäten</translation>
+    </message>
+    <message>
+        <source>Quality trades computing time for exactness, so a study can compare its prices.</source>
+        <translation>Qualität tauscht Rechenzeit gegen Genauigkeit; eine Studie kann ihre Preise vergleichen.</translation>
+    </message>
+    <message>
+        <source>%1    by a program</source>
+        <translation>%1    von einem Programm</translation>
+    </message>
+    <message>
+        <source>%1    from %2</source>
+        <translation>%1    aus %2</translation>
+    </message>
+    <message>
+        <source>Folder of the images</source>
+        <translation>Ordner der Bilder</translation>
+    </message>
+    <message>
+        <source>Your condition has no name. Type one, such as mine.</source>
+        <translation>Ihre Bedingung hat keinen Namen. Tippen Sie einen, zum Beispiel meine.</translation>
+    </message>
+    <message>
+        <source>No folder is given. Choose the folder that holds one image a fabric.</source>
+        <translation>Es ist kein Ordner angegeben. Wählen Sie den Ordner, der je Stoff ein Bild enthält.</translation>
     </message>
 </context>
 <context>
@@ -1681,6 +1990,329 @@
     </message>
 </context>
 <context>
+    <name>study::app::EditorPage</name>
+    <message>
+        <source>Save (Ctrl S)</source>
+        <translation>Speichern (Strg S)</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern unter …</translation>
+    </message>
+    <message>
+        <source>Make the study…</source>
+        <translation>Studie anlegen …</translation>
+    </message>
+    <message>
+        <source>Undo (Ctrl Z)</source>
+        <translation>Rückgängig (Strg Z)</translation>
+    </message>
+    <message>
+        <source>Back (Esc)</source>
+        <translation>Zurück (Esc)</translation>
+    </message>
+    <message>
+        <source>This protocol belongs to a study that exists; `vis2hap study amend` changes it there. Here you edit a copy for a new study.</source>
+        <translation>Dieses Protokoll gehört zu einer vorhandenen Studie; dort ändert es `vis2hap study amend`. Hier bearbeiten Sie eine Kopie für eine neue Studie.</translation>
+    </message>
+    <message>
+        <source>The file has faults: %1. Each is shown with line and column.</source>
+        <translation>Die Datei hat Fehler: %1. Jeder ist mit Zeile und Spalte gezeigt.</translation>
+    </message>
+    <message>
+        <source>Save the protocol</source>
+        <translation>Protokoll speichern</translation>
+    </message>
+    <message>
+        <source>Protocols (*.json)</source>
+        <translation>Protokolle (*.json)</translation>
+    </message>
+    <message>
+        <source>This folder belongs to a study that exists. Save the protocol elsewhere; `vis2hap study amend` changes the protocol of that study.</source>
+        <translation>Dieser Ordner gehört zu einer vorhandenen Studie. Speichern Sie das Protokoll anderswo; `vis2hap study amend` ändert das Protokoll jener Studie.</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>Copy its recordings there, too: %1</source>
+        <translation>Kopieren Sie auch seine Aufnahmen dorthin: %1</translation>
+    </message>
+    <message>
+        <source>A study cannot follow this protocol yet. Mend the faults first: %1</source>
+        <translation>Eine Studie kann diesem Protokoll noch nicht folgen. Beheben Sie zuerst die Fehler: %1</translation>
+    </message>
+    <message>
+        <source>This page does not show that field. It is kept as it is in the file.</source>
+        <translation>Diese Seite zeigt dieses Feld nicht. Es bleibt in der Datei, wie es ist.</translation>
+    </message>
+    <message>
+        <source>New protocol</source>
+        <translation>Neues Protokoll</translation>
+    </message>
+    <message>
+        <source>%1 (not saved)</source>
+        <translation>%1 (nicht gespeichert)</translation>
+    </message>
+    <message>
+        <source>Back to the fields (F6)</source>
+        <translation>Zurück zu den Feldern (F6)</translation>
+    </message>
+    <message>
+        <source>%1. Details (F6)</source>
+        <translation>%1. Einzelheiten (F6)</translation>
+    </message>
+</context>
+<context>
+    <name>study::app::EditorSections</name>
+    <message>
+        <source>empty: “%1”</source>
+        <translation>leer: „%1“</translation>
+    </message>
+    <message>
+        <source>Course of a session</source>
+        <translation>Ablauf eines Versuchs</translation>
+    </message>
+    <message>
+        <source>Empty fields have usual values, which they show.</source>
+        <translation>Leere Felder haben übliche Werte, die sie zeigen.</translation>
+    </message>
+    <message>
+        <source>Seconds a presentation</source>
+        <translation>Sekunden je Darbietung</translation>
+    </message>
+    <message>
+        <source>Presentations before a break</source>
+        <translation>Darbietungen bis zur Pause</translation>
+    </message>
+    <message>
+        <source>Minutes before a break</source>
+        <translation>Minuten bis zur Pause</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>keine Grenze</translation>
+    </message>
+    <message>
+        <source>Minutes of a sitting</source>
+        <translation>Minuten einer Sitzung</translation>
+    </message>
+    <message>
+        <source>Fabrics and tray</source>
+        <translation>Stoffe und Tablett</translation>
+    </message>
+    <message>
+        <source>Fabrics to get used to</source>
+        <translation>Stoffe zur Eingewöhnung</translation>
+    </message>
+    <message>
+        <source>Seconds a new tray is locked</source>
+        <translation>Sekunden, die ein neues Tablett gesperrt ist</translation>
+    </message>
+    <message>
+        <source>Codes on the fabric pieces</source>
+        <translation>Codes auf den Stoffproben</translation>
+    </message>
+    <message>
+        <source>one set for the whole study</source>
+        <translation>ein Satz für die ganze Studie</translation>
+    </message>
+    <message>
+        <source>new codes for each participant</source>
+        <translation>neue Codes für jede Versuchsperson</translation>
+    </message>
+    <message>
+        <source>The operator scans or types the code of every piece</source>
+        <translation>Die Versuchsleitung scannt oder tippt den Code jeder Probe</translation>
+    </message>
+    <message>
+        <source>The operator enters every answer twice</source>
+        <translation>Die Versuchsleitung gibt jede Antwort zweimal ein</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>The operator reads them aloud or ticks them. Write them in the language of your participants.</source>
+        <translation>Die Versuchsleitung liest sie vor oder hakt sie ab. Schreiben Sie sie in der Sprache Ihrer Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>Language of the participants, as a tag</source>
+        <translation>Sprache der Versuchspersonen, als Kürzel</translation>
+    </message>
+    <message>
+        <source>en; others are de, pt-BR, zh-CN</source>
+        <translation>en; andere sind de, pt-BR, zh-CN</translation>
+    </message>
+    <message>
+        <source>Consent, which the operator confirms</source>
+        <translation>Einwilligung, die die Versuchsleitung bestätigt</translation>
+    </message>
+    <message>
+        <source>How to stroke glass and fabric</source>
+        <translation>Wie über Glas und Stoff zu streichen ist</translation>
+    </message>
+    <message>
+        <source>Checklist before a sitting, one point a line</source>
+        <translation>Checkliste vor einer Sitzung, ein Punkt je Zeile</translation>
+    </message>
+    <message>
+        <source>The participant wears the eye mask</source>
+        <translation>Die Versuchsperson trägt die Augenmaske</translation>
+    </message>
+    <message>
+        <source>Readings before a sitting, one quantity with its unit a line</source>
+        <translation>Messwerte vor einer Sitzung, eine Größe mit Einheit je Zeile</translation>
+    </message>
+    <message>
+        <source>temperature in °C</source>
+        <translation>Temperatur in °C</translation>
+    </message>
+    <message>
+        <source>Facts that the participant may give, one a line</source>
+        <translation>Angaben, die die Versuchsperson machen kann, eine je Zeile</translation>
+    </message>
+    <message>
+        <source>age</source>
+        <translation>Alter</translation>
+    </message>
+</context>
+<context>
+    <name>study::app::EditorStart</name>
+    <message>
+        <source>Two pieces and five words</source>
+        <translation>Zwei Proben und fünf Wörter</translation>
+    </message>
+    <message>
+        <source>One of two pieces, then how similar it is, in five words.</source>
+        <translation>Eine von zwei Proben, dann mit fünf Wörtern, wie ähnlich sie ist.</translation>
+    </message>
+    <message>
+        <source>Same or different</source>
+        <translation>Gleich oder verschieden</translation>
+    </message>
+    <message>
+        <source>Is the fabric the one on the screen? Blank glass finds guessers.</source>
+        <translation>Ist der Stoff der auf dem Bildschirm? Leeres Glas findet, wer nur rät.</translation>
+    </message>
+    <message>
+        <source>Speed against accuracy</source>
+        <translation>Schnelligkeit gegen Genauigkeit</translation>
+    </message>
+    <message>
+        <source>The same choices under “be fast”, “be accurate” and a deadline.</source>
+        <translation>Dieselben Wahlen unter „schnell“, „genau“ und mit Zeitgrenze.</translation>
+    </message>
+    <message>
+        <source>Quality of the rendering</source>
+        <translation>Qualität des Renderns</translation>
+    </message>
+    <message>
+        <source>One rendering at three prices in computing time.</source>
+        <translation>Ein Verfahren zu drei Preisen an Rechenzeit.</translation>
+    </message>
+    <message>
+        <source>Your own images</source>
+        <translation>Ihre eigenen Bilder</translation>
+    </message>
+    <message>
+        <source>Friction images that you made, beside two renderings of the program.</source>
+        <translation>Reibungsbilder, die Sie gemacht haben, neben zwei Bedingungen dieses Programms.</translation>
+    </message>
+    <message>
+        <source>Your own program</source>
+        <translation>Ihr eigenes Programm</translation>
+    </message>
+    <message>
+        <source>A program of yours makes the friction images, beside two renderings.</source>
+        <translation>Ein Programm von Ihnen macht die Reibungsbilder, neben zwei Bedingungen.</translation>
+    </message>
+    <message>
+        <source>Exercise for a class</source>
+        <translation>Übung für einen Kurs</translation>
+    </message>
+    <message>
+        <source>Simulated answers with planted effects and a careless participant.</source>
+        <translation>Simulierte Antworten mit eingebauten Effekten und einer unachtsamen Versuchsperson.</translation>
+    </message>
+    <message>
+        <source>Pilot of one participant</source>
+        <translation>Vorversuch mit einer Versuchsperson</translation>
+    </message>
+    <message>
+        <source>Shows whether the set-up works and how long a presentation takes.</source>
+        <translation>Zeigt, ob der Aufbau funktioniert und wie lange eine Darbietung dauert.</translation>
+    </message>
+    <message>
+        <source>%1
+%2</source>
+        <translation>%1
+%2</translation>
+    </message>
+    <message>
+        <source>Begin with this (Enter)</source>
+        <translation>Hiermit beginnen (Enter)</translation>
+    </message>
+    <message>
+        <source>Protocol file</source>
+        <translation>Protokolldatei</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Durchsuchen …</translation>
+    </message>
+    <message>
+        <source>Open the protocol</source>
+        <translation>Protokoll öffnen</translation>
+    </message>
+    <message>
+        <source>Back (Esc)</source>
+        <translation>Zurück (Esc)</translation>
+    </message>
+    <message>
+        <source>Make a protocol</source>
+        <translation>Protokoll anlegen</translation>
+    </message>
+    <message>
+        <source>A protocol says who feels what, in which order, and what is asked. A study that exists keeps its own; `vis2hap study amend` changes that.</source>
+        <translation>Ein Protokoll sagt, wer was in welcher Reihenfolge fühlt und was gefragt wird. Eine vorhandene Studie behält ihres; `vis2hap study amend` ändert es.</translation>
+    </message>
+    <message>
+        <source>Begin with</source>
+        <translation>Beginnen mit</translation>
+    </message>
+    <message>
+        <source>a protocol file to change, .json</source>
+        <translation>eine Protokolldatei zum Ändern, .json</translation>
+    </message>
+    <message>
+        <source>Change a protocol</source>
+        <translation>Protokoll ändern</translation>
+    </message>
+    <message>
+        <source>The study of the paper
+10 participants, 7 fabrics, 9 conditions, a choice among three pieces and three ratings.</source>
+        <translation>Die Studie des Artikels
+10 Versuchspersonen, 7 Stoffe, 9 Bedingungen, eine Wahl unter drei Proben und drei Bewertungen.</translation>
+    </message>
+    <message>
+        <source>Empty
+Nothing is chosen yet.</source>
+        <translation>Leer
+Noch ist nichts gewählt.</translation>
+    </message>
+    <message>
+        <source>Protocols (*.json)</source>
+        <translation>Protokolle (*.json)</translation>
+    </message>
+    <message>
+        <source>No file is given. Type a protocol file, or choose it with Browse.</source>
+        <translation>Es ist keine Datei angegeben. Tippen Sie eine Protokolldatei oder wählen Sie sie mit „Durchsuchen“.</translation>
+    </message>
+</context>
+<context>
     <name>study::app::FactsPage</name>
     <message>
         <source>Continue (Enter)</source>
@@ -1908,6 +2540,25 @@
     <message>
         <source>The task was stopped. Nothing is stored.</source>
         <translation>Die Aufgabe wurde abgebrochen. Nichts wurde gespeichert.</translation>
+    </message>
+</context>
+<context>
+    <name>study::app::LeaveGuard</name>
+    <message>
+        <source>Save and leave</source>
+        <translation>Speichern und verlassen</translation>
+    </message>
+    <message>
+        <source>The protocol has changes that are not saved.</source>
+        <translation>Das Protokoll hat Änderungen, die nicht gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>Leave without saving</source>
+        <translation>Ohne Speichern verlassen</translation>
+    </message>
+    <message>
+        <source>Stay (Esc)</source>
+        <translation>Bleiben (Esc)</translation>
     </message>
 </context>
 <context>
@@ -2181,12 +2832,75 @@
         <source>The program stops this work.</source>
         <translation>Das Programm bricht diese Arbeit ab.</translation>
     </message>
+    <message>
+        <source>Make or change a protocol…</source>
+        <translation>Protokoll anlegen oder ändern …</translation>
+    </message>
 </context>
 <context>
     <name>study::app::OpenStudy</name>
     <message>
         <source>%1. First close the study in this window (Esc).</source>
         <translation>%1. Schließen Sie zuerst die Studie in diesem Fenster (Esc).</translation>
+    </message>
+</context>
+<context>
+    <name>study::app::PagePreview</name>
+    <message>
+        <source>Page to preview</source>
+        <translation>Seite der Vorschau</translation>
+    </message>
+    <message>
+        <source>Question %1</source>
+        <translation>Frage %1</translation>
+    </message>
+    <message>
+        <source>Tray before a presentation</source>
+        <translation>Tablett vor einer Darbietung</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: presentation</source>
+        <translation>Bildschirm der Versuchsperson: Darbietung</translation>
+    </message>
+    <message>
+        <source>Consent</source>
+        <translation>Einwilligung</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: consent</source>
+        <translation>Bildschirm der Versuchsperson: Einwilligung</translation>
+    </message>
+    <message>
+        <source>Facts about the participant</source>
+        <translation>Angaben zur Versuchsperson</translation>
+    </message>
+    <message>
+        <source>Getting to know the display</source>
+        <translation>Das Display kennenlernen</translation>
+    </message>
+    <message>
+        <source>Learning the scale</source>
+        <translation>Die Skala lernen</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: scale</source>
+        <translation>Bildschirm der Versuchsperson: Skala</translation>
+    </message>
+    <message>
+        <source>Checklist of a sitting</source>
+        <translation>Checkliste einer Sitzung</translation>
+    </message>
+    <message>
+        <source>Break</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: break</source>
+        <translation>Bildschirm der Versuchsperson: Pause</translation>
+    </message>
+    <message>
+        <source>Preview: %1</source>
+        <translation>Vorschau: %1</translation>
     </message>
 </context>
 <context>
@@ -2391,6 +3105,236 @@
     <message>
         <source>For the participant – Vis2Hap</source>
         <translation>Für die Versuchsperson – Vis2Hap</translation>
+    </message>
+</context>
+<context>
+    <name>study::app::PhaseDetail</name>
+    <message>
+        <source>Phase %1</source>
+        <translation>Phase %1</translation>
+    </message>
+    <message>
+        <source>Answers of phase %1</source>
+        <translation>Antworten von Phase %1</translation>
+    </message>
+    <message>
+        <source>The participant answers</source>
+        <translation>Die Versuchsperson antwortet</translation>
+    </message>
+    <message>
+        <source>Pieces on the tray</source>
+        <translation>Proben auf dem Tablett</translation>
+    </message>
+    <message>
+        <source>Presentations of blank glass</source>
+        <translation>Darbietungen von leerem Glas</translation>
+    </message>
+    <message>
+        <source>Anchors with another fabric</source>
+        <translation>Anker mit einem anderen Stoff</translation>
+    </message>
+    <message>
+        <source>Anchors felt twice</source>
+        <translation>Doppelt gefühlte Anker</translation>
+    </message>
+    <message>
+        <source>Leave as many pieces as possible on the tray from one to the next</source>
+        <translation>Von einer Darbietung zur nächsten möglichst viele Proben auf dem Tablett lassen</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>In steps of</source>
+        <translation>In Schritten von</translation>
+    </message>
+    <message>
+        <source>Equal parts of the line</source>
+        <translation>Gleiche Abschnitte der Linie</translation>
+    </message>
+    <message>
+        <source>Words of the scale, one a line, the lowest first</source>
+        <translation>Wörter der Skala, eines je Zeile, das niedrigste zuerst</translation>
+    </message>
+    <message>
+        <source>Questions of this phase</source>
+        <translation>Fragen dieser Phase</translation>
+    </message>
+    <message>
+        <source>A short name for tables, such as Soft, and the sentence that the operator says.</source>
+        <translation>Ein kurzer Name für Tabellen, zum Beispiel Weich, und der Satz, den die Versuchsleitung sagt.</translation>
+    </message>
+    <message>
+        <source>%1 more questions are kept and not shown.</source>
+        <translation>%1 weitere Fragen bleiben erhalten und sind nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>Add a question</source>
+        <translation>Frage hinzufügen</translation>
+    </message>
+    <message>
+        <source>Questions of phase %1</source>
+        <translation>Fragen von Phase %1</translation>
+    </message>
+    <message>
+        <source>Name of question %1</source>
+        <translation>Name der Frage %1</translation>
+    </message>
+    <message>
+        <source>Question %1 of phase %2</source>
+        <translation>Frage %1 von Phase %2</translation>
+    </message>
+    <message>
+        <source>Sentence of question %1</source>
+        <translation>Satz der Frage %1</translation>
+    </message>
+    <message>
+        <source>How soft does the screen feel, compared with the fabric?</source>
+        <translation>Wie weich fühlt sich der Bildschirm an, verglichen mit dem Stoff?</translation>
+    </message>
+    <message>
+        <source>Sentence of question %1 of phase %2</source>
+        <translation>Satz der Frage %1 von Phase %2</translation>
+    </message>
+    <message>
+        <source>Question %1 is answered in own words</source>
+        <translation>Frage %1 wird in eigenen Worten beantwortet</translation>
+    </message>
+    <message>
+        <source>answered in own words</source>
+        <translation>in eigenen Worten beantwortet</translation>
+    </message>
+    <message>
+        <source>Remove question %1</source>
+        <translation>Frage %1 entfernen</translation>
+    </message>
+    <message>
+        <source>Speed or accuracy</source>
+        <translation>Schnelligkeit oder Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Without instructions the phase runs once. With them it runs once under each, in balanced orders.</source>
+        <translation>Ohne Anweisungen läuft die Phase einmal. Mit ihnen läuft sie unter jeder einmal, in ausgewogenen Abfolgen.</translation>
+    </message>
+    <message>
+        <source>Add an instruction</source>
+        <translation>Anweisung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Instructions of phase %1</source>
+        <translation>Anweisungen von Phase %1</translation>
+    </message>
+    <message>
+        <source>Name of instruction %1</source>
+        <translation>Name der Anweisung %1</translation>
+    </message>
+    <message>
+        <source>Aim of instruction %1</source>
+        <translation>Ziel der Anweisung %1</translation>
+    </message>
+    <message>
+        <source>neither</source>
+        <translation>keines von beiden</translation>
+    </message>
+    <message>
+        <source>be fast</source>
+        <translation>schnell</translation>
+    </message>
+    <message>
+        <source>be accurate</source>
+        <translation>genau</translation>
+    </message>
+    <message>
+        <source>Aim</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Seconds for an answer</source>
+        <translation>Sekunden für eine Antwort</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>keine Grenze</translation>
+    </message>
+    <message>
+        <source>Remove instruction %1</source>
+        <translation>Anweisung %1 entfernen</translation>
+    </message>
+    <message>
+        <source>What the operator says</source>
+        <translation>Was die Versuchsleitung sagt</translation>
+    </message>
+    <message>
+        <source>empty: the usual sentence</source>
+        <translation>leer: der übliche Satz</translation>
+    </message>
+</context>
+<context>
+    <name>study::app::PhasesSection</name>
+    <message>
+        <source>Kind of a new phase</source>
+        <translation>Art einer neuen Phase</translation>
+    </message>
+    <message>
+        <source>Add a phase</source>
+        <translation>Phase hinzufügen</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>Nach unten</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>Fragen</translation>
+    </message>
+    <message>
+        <source>In a phase, every fabric is felt under every condition once. Its questions follow one another. Phases follow in this order.</source>
+        <translation>In einer Phase wird jeder Stoff unter jeder Bedingung einmal gefühlt. Ihre Fragen folgen aufeinander. Die Phasen folgen in dieser Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>Phases in their order</source>
+        <translation>Phasen in ihrer Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Phases</source>
+        <translation>Phasen</translation>
+    </message>
+    <message>
+        <source>%1    %2: %3</source>
+        <translation>%1    %2: %3</translation>
+    </message>
+    <message>
+        <source>choose the fabric among pieces</source>
+        <translation>den Stoff unter Proben wählen</translation>
+    </message>
+    <message>
+        <source>rate with numbers</source>
+        <translation>mit Zahlen bewerten</translation>
+    </message>
+    <message>
+        <source>rate with words</source>
+        <translation>mit Wörtern bewerten</translation>
+    </message>
+    <message>
+        <source>same or different</source>
+        <translation>gleich oder verschieden</translation>
+    </message>
+    <message>
+        <source>own words</source>
+        <translation>eigene Worte</translation>
     </message>
 </context>
 <context>
@@ -3185,6 +4129,37 @@
     </message>
 </context>
 <context>
+    <name>study::app::SectionTabs</name>
+    <message>
+        <source>Section of the protocol</source>
+        <translation>Abschnitt des Protokolls</translation>
+    </message>
+    <message>
+        <source>1  Study</source>
+        <translation>1  Studie</translation>
+    </message>
+    <message>
+        <source>2  Conditions</source>
+        <translation>2  Bedingungen</translation>
+    </message>
+    <message>
+        <source>3  Questions</source>
+        <translation>3  Fragen</translation>
+    </message>
+    <message>
+        <source>4  Course</source>
+        <translation>4  Ablauf</translation>
+    </message>
+    <message>
+        <source>5  Texts</source>
+        <translation>5  Texte</translation>
+    </message>
+    <message>
+        <source>6  Analysis</source>
+        <translation>6  Auswertung</translation>
+    </message>
+</context>
+<context>
     <name>study::app::SessionController</name>
     <message>
         <source>The presentation is flagged.</source>
@@ -3425,6 +4400,14 @@
         <source>No folder is given. Type the study folder, or choose it with Browse.</source>
         <translation>Es ist kein Ordner angegeben. Tippen Sie den Ordner der Studie oder wählen Sie ihn mit „Durchsuchen“.</translation>
     </message>
+    <message>
+        <source>Make a protocol…</source>
+        <translation>Protokoll anlegen …</translation>
+    </message>
+    <message>
+        <source>Change a protocol…</source>
+        <translation>Protokoll ändern …</translation>
+    </message>
 </context>
 <context>
     <name>study::app::StepWork</name>
@@ -3578,6 +4561,53 @@
     <message>
         <source>A session is in progress. Press Enter again to enrol %1 as a new participant.</source>
         <translation>Ein Versuch läuft noch. Drücken Sie noch einmal Enter, um %1 als neue Versuchsperson aufzunehmen.</translation>
+    </message>
+</context>
+<context>
+    <name>study::app::StudySection</name>
+    <message>
+        <source>Fabrics</source>
+        <translation>Stoffe</translation>
+    </message>
+    <message>
+        <source>Choose fabrics of a data set…</source>
+        <translation>Stoffe eines Datensatzes wählen …</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>Every participant feels each fabric under each condition. The numbers beside show what that takes.</source>
+        <translation>Jede Versuchsperson fühlt jeden Stoff unter jeder Bedingung. Die Zahlen daneben zeigen, was das verlangt.</translation>
+    </message>
+    <message>
+        <source>Name of the study</source>
+        <translation>Name der Studie</translation>
+    </message>
+    <message>
+        <source>Five words for five fabrics</source>
+        <translation>Fünf Wörter für fünf Stoffe</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>Fabrics: a number, which are drawn from the data set, or ids with commas</source>
+        <translation>Stoffe: eine Anzahl, die aus dem Datensatz gezogen wird, oder Kennungen mit Kommas</translation>
+    </message>
+    <message>
+        <source>5, or F01, F04, F07</source>
+        <translation>5, oder F01, F04, F07</translation>
+    </message>
+    <message>
+        <source>Fabrics of the data set; Space chooses</source>
+        <translation>Stoffe des Datensatzes; die Leertaste wählt</translation>
+    </message>
+    <message>
+        <source>Fabric data set</source>
+        <translation>Stoff-Datensatz</translation>
     </message>
 </context>
 <context>

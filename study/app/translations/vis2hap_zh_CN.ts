@@ -2,6 +2,85 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN">
 <context>
+    <name>study::app::AnalysisSection</name>
+    <message>
+        <source>Lower bound of equivalence</source>
+        <translation>等效下限</translation>
+    </message>
+    <message>
+        <source>Upper bound of equivalence</source>
+        <translation>等效上限</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Make it the primary one</source>
+        <translation>设为主要对比</translation>
+    </message>
+    <message>
+        <source>First condition of the contrast</source>
+        <translation>对比的第一个条件</translation>
+    </message>
+    <message>
+        <source>Second condition of the contrast</source>
+        <translation>对比的第二个条件</translation>
+    </message>
+    <message>
+        <source>Add the contrast</source>
+        <translation>添加对比</translation>
+    </message>
+    <message>
+        <source>Analysis</source>
+        <translation>分析</translation>
+    </message>
+    <message>
+        <source>Decide before the first participant comes what the report tests first, and which difference is too small to matter.</source>
+        <translation>请在第一位参与者到来之前决定：报告首先检验什么，多小的差异没有实际意义。</translation>
+    </message>
+    <message>
+        <source>Equal from (scale points)</source>
+        <translation>等效范围从（量表分）</translation>
+    </message>
+    <message>
+        <source>to (scale points)</source>
+        <translation>到（量表分）</translation>
+    </message>
+    <message>
+        <source>Bounds of equivalence</source>
+        <translation>等效界限</translation>
+    </message>
+    <message>
+        <source>Planned contrasts</source>
+        <translation>计划对比</translation>
+    </message>
+    <message>
+        <source>Pairs of conditions. The primary one is tested first; without a choice it is the first.</source>
+        <translation>成对的条件。首先检验主要对比；如果没有选择，则为第一对。</translation>
+    </message>
+    <message>
+        <source>Primary contrast</source>
+        <translation>主要对比</translation>
+    </message>
+    <message>
+        <source>%1 − %2</source>
+        <translation>%1 − %2</translation>
+    </message>
+    <message>
+        <source>%1    (primary)</source>
+        <translation>%1    （主要）</translation>
+    </message>
+    <message>
+        <source>Both conditions are the same. Choose two different ones.</source>
+        <translation>两个条件相同。请选择两个不同的条件。</translation>
+    </message>
+    <message>
+        <source>This pair is planned already. Choose another one.</source>
+        <translation>这一对已经列入计划。请选择另一对。</translation>
+    </message>
+</context>
+<context>
     <name>study::app::AppText</name>
     <message>
         <source>.</source>
@@ -424,6 +503,10 @@
         <source>; </source>
         <comment>between the parts of a message</comment>
         <translation>；</translation>
+    </message>
+    <message>
+        <source>This computer has no font for the language of the participants, %1: they would see boxes. Run: apt-get install %2</source>
+        <translation>这台计算机没有参与者语言%1的字体：参与者会看到方框。请运行：apt-get install %2</translation>
     </message>
 </context>
 <context>
@@ -1076,6 +1159,182 @@
         <source>strokes at %1 mm/s and %2 Hz</source>
         <translation>滑动速度%1 mm/s，采样率%2 Hz</translation>
     </message>
+    <message>
+        <source>is empty, expected a name for the study</source>
+        <translation>为空，应为研究的名称</translation>
+    </message>
+    <message>
+        <source>%1, expected at least %2</source>
+        <translation>%1，应至少为%2</translation>
+    </message>
+    <message>
+        <source>%1 are named, expected %2</source>
+        <translation>列出了%1个，应为%2个</translation>
+    </message>
+    <message>
+        <source>is empty, expected the id of a fabric</source>
+        <translation>为空，应为织物的标识</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is named twice, expected each fabric once</source>
+        <translation>“%1”出现两次，每种织物应只出现一次</translation>
+    </message>
+    <message>
+        <source>is empty, expected at least one of %1</source>
+        <translation>为空，应至少为%1之一</translation>
+    </message>
+    <message>
+        <source>is empty, expected the folder of the images</source>
+        <translation>为空，应为图像文件夹</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is named twice, expected each condition once</source>
+        <translation>“%1”出现两次，每个条件应只出现一次</translation>
+    </message>
+    <message>
+        <source>%1, expected at most the number of presentations in the phase</source>
+        <translation>%1，不应超过本阶段的呈现数</translation>
+    </message>
+    <message>
+        <source>%1 questions with a right answer, expected one (and any number in free_text)</source>
+        <translation>有正确答案的问题有%1个，应为一个（free_text中的问题数量不限）</translation>
+    </message>
+    <message>
+        <source>is empty, expected at least one question</source>
+        <translation>为空，应至少有一个问题</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is asked twice, expected each question once</source>
+        <translation>“%1”问了两次，每个问题应只问一次</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has no text, expected one in question_texts</source>
+        <translation>“%1”没有句子，应写在question_texts中</translation>
+    </message>
+    <message>
+        <source>is empty, expected a name such as &quot;speed&quot;</source>
+        <translation>为空，应为名称，例如“speed”</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is named twice, expected ids that differ also when their case is ignored</source>
+        <translation>“%1”出现两次，标识不应仅有大小写之别</translation>
+    </message>
+    <message>
+        <source>expected 0.1 to 3600 seconds</source>
+        <translation>应为0.1至3600秒</translation>
+    </message>
+    <message>
+        <source>is empty, expected the sentence that the operator says</source>
+        <translation>为空，应为主试所说的句子</translation>
+    </message>
+    <message>
+        <source>is empty, expected at least one phase</source>
+        <translation>为空，应至少有一个阶段</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; and &apos;%2&apos; are not a planned contrast in this order, expected a pair of planned</source>
+        <translation>“%1”和“%2”按此顺序不是计划对比，应为planned中的一对</translation>
+    </message>
+    <message>
+        <source>is empty, expected the id of a condition</source>
+        <translation>为空，应为条件的标识</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not among the conditions, expected a pair of the protocol&apos;s conditions</source>
+        <translation>“%1”不在条件之中，应为实验方案中的一对条件</translation>
+    </message>
+    <message>
+        <source>compares &apos;%1&apos; with itself, expected two conditions</source>
+        <translation>将“%1”与自身比较，应为两个条件</translation>
+    </message>
+    <message>
+        <source>repeats an earlier contrast, expected each pair once</source>
+        <translation>重复了前面的对比，每一对应只出现一次</translation>
+    </message>
+    <message>
+        <source>the lower is not below the upper, expected [lower, upper]</source>
+        <translation>下限不低于上限，应为[下限, 上限]</translation>
+    </message>
+    <message>
+        <source>expected more than 0</source>
+        <translation>应大于0</translation>
+    </message>
+    <message>
+        <source>expected at least 1 presentation</source>
+        <translation>应至少为1次呈现</translation>
+    </message>
+    <message>
+        <source>expected at least 1 minute</source>
+        <translation>应至少为1分钟</translation>
+    </message>
+    <message>
+        <source>expected 0 to 5 seconds</source>
+        <translation>应为0至5秒</translation>
+    </message>
+    <message>
+        <source>expected 0 or more</source>
+        <translation>应为0或更大</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is missing</source>
+        <translation>缺少“%1”</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;%1&apos;</source>
+        <translation>未知的键“%1”</translation>
+    </message>
+    <message>
+        <source>%1, expected %2</source>
+        <translation>%1，应为%2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a column of exported answers, expected another id</source>
+        <translation>“%1”是导出回答中的列名，应换用其他标识</translation>
+    </message>
+    <message>
+        <source>the tray has one piece, expected a phase with alternatives</source>
+        <translation>托盘上只有一块布样，应为带alternatives的阶段</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not among the phase&apos;s questions</source>
+        <translation>“%1”不在本阶段的问题之中</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is asked in no phase, expected ids of the phases&apos; questions</source>
+        <translation>没有阶段问到“%1”，应为各阶段问题的标识</translation>
+    </message>
+    <message>
+        <source>%1, expected a whole number of tenths</source>
+        <translation>%1，应为0.1的整数倍</translation>
+    </message>
+    <message>
+        <source>%1, expected at most 26, for the slots A to Z</source>
+        <translation>%1，应至多为26（A格至Z格）</translation>
+    </message>
+    <message>
+        <source>%1 of %2 fabrics, expected no more alternatives than fabrics</source>
+        <translation>%2种织物中的%1种，选项不应多于织物</translation>
+    </message>
+    <message>
+        <source>max is not above min, expected min &lt; max</source>
+        <translation>最大值不大于最小值，应为min &lt; max</translation>
+    </message>
+    <message>
+        <source>is not positive, expected at least 0.1</source>
+        <translation>不是正数，应至少为0.1</translation>
+    </message>
+    <message>
+        <source>does not lead from min to max, expected a whole number of steps</source>
+        <translation>不能从最小值到达最大值，应为整数个步长</translation>
+    </message>
+    <message>
+        <source>%1 words, expected %2</source>
+        <translation>%1个词，应为%2个</translation>
+    </message>
+    <message>
+        <source>one fabric, expected at least 2, so that some can differ</source>
+        <translation>只有一种织物，应至少有2种，才会有不同的织物</translation>
+    </message>
 </context>
 <context>
     <name>study::app::Catalogue</name>
@@ -1093,6 +1352,97 @@
         <source>version of the program</source>
         <extracomment>The version of the program that the catalogue is made for, such as &quot;0.6.0&quot;.</extracomment>
         <translation>0.6.0</translation>
+    </message>
+</context>
+<context>
+    <name>study::app::CheckPanel</name>
+    <message>
+        <source>has no sentence</source>
+        <translation>没有句子</translation>
+    </message>
+    <message>
+        <source>and any number answered in own words</source>
+        <translation>以及任意多个用自己的话回答的问题</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Line %1, column %2. %3</source>
+        <translation>第%1行第%2列。%3</translation>
+    </message>
+    <message>
+        <source>No fault</source>
+        <translation>没有错误</translation>
+    </message>
+    <message>
+        <source>1 fault</source>
+        <translation>1个错误</translation>
+    </message>
+    <message>
+        <source>%1 faults</source>
+        <translation>%1个错误</translation>
+    </message>
+    <message>
+        <source>Remove it</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Go to</source>
+        <translation>前往</translation>
+    </message>
+    <message>
+        <source>Remove it: %1</source>
+        <translation>移除：%1</translation>
+    </message>
+    <message>
+        <source>Go to: %1</source>
+        <translation>前往：%1</translation>
+    </message>
+    <message>
+        <source>… and %1 more</source>
+        <translation>……以及另外%1个</translation>
+    </message>
+    <message>
+        <source>No fault. Presentations: %1, minutes: %2, sittings: %3</source>
+        <translation>没有错误。呈现：%1，分钟：%2，场次：%3</translation>
+    </message>
+    <message>
+        <source>Minutes, power and the preview follow when there is no fault.</source>
+        <translation>没有错误时才会显示时长、检验力和预览。</translation>
+    </message>
+    <message>
+        <source>Each participant: about %1 minutes without breaks. Presentations: %2, answers: %3, breaks: %4, sittings: %5. The whole study: answers: %6.</source>
+        <translation>每位参与者：不含休息约%1分钟。呈现：%2，回答：%3，休息：%4，场次：%5。整个研究：回答：%6。</translation>
+    </message>
+    <message>
+        <source>Power and balance are being computed …</source>
+        <translation>正在计算检验力和平衡性…</translation>
+    </message>
+    <message>
+        <source>%1: a difference of %2 scale points between two conditions</source>
+        <translation>%1：两个条件相差%2个量表分</translation>
+    </message>
+    <message>
+        <source>%1: %2 % right answers in one condition</source>
+        <translation>%1：一个条件下的正确率为%2%</translation>
+    </message>
+    <message>
+        <source>With a power of 80 %, under the usual assumptions, the study detects:</source>
+        <translation>在通常的假设下，以80%的检验力，本研究可以检出：</translation>
+    </message>
+    <message>
+        <source>%1: %2 to %3</source>
+        <translation>%1：%2至%3</translation>
+    </message>
+    <message>
+        <source>Balance of the running orders:</source>
+        <translation>呈现顺序的平衡性：</translation>
+    </message>
+    <message>
+        <source>Orders of this length take long to draw; `vis2hap protocol show` prints their balance.</source>
+        <translation>生成这么长的顺序需要很久；`vis2hap protocol show`会打印其平衡性。</translation>
     </message>
 </context>
 <context>
@@ -1139,6 +1489,145 @@
     <message>
         <source>Read back: %1</source>
         <translation>请复述：%1</translation>
+    </message>
+</context>
+<context>
+    <name>study::app::ConditionsSection</name>
+    <message>
+        <source>The brightness of the photograph is felt as relief.</source>
+        <translation>照片的亮度被感受为起伏。</translation>
+    </message>
+    <message>
+        <source>Relief that is computed from the shading of the photograph.</source>
+        <translation>由照片明暗计算出的起伏。</translation>
+    </message>
+    <message>
+        <source>Friction along the stroke, generated from the photograph.</source>
+        <translation>由照片生成的沿滑动方向的摩擦。</translation>
+    </message>
+    <message>
+        <source>Relief that is generated from the photograph.</source>
+        <translation>由照片生成的起伏。</translation>
+    </message>
+    <message>
+        <source>Relief and mean friction, both generated from the photograph.</source>
+        <translation>起伏和平均摩擦，均由照片生成。</translation>
+    </message>
+    <message>
+        <source>The brightness of a tactile sensor&apos;s picture is felt as relief.</source>
+        <translation>触觉传感器图像的亮度被感受为起伏。</translation>
+    </message>
+    <message>
+        <source>Friction that was measured along a stroke.</source>
+        <translation>沿滑动方向测得的摩擦。</translation>
+    </message>
+    <message>
+        <source>Relief that was measured with a tactile sensor.</source>
+        <translation>用触觉传感器测得的起伏。</translation>
+    </message>
+    <message>
+        <source>Relief and mean friction, both measured.</source>
+        <translation>起伏和平均摩擦，均为测得。</translation>
+    </message>
+    <message>
+        <source>Slope of the measured relief along the stroke; not in the paper.</source>
+        <translation>测得起伏沿滑动方向的斜率；论文中没有。</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Name of your condition</source>
+        <translation>您的条件的名称</translation>
+    </message>
+    <message>
+        <source>Folder of its images</source>
+        <translation>其图像的文件夹</translation>
+    </message>
+    <message>
+        <source>Add your images</source>
+        <translation>添加您的图像</translation>
+    </message>
+    <message>
+        <source>Add your program</source>
+        <translation>添加您的程序</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>浏览…</translation>
+    </message>
+    <message>
+        <source>Condition at another quality</source>
+        <translation>另一质量等级的条件</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>质量</translation>
+    </message>
+    <message>
+        <source>Add this quality</source>
+        <translation>添加这一质量等级</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>Ways to turn a fabric into what the finger feels on the screen.</source>
+        <translation>把织物变成手指在屏幕上所感受的内容的各种方式。</translation>
+    </message>
+    <message>
+        <source>Condition %1: %2</source>
+        <translation>条件%1：%2</translation>
+    </message>
+    <message>
+        <source>Your own conditions</source>
+        <translation>您自己的条件</translation>
+    </message>
+    <message>
+        <source>A folder with one ready friction image a fabric: F01.png, F02.png, … Or a program, which you name when you make the study with `vis2hap study new --program`. They are blinded and balanced like all others.</source>
+        <translation>一个文件夹，每种织物一张现成的摩擦图像：F01.png、F02.png……或者一个程序，在用`vis2hap study new --program`创建研究时指定。它们与其他条件一样接受盲法处理并保持平衡。</translation>
+    </message>
+    <message>
+        <source>Further conditions of the study</source>
+        <translation>研究的其他条件</translation>
+    </message>
+    <message>
+        <source>mine</source>
+        <translation>mine</translation>
+    </message>
+    <message>
+        <source>the folder with the images</source>
+        <translation>图像所在的文件夹</translation>
+    </message>
+    <message>
+        <source>One condition at several qualities</source>
+        <translation>同一条件的多个质量等级</translation>
+    </message>
+    <message>
+        <source>Quality trades computing time for exactness, so a study can compare its prices.</source>
+        <translation>质量等级用计算时间换取精确度，因此研究可以比较其代价。</translation>
+    </message>
+    <message>
+        <source>%1    by a program</source>
+        <translation>%1    由程序生成</translation>
+    </message>
+    <message>
+        <source>%1    from %2</source>
+        <translation>%1    来自%2</translation>
+    </message>
+    <message>
+        <source>Folder of the images</source>
+        <translation>图像文件夹</translation>
+    </message>
+    <message>
+        <source>Your condition has no name. Type one, such as mine.</source>
+        <translation>您的条件没有名称。请输入一个，例如mine。</translation>
+    </message>
+    <message>
+        <source>No folder is given. Choose the folder that holds one image a fabric.</source>
+        <translation>没有给出文件夹。请选择每种织物各有一张图像的文件夹。</translation>
     </message>
 </context>
 <context>
@@ -1501,6 +1990,329 @@
     </message>
 </context>
 <context>
+    <name>study::app::EditorPage</name>
+    <message>
+        <source>Save (Ctrl S)</source>
+        <translation>保存 (Ctrl S)</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>另存为…</translation>
+    </message>
+    <message>
+        <source>Make the study…</source>
+        <translation>创建研究…</translation>
+    </message>
+    <message>
+        <source>Undo (Ctrl Z)</source>
+        <translation>撤销 (Ctrl Z)</translation>
+    </message>
+    <message>
+        <source>Back (Esc)</source>
+        <translation>返回 (Esc)</translation>
+    </message>
+    <message>
+        <source>This protocol belongs to a study that exists; `vis2hap study amend` changes it there. Here you edit a copy for a new study.</source>
+        <translation>这个实验方案属于一项已有的研究；在那里请用`vis2hap study amend`更改。您在这里编辑的是供新研究使用的副本。</translation>
+    </message>
+    <message>
+        <source>The file has faults: %1. Each is shown with line and column.</source>
+        <translation>文件有错误：%1个。每个错误都标明行和列。</translation>
+    </message>
+    <message>
+        <source>Save the protocol</source>
+        <translation>保存实验方案</translation>
+    </message>
+    <message>
+        <source>Protocols (*.json)</source>
+        <translation>实验方案 (*.json)</translation>
+    </message>
+    <message>
+        <source>This folder belongs to a study that exists. Save the protocol elsewhere; `vis2hap study amend` changes the protocol of that study.</source>
+        <translation>这个文件夹属于一项已有的研究。请把实验方案保存到别处；要更改那项研究的方案，请用`vis2hap study amend`。</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>已保存：%1</translation>
+    </message>
+    <message>
+        <source>Copy its recordings there, too: %1</source>
+        <translation>请把它的录音也复制到那里：%1</translation>
+    </message>
+    <message>
+        <source>A study cannot follow this protocol yet. Mend the faults first: %1</source>
+        <translation>研究还不能采用这个实验方案。请先改正错误：%1</translation>
+    </message>
+    <message>
+        <source>This page does not show that field. It is kept as it is in the file.</source>
+        <translation>本页不显示这个字段，它在文件中保持原样。</translation>
+    </message>
+    <message>
+        <source>New protocol</source>
+        <translation>新实验方案</translation>
+    </message>
+    <message>
+        <source>%1 (not saved)</source>
+        <translation>%1（未保存）</translation>
+    </message>
+    <message>
+        <source>Back to the fields (F6)</source>
+        <translation>返回字段 (F6)</translation>
+    </message>
+    <message>
+        <source>%1. Details (F6)</source>
+        <translation>%1。详细信息 (F6)</translation>
+    </message>
+</context>
+<context>
+    <name>study::app::EditorSections</name>
+    <message>
+        <source>empty: “%1”</source>
+        <translation>留空：“%1”</translation>
+    </message>
+    <message>
+        <source>Course of a session</source>
+        <translation>实验进程</translation>
+    </message>
+    <message>
+        <source>Empty fields have usual values, which they show.</source>
+        <translation>留空的字段采用所显示的常用值。</translation>
+    </message>
+    <message>
+        <source>Seconds a presentation</source>
+        <translation>每次呈现的秒数</translation>
+    </message>
+    <message>
+        <source>Presentations before a break</source>
+        <translation>休息前的呈现数</translation>
+    </message>
+    <message>
+        <source>Minutes before a break</source>
+        <translation>休息前的分钟数</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>不限</translation>
+    </message>
+    <message>
+        <source>Minutes of a sitting</source>
+        <translation>每个场次的分钟数</translation>
+    </message>
+    <message>
+        <source>Fabrics and tray</source>
+        <translation>织物与托盘</translation>
+    </message>
+    <message>
+        <source>Fabrics to get used to</source>
+        <translation>熟悉阶段的织物数</translation>
+    </message>
+    <message>
+        <source>Seconds a new tray is locked</source>
+        <translation>新托盘的锁定秒数</translation>
+    </message>
+    <message>
+        <source>Codes on the fabric pieces</source>
+        <translation>布样上的编码</translation>
+    </message>
+    <message>
+        <source>one set for the whole study</source>
+        <translation>整个研究用一套</translation>
+    </message>
+    <message>
+        <source>new codes for each participant</source>
+        <translation>每位参与者用新的编码</translation>
+    </message>
+    <message>
+        <source>The operator scans or types the code of every piece</source>
+        <translation>主试扫描或输入每块布样的编码</translation>
+    </message>
+    <message>
+        <source>The operator enters every answer twice</source>
+        <translation>主试把每个回答录入两次</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>文本</translation>
+    </message>
+    <message>
+        <source>The operator reads them aloud or ticks them. Write them in the language of your participants.</source>
+        <translation>由主试朗读或勾选。请用参与者的语言书写。</translation>
+    </message>
+    <message>
+        <source>Language of the participants, as a tag</source>
+        <translation>参与者的语言（语言标签）</translation>
+    </message>
+    <message>
+        <source>en; others are de, pt-BR, zh-CN</source>
+        <translation>en；其他如de、pt-BR、zh-CN</translation>
+    </message>
+    <message>
+        <source>Consent, which the operator confirms</source>
+        <translation>由主试确认的知情同意</translation>
+    </message>
+    <message>
+        <source>How to stroke glass and fabric</source>
+        <translation>怎样滑过屏幕和布料</translation>
+    </message>
+    <message>
+        <source>Checklist before a sitting, one point a line</source>
+        <translation>场次前的检查清单，每行一项</translation>
+    </message>
+    <message>
+        <source>The participant wears the eye mask</source>
+        <translation>参与者已戴好眼罩</translation>
+    </message>
+    <message>
+        <source>Readings before a sitting, one quantity with its unit a line</source>
+        <translation>场次前的读数，每行一个带单位的量</translation>
+    </message>
+    <message>
+        <source>temperature in °C</source>
+        <translation>温度（°C）</translation>
+    </message>
+    <message>
+        <source>Facts that the participant may give, one a line</source>
+        <translation>参与者可提供的基本信息，每行一项</translation>
+    </message>
+    <message>
+        <source>age</source>
+        <translation>年龄</translation>
+    </message>
+</context>
+<context>
+    <name>study::app::EditorStart</name>
+    <message>
+        <source>Two pieces and five words</source>
+        <translation>两块布样与五个词</translation>
+    </message>
+    <message>
+        <source>One of two pieces, then how similar it is, in five words.</source>
+        <translation>先从两块布样中选一块，再用五个词表示有多相似。</translation>
+    </message>
+    <message>
+        <source>Same or different</source>
+        <translation>相同或不同</translation>
+    </message>
+    <message>
+        <source>Is the fabric the one on the screen? Blank glass finds guessers.</source>
+        <translation>布料是不是屏幕上的那一种？空白屏面可以找出随意猜测的人。</translation>
+    </message>
+    <message>
+        <source>Speed against accuracy</source>
+        <translation>速度与准确</translation>
+    </message>
+    <message>
+        <source>The same choices under “be fast”, “be accurate” and a deadline.</source>
+        <translation>在“求快”“求准”和限时三种要求下作同样的选择。</translation>
+    </message>
+    <message>
+        <source>Quality of the rendering</source>
+        <translation>渲染质量</translation>
+    </message>
+    <message>
+        <source>One rendering at three prices in computing time.</source>
+        <translation>同一渲染，三种计算时间代价。</translation>
+    </message>
+    <message>
+        <source>Your own images</source>
+        <translation>您自己的图像</translation>
+    </message>
+    <message>
+        <source>Friction images that you made, beside two renderings of the program.</source>
+        <translation>您制作的摩擦图像，与本程序的两种渲染并列。</translation>
+    </message>
+    <message>
+        <source>Your own program</source>
+        <translation>您自己的程序</translation>
+    </message>
+    <message>
+        <source>A program of yours makes the friction images, beside two renderings.</source>
+        <translation>由您的程序生成摩擦图像，与两种渲染并列。</translation>
+    </message>
+    <message>
+        <source>Exercise for a class</source>
+        <translation>课堂练习</translation>
+    </message>
+    <message>
+        <source>Simulated answers with planted effects and a careless participant.</source>
+        <translation>带有预设效应和一位敷衍的参与者的模拟回答。</translation>
+    </message>
+    <message>
+        <source>Pilot of one participant</source>
+        <translation>一位参与者的预实验</translation>
+    </message>
+    <message>
+        <source>Shows whether the set-up works and how long a presentation takes.</source>
+        <translation>看装置是否可用，以及一次呈现要多长时间。</translation>
+    </message>
+    <message>
+        <source>%1
+%2</source>
+        <translation>%1
+%2</translation>
+    </message>
+    <message>
+        <source>Begin with this (Enter)</source>
+        <translation>由此开始 (Enter)</translation>
+    </message>
+    <message>
+        <source>Protocol file</source>
+        <translation>实验方案文件</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>浏览…</translation>
+    </message>
+    <message>
+        <source>Open the protocol</source>
+        <translation>打开实验方案</translation>
+    </message>
+    <message>
+        <source>Back (Esc)</source>
+        <translation>返回 (Esc)</translation>
+    </message>
+    <message>
+        <source>Make a protocol</source>
+        <translation>制作实验方案</translation>
+    </message>
+    <message>
+        <source>A protocol says who feels what, in which order, and what is asked. A study that exists keeps its own; `vis2hap study amend` changes that.</source>
+        <translation>实验方案规定谁以什么顺序感受什么，以及问什么。已有的研究保留自己的方案；要更改它，请用`vis2hap study amend`。</translation>
+    </message>
+    <message>
+        <source>Begin with</source>
+        <translation>起点</translation>
+    </message>
+    <message>
+        <source>a protocol file to change, .json</source>
+        <translation>要更改的实验方案文件，.json</translation>
+    </message>
+    <message>
+        <source>Change a protocol</source>
+        <translation>更改实验方案</translation>
+    </message>
+    <message>
+        <source>The study of the paper
+10 participants, 7 fabrics, 9 conditions, a choice among three pieces and three ratings.</source>
+        <translation>论文中的研究
+10位参与者、7种织物、9种条件，一次三选一和三个评分。</translation>
+    </message>
+    <message>
+        <source>Empty
+Nothing is chosen yet.</source>
+        <translation>空白
+尚未选择任何内容。</translation>
+    </message>
+    <message>
+        <source>Protocols (*.json)</source>
+        <translation>实验方案 (*.json)</translation>
+    </message>
+    <message>
+        <source>No file is given. Type a protocol file, or choose it with Browse.</source>
+        <translation>没有给出文件。请输入实验方案文件，或用“浏览”选择。</translation>
+    </message>
+</context>
+<context>
     <name>study::app::FactsPage</name>
     <message>
         <source>Continue (Enter)</source>
@@ -1728,6 +2540,25 @@
     <message>
         <source>The task was stopped. Nothing is stored.</source>
         <translation>任务已停止。没有保存任何内容。</translation>
+    </message>
+</context>
+<context>
+    <name>study::app::LeaveGuard</name>
+    <message>
+        <source>Save and leave</source>
+        <translation>保存并离开</translation>
+    </message>
+    <message>
+        <source>The protocol has changes that are not saved.</source>
+        <translation>实验方案有未保存的更改。</translation>
+    </message>
+    <message>
+        <source>Leave without saving</source>
+        <translation>不保存就离开</translation>
+    </message>
+    <message>
+        <source>Stay (Esc)</source>
+        <translation>留在这里 (Esc)</translation>
     </message>
 </context>
 <context>
@@ -2001,12 +2832,75 @@
         <source>The program stops this work.</source>
         <translation>程序正在停止这项工作。</translation>
     </message>
+    <message>
+        <source>Make or change a protocol…</source>
+        <translation>制作或更改实验方案…</translation>
+    </message>
 </context>
 <context>
     <name>study::app::OpenStudy</name>
     <message>
         <source>%1. First close the study in this window (Esc).</source>
         <translation>%1。请先在本窗口中关闭研究 (Esc)。</translation>
+    </message>
+</context>
+<context>
+    <name>study::app::PagePreview</name>
+    <message>
+        <source>Page to preview</source>
+        <translation>要预览的页面</translation>
+    </message>
+    <message>
+        <source>Question %1</source>
+        <translation>问题%1</translation>
+    </message>
+    <message>
+        <source>Tray before a presentation</source>
+        <translation>呈现前的托盘</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: presentation</source>
+        <translation>参与者屏幕：呈现</translation>
+    </message>
+    <message>
+        <source>Consent</source>
+        <translation>知情同意</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: consent</source>
+        <translation>参与者屏幕：知情同意</translation>
+    </message>
+    <message>
+        <source>Facts about the participant</source>
+        <translation>参与者的基本信息</translation>
+    </message>
+    <message>
+        <source>Getting to know the display</source>
+        <translation>熟悉触觉屏</translation>
+    </message>
+    <message>
+        <source>Learning the scale</source>
+        <translation>学习量表</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: scale</source>
+        <translation>参与者屏幕：量表</translation>
+    </message>
+    <message>
+        <source>Checklist of a sitting</source>
+        <translation>场次的检查清单</translation>
+    </message>
+    <message>
+        <source>Break</source>
+        <translation>休息</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: break</source>
+        <translation>参与者屏幕：休息</translation>
+    </message>
+    <message>
+        <source>Preview: %1</source>
+        <translation>预览：%1</translation>
     </message>
 </context>
 <context>
@@ -2211,6 +3105,236 @@
     <message>
         <source>For the participant – Vis2Hap</source>
         <translation>参与者专用 – Vis2Hap</translation>
+    </message>
+</context>
+<context>
+    <name>study::app::PhaseDetail</name>
+    <message>
+        <source>Phase %1</source>
+        <translation>阶段%1</translation>
+    </message>
+    <message>
+        <source>Answers of phase %1</source>
+        <translation>阶段%1的回答</translation>
+    </message>
+    <message>
+        <source>The participant answers</source>
+        <translation>参与者的回答方式</translation>
+    </message>
+    <message>
+        <source>Pieces on the tray</source>
+        <translation>托盘上的布样数</translation>
+    </message>
+    <message>
+        <source>Presentations of blank glass</source>
+        <translation>空白屏面的呈现数</translation>
+    </message>
+    <message>
+        <source>Anchors with another fabric</source>
+        <translation>用另一种织物的锚定呈现</translation>
+    </message>
+    <message>
+        <source>Anchors felt twice</source>
+        <translation>重复感受的锚定呈现</translation>
+    </message>
+    <message>
+        <source>Leave as many pieces as possible on the tray from one to the next</source>
+        <translation>相邻两次呈现之间尽量多保留托盘上的布样</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>从</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>到</translation>
+    </message>
+    <message>
+        <source>In steps of</source>
+        <translation>步长</translation>
+    </message>
+    <message>
+        <source>Equal parts of the line</source>
+        <translation>线的等分段数</translation>
+    </message>
+    <message>
+        <source>Words of the scale, one a line, the lowest first</source>
+        <translation>量表的词，每行一个，最低的在前</translation>
+    </message>
+    <message>
+        <source>Questions of this phase</source>
+        <translation>本阶段的问题</translation>
+    </message>
+    <message>
+        <source>A short name for tables, such as Soft, and the sentence that the operator says.</source>
+        <translation>用于表格的短名称，例如Soft，以及主试所说的句子。</translation>
+    </message>
+    <message>
+        <source>%1 more questions are kept and not shown.</source>
+        <translation>另有%1个问题被保留，但不显示。</translation>
+    </message>
+    <message>
+        <source>Add a question</source>
+        <translation>添加问题</translation>
+    </message>
+    <message>
+        <source>Questions of phase %1</source>
+        <translation>阶段%1的问题</translation>
+    </message>
+    <message>
+        <source>Name of question %1</source>
+        <translation>问题%1的名称</translation>
+    </message>
+    <message>
+        <source>Question %1 of phase %2</source>
+        <translation>阶段%2的问题%1</translation>
+    </message>
+    <message>
+        <source>Sentence of question %1</source>
+        <translation>问题%1的句子</translation>
+    </message>
+    <message>
+        <source>How soft does the screen feel, compared with the fabric?</source>
+        <translation>与布料相比，屏幕摸起来有多柔软？</translation>
+    </message>
+    <message>
+        <source>Sentence of question %1 of phase %2</source>
+        <translation>阶段%2的问题%1的句子</translation>
+    </message>
+    <message>
+        <source>Question %1 is answered in own words</source>
+        <translation>问题%1用自己的话回答</translation>
+    </message>
+    <message>
+        <source>answered in own words</source>
+        <translation>用自己的话回答</translation>
+    </message>
+    <message>
+        <source>Remove question %1</source>
+        <translation>移除问题%1</translation>
+    </message>
+    <message>
+        <source>Speed or accuracy</source>
+        <translation>速度或准确</translation>
+    </message>
+    <message>
+        <source>Without instructions the phase runs once. With them it runs once under each, in balanced orders.</source>
+        <translation>没有指导语时，本阶段进行一次；有指导语时，在每条指导语下各进行一次，顺序保持平衡。</translation>
+    </message>
+    <message>
+        <source>Add an instruction</source>
+        <translation>添加指导语</translation>
+    </message>
+    <message>
+        <source>Instructions of phase %1</source>
+        <translation>阶段%1的指导语</translation>
+    </message>
+    <message>
+        <source>Name of instruction %1</source>
+        <translation>指导语%1的名称</translation>
+    </message>
+    <message>
+        <source>Aim of instruction %1</source>
+        <translation>指导语%1的目标</translation>
+    </message>
+    <message>
+        <source>neither</source>
+        <translation>无要求</translation>
+    </message>
+    <message>
+        <source>be fast</source>
+        <translation>求快</translation>
+    </message>
+    <message>
+        <source>be accurate</source>
+        <translation>求准</translation>
+    </message>
+    <message>
+        <source>Aim</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Seconds for an answer</source>
+        <translation>回答时限（秒）</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>不限</translation>
+    </message>
+    <message>
+        <source>Remove instruction %1</source>
+        <translation>移除指导语%1</translation>
+    </message>
+    <message>
+        <source>What the operator says</source>
+        <translation>主试所说的话</translation>
+    </message>
+    <message>
+        <source>empty: the usual sentence</source>
+        <translation>留空：采用常用句子</translation>
+    </message>
+</context>
+<context>
+    <name>study::app::PhasesSection</name>
+    <message>
+        <source>Kind of a new phase</source>
+        <translation>新阶段的类型</translation>
+    </message>
+    <message>
+        <source>Add a phase</source>
+        <translation>添加阶段</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>上移</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>下移</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>问题</translation>
+    </message>
+    <message>
+        <source>In a phase, every fabric is felt under every condition once. Its questions follow one another. Phases follow in this order.</source>
+        <translation>在一个阶段里，每种织物在每种条件下各感受一次，该阶段的问题依次提出。各阶段按此顺序进行。</translation>
+    </message>
+    <message>
+        <source>Phases in their order</source>
+        <translation>按顺序排列的阶段</translation>
+    </message>
+    <message>
+        <source>Phases</source>
+        <translation>阶段</translation>
+    </message>
+    <message>
+        <source>%1    %2: %3</source>
+        <translation>%1    %2：%3</translation>
+    </message>
+    <message>
+        <source>choose the fabric among pieces</source>
+        <translation>从布样中选出织物</translation>
+    </message>
+    <message>
+        <source>rate with numbers</source>
+        <translation>用数字评分</translation>
+    </message>
+    <message>
+        <source>rate with words</source>
+        <translation>用词评分</translation>
+    </message>
+    <message>
+        <source>same or different</source>
+        <translation>相同或不同</translation>
+    </message>
+    <message>
+        <source>own words</source>
+        <translation>自己的话</translation>
     </message>
 </context>
 <context>
@@ -3005,6 +4129,37 @@
     </message>
 </context>
 <context>
+    <name>study::app::SectionTabs</name>
+    <message>
+        <source>Section of the protocol</source>
+        <translation>实验方案的部分</translation>
+    </message>
+    <message>
+        <source>1  Study</source>
+        <translation>1  研究</translation>
+    </message>
+    <message>
+        <source>2  Conditions</source>
+        <translation>2  条件</translation>
+    </message>
+    <message>
+        <source>3  Questions</source>
+        <translation>3  问题</translation>
+    </message>
+    <message>
+        <source>4  Course</source>
+        <translation>4  进程</translation>
+    </message>
+    <message>
+        <source>5  Texts</source>
+        <translation>5  文本</translation>
+    </message>
+    <message>
+        <source>6  Analysis</source>
+        <translation>6  分析</translation>
+    </message>
+</context>
+<context>
     <name>study::app::SessionController</name>
     <message>
         <source>The presentation is flagged.</source>
@@ -3245,6 +4400,14 @@
         <source>No folder is given. Type the study folder, or choose it with Browse.</source>
         <translation>没有给出文件夹。请输入研究文件夹，或用“浏览”选择。</translation>
     </message>
+    <message>
+        <source>Make a protocol…</source>
+        <translation>制作实验方案…</translation>
+    </message>
+    <message>
+        <source>Change a protocol…</source>
+        <translation>更改实验方案…</translation>
+    </message>
 </context>
 <context>
     <name>study::app::StepWork</name>
@@ -3398,6 +4561,53 @@
     <message>
         <source>A session is in progress. Press Enter again to enrol %1 as a new participant.</source>
         <translation>有一次实验正在进行。再按一次Enter，可将%1登记为新的参与者。</translation>
+    </message>
+</context>
+<context>
+    <name>study::app::StudySection</name>
+    <message>
+        <source>Fabrics</source>
+        <translation>织物</translation>
+    </message>
+    <message>
+        <source>Choose fabrics of a data set…</source>
+        <translation>从数据集中选择织物…</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>研究</translation>
+    </message>
+    <message>
+        <source>Every participant feels each fabric under each condition. The numbers beside show what that takes.</source>
+        <translation>每位参与者在每种条件下感受每种织物。旁边的数字显示所需的时间和次数。</translation>
+    </message>
+    <message>
+        <source>Name of the study</source>
+        <translation>研究名称</translation>
+    </message>
+    <message>
+        <source>Five words for five fabrics</source>
+        <translation>五个词描述五种织物</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>参与者</translation>
+    </message>
+    <message>
+        <source>Fabrics: a number, which are drawn from the data set, or ids with commas</source>
+        <translation>织物：一个数目（从数据集中抽取），或以逗号分隔的标识</translation>
+    </message>
+    <message>
+        <source>5, or F01, F04, F07</source>
+        <translation>5，或F01, F04, F07</translation>
+    </message>
+    <message>
+        <source>Fabrics of the data set; Space chooses</source>
+        <translation>数据集中的织物；空格键选择</translation>
+    </message>
+    <message>
+        <source>Fabric data set</source>
+        <translation>织物数据集</translation>
     </message>
 </context>
 <context>

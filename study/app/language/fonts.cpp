@@ -1,6 +1,7 @@
 #include "study/app/language/fonts.h"
 
 #include <QFontDatabase>
+#include <QFontInfo>
 #include <QGuiApplication>
 #include <QLocale>
 #include <algorithm>
@@ -43,7 +44,8 @@ QString missingFontPackage(const QString& language)
 {
     if (qobject_cast<QGuiApplication*>(QCoreApplication::instance()) == nullptr) return {};  // nothing is drawn
     const QLocale locale(QString(language).replace(QLatin1Char('-'), QLatin1Char('_')));
-    if (QFontDatabase::families().isEmpty()) return QStringLiteral("fonts-dejavu-core");
+    // Without any font the database still lists aliases such as "Sans Serif", which lead to no family.
+    if (QFontInfo(QGuiApplication::font()).family().isEmpty()) return QStringLiteral("fonts-dejavu-core");
     const auto* row = std::ranges::find(scriptFonts, locale.script(), &ScriptFont::script);
     if (locale.language() == QLocale::C || row == std::end(scriptFonts)) return {};
     return QFontDatabase::families(row->writing).isEmpty() ? QString::fromLatin1(row->package) : QString();

@@ -1197,7 +1197,7 @@
     </message>
     <message>
         <source>%1 questions with a right answer, expected one (and any number in free_text)</source>
-        <translation>%1 Fragen mit richtiger Antwort, erwartet: eine (und beliebig viele in free_text)</translation>
+        <translation>%1 Fragen mit richtiger Antwort, erwartet: eine (und beliebig viele in eigenen Worten)</translation>
     </message>
     <message>
         <source>is empty, expected at least one question</source>
@@ -1209,7 +1209,7 @@
     </message>
     <message>
         <source>&apos;%1&apos; has no text, expected one in question_texts</source>
-        <translation>„%1“ hat keinen Satz, erwartet: einer in question_texts</translation>
+        <translation>„%1“ hat keinen Satz</translation>
     </message>
     <message>
         <source>is empty, expected a name such as &quot;speed&quot;</source>
@@ -1422,7 +1422,7 @@
     </message>
     <message>
         <source>%1: a difference of %2 scale points between two conditions</source>
-        <translation>%1: ein Unterschied von %2 Skalenpunkten zwischen zwei Bedingungen</translation>
+        <translation>%1: einen Unterschied von %2 Skalenpunkten zwischen zwei Bedingungen</translation>
     </message>
     <message>
         <source>%1: %2 % right answers in one condition</source>

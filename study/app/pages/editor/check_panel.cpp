@@ -3,6 +3,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "study/app/language/below.h"
 #include "study/app/pages/editor/draft_fields.h"
 #include "study/app/pages/editor/page_preview.h"
 #include "study/app/pieces/pieces.h"
@@ -88,7 +89,8 @@ QString CheckPanel::wordsOf(const protocols::ProtocolFault& fault) const
     const DraftFields::Bound* bound = m_fields.boundAt(placeIn(fault));
     // The caption of the control stands for the place in the file.
     if (bound) text = tr("%1: %2").arg(bound->caption, text.mid(text.indexOf(QStringLiteral(": ")) + 2));
-    text = withoutKeys(text);
+    const QString own = inOwnLanguage(text);
+    text = own == text ? withoutKeys(text) : own;
     return m_hasLines ? tr("Line %1, column %2. %3").arg(fault.line).arg(fault.column).arg(text) : text;
 }
 

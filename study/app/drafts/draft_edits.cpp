@@ -226,6 +226,19 @@ void setInOwnWords(ProtocolDraft& draft, std::size_t phase, const std::string& i
         draft.set(phasePlace(phase, "free_text"), list);
 }
 
+std::string languageOf(const ProtocolDraft& draft)
+{
+    const std::string language = textOr(draft.at("language"));
+    return language.empty() ? "en" : language;
+}
+
+void takeLanguage(ProtocolDraft& draft, const std::string& language)
+{
+    if (languageOf(draft) == language) return;
+    draft.set("language", language);
+    for (const char* id : {"Q1", "Q2", "Q3", "Q4"}) setSentence(draft, id, {});
+}
+
 std::vector<DraftCondition> conditionsOf(const ProtocolDraft& draft)
 {
     std::vector<DraftCondition> conditions;

@@ -44,6 +44,11 @@ void setSentence(ProtocolDraft& draft, const std::string& id, const std::string&
 bool isInOwnWords(const ProtocolDraft& draft, std::size_t phase, const std::string& id);
 void setInOwnWords(ProtocolDraft& draft, std::size_t phase, const std::string& id, bool inOwnWords);
 
+/// The language of the participants: the tag of the file, or "en".
+std::string languageOf(const ProtocolDraft& draft);
+/// Another language for a protocol that begins. Questions that have usual sentences in it take those.
+void takeLanguage(ProtocolDraft& draft, const std::string& language);
+
 // ---- conditions and contrasts
 
 /// A condition as the file has it.

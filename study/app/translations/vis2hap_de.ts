@@ -1357,14 +1357,6 @@
 <context>
     <name>study::app::CheckPanel</name>
     <message>
-        <source>has no sentence</source>
-        <translation>hat keinen Satz</translation>
-    </message>
-    <message>
-        <source>and any number answered in own words</source>
-        <translation>und beliebig viele, die in eigenen Worten beantwortet werden</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
@@ -2181,6 +2173,14 @@
 </context>
 <context>
     <name>study::app::EditorStart</name>
+    <message>
+        <source>Floor and ceiling of ratings</source>
+        <translation>Untere und obere Grenze der Bewertungen</translation>
+    </message>
+    <message>
+        <source>Some images come with another fabric, some twice.</source>
+        <translation>Manche Bilder kommen mit einem anderen Stoff, manche zweimal.</translation>
+    </message>
     <message>
         <source>Two pieces and five words</source>
         <translation>Zwei Proben und fünf Wörter</translation>
@@ -4952,6 +4952,17 @@ Noch ist nichts gewählt.</translation>
         <source>, </source>
         <comment>between the names of a list</comment>
         <translation>, </translation>
+    </message>
+</context>
+<context>
+    <name>CheckPanel</name>
+    <message>
+        <source>“%1” has no sentence</source>
+        <translation>„%1“ hat keinen Satz</translation>
+    </message>
+    <message>
+        <source>%1 questions have a right answer, expected one; others can be answered in own words</source>
+        <translation>%1 Fragen haben eine richtige Antwort, erwartet wird eine; andere können in eigenen Worten beantwortet werden</translation>
     </message>
 </context>
 </TS>

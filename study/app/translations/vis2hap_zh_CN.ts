@@ -1357,14 +1357,6 @@
 <context>
     <name>study::app::CheckPanel</name>
     <message>
-        <source>has no sentence</source>
-        <translation>没有句子</translation>
-    </message>
-    <message>
-        <source>and any number answered in own words</source>
-        <translation>以及任意多个用自己的话回答的问题</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1：%2</translation>
     </message>
@@ -2181,6 +2173,14 @@
 </context>
 <context>
     <name>study::app::EditorStart</name>
+    <message>
+        <source>Floor and ceiling of ratings</source>
+        <translation>评分的下限与上限</translation>
+    </message>
+    <message>
+        <source>Some images come with another fabric, some twice.</source>
+        <translation>有些图像配以其他织物，有些出现两次。</translation>
+    </message>
     <message>
         <source>Two pieces and five words</source>
         <translation>两块布样与五个词</translation>
@@ -4952,6 +4952,17 @@ Nothing is chosen yet.</source>
         <source>, </source>
         <comment>between the names of a list</comment>
         <translation>、</translation>
+    </message>
+</context>
+<context>
+    <name>CheckPanel</name>
+    <message>
+        <source>“%1” has no sentence</source>
+        <translation>“%1”没有句子</translation>
+    </message>
+    <message>
+        <source>%1 questions have a right answer, expected one; others can be answered in own words</source>
+        <translation>%1 个问题有正确答案，应为一个；其他问题可以用自己的话回答</translation>
     </message>
 </context>
 </TS>

@@ -3,6 +3,7 @@
 #include <QElapsedTimer>
 
 #include "protocols/texts/shipped_texts.h"
+#include "protocols/usual_texts.h"
 #include "tests/study/app/editor_fixture.h"
 #include "tests/support/program.h"
 
@@ -141,8 +142,7 @@ void AppEditorTest::everyExampleIsOffered()
         QVERIFY2(offered.contains(QString::fromStdString(protocols::readWholeFile(entry.path()))), entry.path().c_str());
     }
     QVERIFY(files >= 5);
-    QVERIFY(offered.contains(
-        QString::fromUtf8(protocols::paperProtocolJson().data(), qsizetype(protocols::paperProtocolJson().size()))));
+    QVERIFY(offered.contains(QString::fromStdString(protocols::paperProtocolIn("en"))));
 }
 
 void AppEditorTest::fieldsThatNobodyKnowsStay()

@@ -1,8 +1,10 @@
 #include "study/app/pages/editor/check_panel.h"
 
+#include <QRegularExpression>
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "study/app/language/app_text.h"
 #include "study/app/language/below.h"
 #include "study/app/pages/editor/draft_fields.h"
 #include "study/app/pages/editor/page_preview.h"
@@ -14,14 +16,17 @@ namespace {
 
 constexpr std::size_t mostFaults = 40;
 
-/// Words of the file that a page calls otherwise.
-QString withoutKeys(QString text)
+/// What is wrong, in words of the page where the file has a key for it, else in those of the check.
+QString whatIsWrong(const QString& said)
 {
-    const std::pair<const char*, const char*> words[] = {
-        {"has no text, expected one in question_texts", QT_TRANSLATE_NOOP("study::app::CheckPanel", "has no sentence")},
-        {"and any number in free_text", QT_TRANSLATE_NOOP("study::app::CheckPanel", "and any number answered in own words")}};
-    for (const auto& [key, word] : words) text.replace(QLatin1String(key), CheckPanel::tr(word));
-    return text;
+    static const QRegularExpression withoutText(QStringLiteral("^'(.*)' has no text, expected one in question_texts$"));
+    static const QRegularExpression rightAnswers(QStringLiteral("^(\\d+) questions with a right answer, expected one"));
+    if (const auto found = withoutText.match(said); found.hasMatch())
+        return CheckPanel::tr("“%1” has no sentence").arg(found.captured(1));
+    if (const auto found = rightAnswers.match(said); found.hasMatch())
+        return CheckPanel::tr("%1 questions have a right answer, expected one; others can be answered in own words")
+            .arg(found.captured(1));
+    return inOwnLanguage(said);
 }
 
 /// The key between the last quotes.
@@ -41,7 +46,7 @@ std::string placeIn(const protocols::ProtocolFault& fault)
     return place + (place.empty() ? "" : ".") + quotedKeyIn(fault.text);
 }
 
-QString decimal(double value) { return QString::number(value, 'f', 2); }
+QString decimal(double value) { return QString::number(value, 'f', 2).replace(QLatin1Char('.'), decimalMark()); }
 
 }  // namespace
 
@@ -85,12 +90,12 @@ void CheckPanel::clear() { m_preview->present(std::nullopt, 0); }
 
 QString CheckPanel::wordsOf(const protocols::ProtocolFault& fault) const
 {
-    QString text = QString::fromStdString(fault.text);
+    const QString english = QString::fromStdString(fault.text);
+    const qsizetype colon = english.indexOf(QStringLiteral(": "));
     const DraftFields::Bound* bound = m_fields.boundAt(placeIn(fault));
     // The caption of the control stands for the place in the file.
-    if (bound) text = tr("%1: %2").arg(bound->caption, text.mid(text.indexOf(QStringLiteral(": ")) + 2));
-    const QString own = inOwnLanguage(text);
-    text = own == text ? withoutKeys(text) : own;
+    const QString where = bound ? bound->caption : english.left(colon);
+    const QString text = colon < 0 ? inOwnLanguage(english) : tr("%1: %2").arg(where, whatIsWrong(english.mid(colon + 2)));
     return m_hasLines ? tr("Line %1, column %2. %3").arg(fault.line).arg(fault.column).arg(text) : text;
 }
 

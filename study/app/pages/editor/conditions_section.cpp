@@ -9,6 +9,7 @@
 
 #include "protocols/condition.h"
 #include "study/app/drafts/draft_edits.h"
+#include "study/app/language/below.h"
 #include "study/app/pages/editor/draft_fields.h"
 #include "study/app/pieces/flow_layout.h"
 #include "study/app/pieces/pieces.h"
@@ -180,8 +181,7 @@ void ConditionsSection::addOwn(Made made)
     const std::string fault = protocols::faultOfOwnId(id);
     if (id.empty() || !fault.empty()) {
         m_ownId->setFocus();
-        m_message->showHint(id.empty() ? tr("Your condition has no name. Type one, such as mine.")
-                                       : QString::fromStdString(fault));
+        m_message->showHint(id.empty() ? tr("Your condition has no name. Type one, such as mine.") : inOwnLanguage(fault));
         return;
     }
     if (folder.empty() && made == Made::InFolder) {

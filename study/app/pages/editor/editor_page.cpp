@@ -11,6 +11,9 @@
 
 #include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
+#include "study/app/drafts/draft_edits.h"
+#include "study/app/language/app_text.h"
+#include "study/app/language/below.h"
 #include "study/app/pages/editor/analysis_section.h"
 #include "study/app/pages/editor/check_panel.h"
 #include "study/app/pages/editor/conditions_section.h"
@@ -127,6 +130,7 @@ void EditorPage::connectParts()
     connect(m_start, &EditorStart::exampleChosen, this, [this](const QString& text) {
         ProtocolDraft begun = text.isEmpty() ? ProtocolDraft() : ProtocolDraft::fromText(text.toStdString(), "the example");
         begun.erase("$schema");  // its path is that of the example
+        takeLanguage(begun, languageOfWindow().toStdString());
         edit(begun, {});
     });
     connect(m_start, &EditorStart::fileChosen, this, [this](const QString& file) { open(file.toStdString()); });
@@ -217,7 +221,7 @@ void EditorPage::open(const fs::path& file)
             m_message->showHint(tr("The file has faults: %1. Each is shown with line and column.").arg(m_panel->faults().size()));
     } catch (const std::exception& fault) {
         offerFile();
-        m_start->showFault(QString::fromUtf8(fault.what()));
+        m_start->showFault(inOwnLanguage(fault.what()));
     }
 }
 
@@ -281,7 +285,7 @@ bool EditorPage::write(const fs::path& file)
         if (written != draft()) m_fields->change([&](ProtocolDraft& draft) { draft = written; });
         m_saved = written;
     } catch (const std::exception& fault) {
-        m_message->showFault(QString::fromUtf8(fault.what()));
+        m_message->showFault(inOwnLanguage(fault.what()));
         return false;
     }
     m_file = file;

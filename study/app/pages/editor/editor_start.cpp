@@ -5,8 +5,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "protocols/protocol_json.h"
 #include "protocols/texts/shipped_texts.h"
+#include "protocols/usual_texts.h"
+#include "study/app/language/app_text.h"
 #include "study/app/pages/editor/draft_fields.h"
 #include "study/app/pieces/flow_layout.h"
 #include "study/app/pieces/pieces.h"
@@ -30,6 +31,8 @@ constexpr ExplainedExample explainedExamples[] = {
      QT_TRANSLATE_NOOP("study::app::EditorStart", "The same choices under “be fast”, “be accurate” and a deadline.")},
     {"quality", QT_TRANSLATE_NOOP("study::app::EditorStart", "Quality of the rendering"),
      QT_TRANSLATE_NOOP("study::app::EditorStart", "One rendering at three prices in computing time.")},
+    {"anchors", QT_TRANSLATE_NOOP("study::app::EditorStart", "Floor and ceiling of ratings"),
+     QT_TRANSLATE_NOOP("study::app::EditorStart", "Some images come with another fabric, some twice.")},
     {"own_images", QT_TRANSLATE_NOOP("study::app::EditorStart", "Your own images"),
      QT_TRANSLATE_NOOP("study::app::EditorStart", "Friction images that you made, beside two renderings of the program.")},
     {"own_program", QT_TRANSLATE_NOOP("study::app::EditorStart", "Your own program"),
@@ -113,7 +116,7 @@ void EditorStart::addExamples()
     for (const protocols::shipped::TextFile& example : protocols::shipped::examples())
         add(shownName(example.name), qtText(example.json));
     add(tr("The study of the paper\n10 participants, 7 fabrics, 9 conditions, a choice among three pieces and three ratings."),
-        qtText(protocols::paperProtocolJson()));
+        qtText(protocols::paperProtocolIn(languageOfWindow().toStdString())));
     add(tr("Empty\nNothing is chosen yet."), QString());
     m_examples->setCurrentRow(0);
 }

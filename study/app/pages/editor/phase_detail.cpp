@@ -160,7 +160,7 @@ void PhaseDetail::addQuestion(QVBoxLayout& column, std::size_t question)
     sentence->setText(QString::fromStdString(sentenceOf(draft, id)));
     const auto showUsual = [this, sentence](const std::string& shownId) {
         const std::string usual = protocols::usualTextOf(protocols::QuestionId(shownId), taskOfKind(m_fields.draft(), m_phase),
-                                                         protocols::ProtocolEdition::Current);
+                                                         protocols::ProtocolEdition::Current, languageOf(m_fields.draft()));
         sentence->setPlaceholderText(usual.empty() ? tr("How soft does the screen feel, compared with the fabric?")
                                                    : QString::fromStdString(usual));
     };

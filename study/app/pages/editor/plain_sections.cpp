@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "protocols/usual_texts.h"
+#include "study/app/drafts/draft_edits.h"
 #include "study/app/pages/editor/draft_fields.h"
 #include "study/app/pieces/flow_layout.h"
 #include "study/app/pieces/tick_box.h"
@@ -82,10 +83,15 @@ QWidget* textsSection(DraftFields& fields, QWidget* parent)
             Section::tr("The operator reads them aloud or ticks them. Write them in the language of your participants."));
     fields.addLine(column, "language", Section::tr("Language of the participants, as a tag"), FieldKind::Text,
                    Section::tr("en; others are de, pt-BR, zh-CN"));
-    fields.addLines(column, "consent", Section::tr("Consent, which the operator confirms"), FieldKind::Text,
-                    usualHint(protocols::usualConsent(current)));
-    fields.addLines(column, "stroke_words", Section::tr("How to stroke glass and fabric"), FieldKind::Text,
-                    usualHint(protocols::usualStrokeWords(current)));
+    auto* consent = fields.addLines(column, "consent", Section::tr("Consent, which the operator confirms"), FieldKind::Text);
+    auto* stroke = fields.addLines(column, "stroke_words", Section::tr("How to stroke glass and fabric"), FieldKind::Text);
+    const auto showUsual = [&fields, consent, stroke] {
+        const std::string language = languageOf(fields.draft());
+        consent->setPlaceholderText(usualHint(protocols::usualConsent(current, language)));
+        stroke->setPlaceholderText(usualHint(protocols::usualStrokeWords(current, language)));
+    };
+    QObject::connect(&fields, &DraftFields::edited, section, showUsual);
+    showUsual();
     fields.addLines(column, "checklist", Section::tr("Checklist before a sitting, one point a line"), FieldKind::Lines,
                     Section::tr("The participant wears the eye mask"));
     fields.addLines(column, "readings", Section::tr("Readings before a sitting, one quantity with its unit a line"),

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "protocols/usual_texts.h"
 #include "study/app/pages/editor/draft_fields.h"
 #include "study/app/pages/stage_stack.h"
 #include "study/app/participant/instruction_view.h"
@@ -45,6 +46,7 @@ SessionFacts factsOf(const Protocol& protocol)
     facts.sittingMinutes = protocol.sittingMinutes;
     facts.secondEntry = protocol.secondEntry;
     facts.confirmPieces = protocol.confirmPieces;
+    for (const auto& [key, text] : protocols::usualParticipantTexts()) facts.said[key] = participantText(protocol, key);
     return facts;
 }
 

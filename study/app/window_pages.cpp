@@ -37,8 +37,8 @@ WindowPages::WindowPages(const AppOptions& options, const ParticipantRoom& room,
       m_lookAhead(options.lookAhead)
 {
     setObjectName("pages");
-    for (QWidget* page : std::initializer_list<QWidget*>{start, newStudy, data, photographs, display, connecting, keys,
-                                                         latency, participant, rehearsal, study, tools, session})
+    for (QWidget* page : std::initializer_list<QWidget*>{start, newStudy, data, photographs, display, connecting, keys, latency,
+                                                         participant, rehearsal, study, tools, session})
         addWidget(page);
     connectStart();
     connectEditor();

@@ -9,8 +9,8 @@
 
 #include "database/keys.h"
 #include "protocols/files/errors.h"
-#include "protocols/shipped_folder.h"
 #include "protocols/files/whole_file.h"
+#include "protocols/shipped_folder.h"
 #include "rendering/display/display.h"
 #include "study/app/gui_operator.h"
 #include "study/app/main_window.h"

@@ -156,7 +156,8 @@ private Q_SLOTS:
         limits.time = std::chrono::seconds(1);
         fs::remove(at("children"));
         const std::string note = " & echo $! >> '" + at("children").string() + "'; ";
-        const std::string command = "sleep 100" + note + "setsid sleep 100" + note + "(sleep 100" + note + ") ; " + last.toStdString();
+        const std::string command =
+            "sleep 100" + note + "setsid sleep 100" + note + "(sleep 100" + note + ") ; " + last.toStdString();
         LimitedProcess process(
             "/bin/sh", {"-c", command},
             models::ProcessSurroundings{

@@ -273,18 +273,17 @@ void PhotographsPage::draw()
     request.widthPx = m_form.target->parentWidget()->width();
     request.fontPx = QFontInfo(QApplication::font()).pixelSize() * factorOf(Type::Plain);
     request.pixelRatio = devicePixelRatioF();
-    m_work.run(
-        *m_form.drawMessage, tr("The program renders the friction images. This can take minutes."),
-        [this, request, draw = m_steps.draw](const ToolProgress& progress) -> InBackground::Then {
-            return [this, request, picture = draw(request, progress)] {
-                m_form.drawMessage->clearMessage();
-                m_drawn = picture;
-                showPicture();
-                m_form.picture->setAccessibleName(tr("Friction images: %1").arg(request.captions.join(listMark())));
-                m_form.picture->show();
-                m_form.toStudy->setFocus();  // it stands below the picture, so the page scrolls to both
-            };
-        });
+    m_work.run(*m_form.drawMessage, tr("The program renders the friction images. This can take minutes."),
+               [this, request, draw = m_steps.draw](const ToolProgress& progress) -> InBackground::Then {
+                   return [this, request, picture = draw(request, progress)] {
+                       m_form.drawMessage->clearMessage();
+                       m_drawn = picture;
+                       showPicture();
+                       m_form.picture->setAccessibleName(tr("Friction images: %1").arg(request.captions.join(listMark())));
+                       m_form.picture->show();
+                       m_form.toStudy->setFocus();  // it stands below the picture, so the page scrolls to both
+                   };
+               });
 }
 
 void PhotographsPage::showPicture()

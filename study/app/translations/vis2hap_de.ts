@@ -1357,6 +1357,14 @@
 <context>
     <name>study::app::CheckPanel</name>
     <message>
+        <source>“%1” has no sentence</source>
+        <translation>„%1“ hat keinen Satz</translation>
+    </message>
+    <message>
+        <source>%1 questions have a right answer, expected one; others can be answered in own words</source>
+        <translation>%1 Fragen haben eine richtige Antwort, erwartet wird eine; andere können in eigenen Worten beantwortet werden</translation>
+    </message>
+    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
@@ -4952,17 +4960,6 @@ Noch ist nichts gewählt.</translation>
         <source>, </source>
         <comment>between the names of a list</comment>
         <translation>, </translation>
-    </message>
-</context>
-<context>
-    <name>CheckPanel</name>
-    <message>
-        <source>“%1” has no sentence</source>
-        <translation>„%1“ hat keinen Satz</translation>
-    </message>
-    <message>
-        <source>%1 questions have a right answer, expected one; others can be answered in own words</source>
-        <translation>%1 Fragen haben eine richtige Antwort, erwartet wird eine; andere können in eigenen Worten beantwortet werden</translation>
     </message>
 </context>
 </TS>

@@ -1357,6 +1357,14 @@
 <context>
     <name>study::app::CheckPanel</name>
     <message>
+        <source>“%1” has no sentence</source>
+        <translation>“%1”没有句子</translation>
+    </message>
+    <message>
+        <source>%1 questions have a right answer, expected one; others can be answered in own words</source>
+        <translation>%1 个问题有正确答案，应为一个；其他问题可以用自己的话回答</translation>
+    </message>
+    <message>
         <source>%1: %2</source>
         <translation>%1：%2</translation>
     </message>
@@ -4952,17 +4960,6 @@ Nothing is chosen yet.</source>
         <source>, </source>
         <comment>between the names of a list</comment>
         <translation>、</translation>
-    </message>
-</context>
-<context>
-    <name>CheckPanel</name>
-    <message>
-        <source>“%1” has no sentence</source>
-        <translation>“%1”没有句子</translation>
-    </message>
-    <message>
-        <source>%1 questions have a right answer, expected one; others can be answered in own words</source>
-        <translation>%1 个问题有正确答案，应为一个；其他问题可以用自己的话回答</translation>
     </message>
 </context>
 </TS>

@@ -14,8 +14,6 @@ namespace study::app {
 
 namespace {
 
-constexpr std::size_t mostFaults = 40;
-
 /// What is wrong, in words of the page where the file has a key for it, else in those of the check.
 QString whatIsWrong(const QString& said)
 {
@@ -28,6 +26,8 @@ QString whatIsWrong(const QString& said)
             .arg(found.captured(1));
     return inOwnLanguage(said);
 }
+
+constexpr std::size_t mostFaults = 40;
 
 /// The key between the last quotes.
 std::string quotedKeyIn(const std::string& text)

@@ -1362,7 +1362,7 @@
     </message>
     <message>
         <source>%1 questions have a right answer, expected one; others can be answered in own words</source>
-        <translation>%1 个问题有正确答案，应为一个；其他问题可以用自己的话回答</translation>
+        <translation>%1个问题有正确答案，应为一个；其他问题可以用自己的话回答</translation>
     </message>
     <message>
         <source>%1: %2</source>

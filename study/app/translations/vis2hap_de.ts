@@ -952,8 +952,24 @@
         <translation>die Antwort „%1“</translation>
     </message>
     <message>
-        <source>%1 ratings of blank glass (catch trials) have at least the mean of the renderings&apos; ratings</source>
-        <translation>%1 Bewertungen von leerem Glas (Kontrolldarbietungen) liegen im Mittel nicht unter denen der Reibungsbilder</translation>
+        <source>%1: %2 was given in all %3 trials</source>
+        <translation>%1: %2 kam in allen %3 Darbietungen</translation>
+    </message>
+    <message>
+        <source>%1 ratings of %2 have at least the mean of the renderings&apos; ratings</source>
+        <translation>%1 Bewertungen von %2 liegen im Mittel nicht unter denen der Reibungsbilder</translation>
+    </message>
+    <message>
+        <source>blank glass (catch trials)</source>
+        <translation>leerem Glas (Kontrolldarbietungen)</translation>
+    </message>
+    <message>
+        <source>mismatched presentations (another fabric)</source>
+        <translation>Darbietungen mit einem anderen Stoff</translation>
+    </message>
+    <message>
+        <source>mismatch_rated_high</source>
+        <translation>anderer Stoff hoch bewertet</translation>
     </message>
     <message>
         <source>too_fast</source>

@@ -952,8 +952,24 @@
         <translation>回答“%1”</translation>
     </message>
     <message>
-        <source>%1 ratings of blank glass (catch trials) have at least the mean of the renderings&apos; ratings</source>
-        <translation>对空白屏面（捕捉试次）的%1个评分，其均值不低于对渲染的评分均值</translation>
+        <source>%1: %2 was given in all %3 trials</source>
+        <translation>%1：全部%3次呈现中的回答都是%2</translation>
+    </message>
+    <message>
+        <source>%1 ratings of %2 have at least the mean of the renderings&apos; ratings</source>
+        <translation>对%2的%1个评分，其均值不低于对渲染的评分均值</translation>
+    </message>
+    <message>
+        <source>blank glass (catch trials)</source>
+        <translation>空白屏面（捕捉试次）</translation>
+    </message>
+    <message>
+        <source>mismatched presentations (another fabric)</source>
+        <translation>用另一种织物的不匹配呈现</translation>
+    </message>
+    <message>
+        <source>mismatch_rated_high</source>
+        <translation>不匹配呈现评分过高</translation>
     </message>
     <message>
         <source>too_fast</source>

@@ -107,6 +107,9 @@ std::map<std::string, std::vector<AnswersTwice>> answersTwice(const StudyData& d
             std::swap(pair.first, pair.second);
         pairs[response.participant].push_back(pair);
     }
+    // Sums must not depend on the order of the rows.
+    for (auto& [participant, own] : pairs)
+        std::ranges::sort(own, {}, [](const AnswersTwice& pair) { return presentationOf(*pair.first); });
     return pairs;
 }
 

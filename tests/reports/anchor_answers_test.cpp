@@ -93,6 +93,16 @@ private Q_SLOTS:
         QCOMPARE(*anchors[0].ratings->limitsOfAgreement.low + *anchors[0].ratings->limitsOfAgreement.high, 1.0 - 2.0);
     }
 
+    void theOrderOfRowsChangesNoBit()
+    {
+        StudyData data = noisyStudy(6, 1, 2, 3);
+        const auto numbers = [&] { return resultsJson(analyse(data, {.depth = Depth::Quick}), {})["anchors"].dump(); };
+        const std::string before = numbers();
+        for (auto* responses : {&data.responses, &data.repeatedResponses, &data.mismatchedResponses})
+            std::ranges::reverse(*responses);
+        QCOMPARE(QString::fromStdString(numbers()), QString::fromStdString(before));
+    }
+
     void choicesAgreeByTheFabricChosen()
     {
         StudyData data = builders::emptyStudy(1, 3, {"h"}, {{"Q1", "", builders::amongThree}});

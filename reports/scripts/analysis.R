@@ -265,7 +265,7 @@ linear <- function(rows, groups) {
   if (any(ratios > 50)) {  # nothing remains where the likelihood stays the same without a residual
     deviance <- fit(fitted$groups, devFunOnly = TRUE)
     theta <- lme4::getME(fitted$model, "theta")
-    if (deviance(10 * theta) <= deviance(theta) + 1e-6) return(NULL)
+    if (deviance(2 * theta) <= deviance(theta) + 1e-6) return(NULL)
   }
   fitted$conditions <- levels(rows$condition)
   if (nrow(rows) > 2000) return(fitted)
@@ -512,6 +512,8 @@ whyLeftOut <- function(g) {
   isLarge <- sum(answers$question == g$question) > mostAnswers[[g$kind]] ||
     (g$section == "claims_fabrics_like_these" && contrastCounts[[g$question]] > mostContrasts)
   if (isLarge) return("takes longer than minutes (Rscript analysis.R all)")
+  if (g$section == "logistic_model_crossed" && sum(answers$question == g$question) < 20)
+    return("fewer than 20 answers: the likelihood has several maxima, and optimisers find different ones")
   if (g$kind == "ordinal" && 2 %in% lengths(lapply(answersOf(g$question)[plainGroups], levels)))
     "clmm needs at least 3 participants and 3 fabrics" else ""
 }

@@ -204,6 +204,17 @@ double removeMean(std::vector<double>& y)
     return mean;
 }
 
+/// Whether a mean square of its own makes the levels no more likely than that of the residual: it is not larger, beyond what the
+/// fit of a mixed model leaves of the criterion.
+bool isNoLarger(const Effects& own, const Effects& residual)
+{
+    const double ratio = own.meanSquare() / residual.meanSquare();
+    if (!(ratio > 1)) return !std::isnan(ratio);
+    const double degrees = own.degrees + residual.degrees;
+    return degrees * std::log((own.degrees * ratio + residual.degrees) / degrees) - own.degrees * std::log(ratio) <=
+           criterionNoise;
+}
+
 /// Restricted maximum likelihood in closed form: a level varies as the residual does where its mean square is not larger.
 CrossedFit fitComplete(const CrossedTable& table)
 {
@@ -221,8 +232,7 @@ CrossedFit fitComplete(const CrossedTable& table)
     if (squares.fabric.meanSquare() < squares.participant.meanSquare()) std::swap(varying[0], varying[1]);
     while (!varying.empty()) {  // the smallest first
         const Effects& least = *varying.front();
-        const double ratio = (least.meanSquare() - residual.meanSquare()) / (least.size * residual.meanSquare());
-        if (ratio > thetaFloor * thetaFloor || std::isnan(ratio)) break;
+        if (!isNoLarger(least, residual)) break;
         residual.squares += least.squares;
         residual.degrees += least.degrees;
         varying.erase(varying.begin());

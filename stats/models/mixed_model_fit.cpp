@@ -16,7 +16,6 @@ constexpr std::size_t mostDenseEffects = 300;
 constexpr std::size_t mostDenseSlopes = 5000;  // random effects where some are slopes, which have no blocks
 constexpr double mostWork = 5e9;               // operations of one solution by blocks; a fit takes about ten
 constexpr double smallTheta = 0.03;            // a relative SD that is compared with zero
-constexpr double criterionNoise = 2e-9;        // what a fit leaves of the criterion; rounding comes on top
 
 constexpr int mostFitSteps = 200;
 constexpr double suspiciousTheta = 50;       // beyond, the residual may be nothing but the end of the descent
@@ -132,7 +131,7 @@ private:
     {
         if (std::ranges::none_of(m_at.theta, [](double theta) { return theta > suspiciousTheta; })) return false;
         std::vector<double> beyond = m_at.theta;
-        for (double& theta : beyond) theta *= 10;
+        for (double& theta : beyond) theta *= 2;  // much farther, rounding would hide what is asked
         const CriterionParts there = m_system.criterionAt(beyond);
         return !there.exists ||
                profiledCriterion(m_system, there, m_reml) <= profiledCriterion(m_system, m_at, m_reml) + residualNoise;

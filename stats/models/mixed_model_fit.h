@@ -18,6 +18,8 @@ inline constexpr double thetaFloor = 1e-4;
 /// A mean square (a quadratic form) equals its expectation within this share: a variance of zero is neither positive nor
 /// negative.
 inline constexpr double tieShare = 1e-5;
+/// What a fit leaves of the criterion, beside rounding: a variance that lowers it by less is zero.
+inline constexpr double criterionNoise = 2e-9;
 /// Beyond this relative standard deviation no residual variation is left, which is the reason of a refusal.
 inline constexpr double largestTheta = 1e5;
 inline constexpr const char* noResidual = "the random effects reproduce every value: no residual variation is left";

@@ -4,7 +4,7 @@
 # VIS2HAP_SHARED, otherwise in ../shared beside the repository. If it is missing, the script prints this and
 # compares nothing. Exit code 1: a case is wrong.
 set -eu
-root=$(cd "$(dirname "$0")/../.." && pwd)
+root=$(cd "$(dirname "$0")/../../.." && pwd)
 program=${1:-$root/build/vis2hap}
 oracle=${VIS2HAP_SHARED:-$root/../shared}/oracle
 if [ ! -f "$oracle/score.py" ]; then

@@ -248,7 +248,8 @@ private Q_SLOTS:
         QVERIFY(std::fabs(row["d_prime"].get<double>() - 0.735453051) < 1e-8);
         QVERIFY(std::fabs(row["criterion"].get<double>() + 1.292971085) < 1e-8);
         QCOMPARE(row["clustered"][0]["d_prime"], row["d_prime"]);
-        QVERIFY(qualityFlags(data).empty());
+        for (const QualityFlag& flag : qualityFlags(data))  // two participants know one word only
+            QVERIFY(flag.why.find("the answer \"same\" was given in all 30 trials") != std::string::npos);
         writeReport(analysis, path("report"));
         const auto table = protocols::readForeignTable(path("report") / "tables" / "same_hits.csv").table;
         QCOMPARE(table.rows[0][*table.column("hits")], std::string("29"));

@@ -94,7 +94,11 @@ struct ShownEditor : support::ShownWindow {
         QCOMPARE(choice()->currentIndex(), row);
     }
     void section(int number) { gui.click(QStringLiteral("section%1Button").arg(number)); }
-    void check() { QTRY_VERIFY_WITH_TIMEOUT(!page().isBusy(), 60000); }
+    void check()
+    {
+        QTRY_VERIFY_WITH_TIMEOUT(!page().isBusy(), 60000);
+        QCoreApplication::processEvents();  // a layout shows its new widgets later
+    }
     QString text(const char* name) const
     {
         const auto* found = page().findChild<QLabel*>(QLatin1String(name));

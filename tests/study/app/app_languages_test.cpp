@@ -66,7 +66,8 @@ QString withoutNames(QString text)
     static const QRegularExpression names(QStringLiteral(
         "/[^ ,;:]*|[a-z]+\\.(?:db|json)\\b|`[^`]*`|--[a-z-]+|vis2hap [a-z]+( [a-z]+)?|Vis2Hap|Fifteen fabrics|Linen|Felt|plain "
         "weave|felt, from the "
-        "museum|is truncated|display: the display does not answer; plug it in|known fabric [0-9]|One felt sticky, the others "
+        "museum|is truncated|display: the display does not answer[;；] ?plug it in|known fabric [0-9]|One felt sticky, the "
+        "others "
         "dry|the station key is missing|the file of "
         "the study|restore it"));
     return text.remove(names);

@@ -352,7 +352,7 @@ void EveryPage::visitMonitor(OpenWindow& open, const Look& look)
     };
     MonitorWindow monitor(open.window().study()->store().folder().folder, options);
     monitor.show();
-    QTRY_VERIFY(monitor.findChild<QLabel*>("flags")->text().contains("also gives such ratings"));
+    QTRY_VERIFY(monitor.findChild<QLabel*>("flags")->text().contains("12"));
     look(monitor, "monitor");
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "protocols/condition.h"
 #include "protocols/protocol_json.h"
 #include "tests/support/error_text.h"
 

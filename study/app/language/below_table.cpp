@@ -222,6 +222,16 @@ constexpr const char* table[] = {
     QT_TRANSLATE_NOOP("study::app::Below", "does not lead from min to max, expected a whole number of steps"),
     QT_TRANSLATE_NOOP("study::app::Below", "%1 words, expected %2"),
     QT_TRANSLATE_NOOP("study::app::Below", "one fabric, expected at least 2, so that some can differ"),
+    QT_TRANSLATE_NOOP("study::app::Below", "presentations of a rendering per participant"),
+    QT_TRANSLATE_NOOP("study::app::Below", "ordered pairs of conditions"),
+    QT_TRANSLATE_NOOP("study::app::Below", "ordered pairs of fabrics"),
+    QT_TRANSLATE_NOOP("study::app::Below", "a condition per stretch of the order"),
+    QT_TRANSLATE_NOOP("study::app::Below", "a fabric per stretch of the order"),
+    QT_TRANSLATE_NOOP("study::app::Below", "foil sets per true fabric"),
+    QT_TRANSLATE_NOOP("study::app::Below", "true slots per participant and fabric"),
+    QT_TRANSLATE_NOOP("study::app::Below", "true slots per condition"),
+    QT_TRANSLATE_NOOP("study::app::Below", "a fabric as foil per participant"),
+    QT_TRANSLATE_NOOP("study::app::Below", "slots of a foil per participant"),
 };
 
 }  // namespace

@@ -1351,6 +1351,46 @@
         <source>one fabric, expected at least 2, so that some can differ</source>
         <translation>ein Stoff, erwartet: mindestens 2, damit manche verschieden sein können</translation>
     </message>
+    <message>
+        <source>presentations of a rendering per participant</source>
+        <translation>Darbietungen einer Wiedergabe je Versuchsperson</translation>
+    </message>
+    <message>
+        <source>ordered pairs of conditions</source>
+        <translation>geordnete Paare von Bedingungen</translation>
+    </message>
+    <message>
+        <source>ordered pairs of fabrics</source>
+        <translation>geordnete Paare von Stoffen</translation>
+    </message>
+    <message>
+        <source>a condition per stretch of the order</source>
+        <translation>eine Bedingung je Abschnitt der Abfolge</translation>
+    </message>
+    <message>
+        <source>a fabric per stretch of the order</source>
+        <translation>ein Stoff je Abschnitt der Abfolge</translation>
+    </message>
+    <message>
+        <source>foil sets per true fabric</source>
+        <translation>Sätze falscher Stoffe je richtigem Stoff</translation>
+    </message>
+    <message>
+        <source>true slots per participant and fabric</source>
+        <translation>richtige Plätze je Versuchsperson und Stoff</translation>
+    </message>
+    <message>
+        <source>true slots per condition</source>
+        <translation>richtige Plätze je Bedingung</translation>
+    </message>
+    <message>
+        <source>a fabric as foil per participant</source>
+        <translation>ein Stoff als falscher Stoff je Versuchsperson</translation>
+    </message>
+    <message>
+        <source>slots of a foil per participant</source>
+        <translation>Plätze eines falschen Stoffs je Versuchsperson</translation>
+    </message>
 </context>
 <context>
     <name>study::app::Catalogue</name>
@@ -1459,6 +1499,10 @@
     <message>
         <source>Orders of this length take long to draw; `vis2hap protocol show` prints their balance.</source>
         <translation>Abfolgen dieser Länge brauchen lange; `vis2hap protocol show` gibt ihre Ausgewogenheit aus.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -2655,7 +2699,7 @@ Noch ist nichts gewählt.</translation>
     </message>
     <message>
         <source>Participant</source>
-        <translation>Versuchsperson</translation>
+        <translation>Person</translation>
     </message>
     <message>
         <source>Stage</source>

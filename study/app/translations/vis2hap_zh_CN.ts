@@ -1351,6 +1351,46 @@
         <source>one fabric, expected at least 2, so that some can differ</source>
         <translation>只有一种织物，应至少有2种，才会有不同的织物</translation>
     </message>
+    <message>
+        <source>presentations of a rendering per participant</source>
+        <translation>每位参与者对每个渲染的呈现次数</translation>
+    </message>
+    <message>
+        <source>ordered pairs of conditions</source>
+        <translation>条件的有序对</translation>
+    </message>
+    <message>
+        <source>ordered pairs of fabrics</source>
+        <translation>织物的有序对</translation>
+    </message>
+    <message>
+        <source>a condition per stretch of the order</source>
+        <translation>每段顺序中的同一条件</translation>
+    </message>
+    <message>
+        <source>a fabric per stretch of the order</source>
+        <translation>每段顺序中的同一织物</translation>
+    </message>
+    <message>
+        <source>foil sets per true fabric</source>
+        <translation>每种正确织物的干扰样组合</translation>
+    </message>
+    <message>
+        <source>true slots per participant and fabric</source>
+        <translation>每位参与者和织物的正确位置</translation>
+    </message>
+    <message>
+        <source>true slots per condition</source>
+        <translation>每个条件的正确位置</translation>
+    </message>
+    <message>
+        <source>a fabric as foil per participant</source>
+        <translation>每位参与者中某织物作为干扰样</translation>
+    </message>
+    <message>
+        <source>slots of a foil per participant</source>
+        <translation>每位参与者中干扰样的位置</translation>
+    </message>
 </context>
 <context>
     <name>study::app::Catalogue</name>
@@ -1459,6 +1499,10 @@
     <message>
         <source>Orders of this length take long to draw; `vis2hap protocol show` prints their balance.</source>
         <translation>生成这么长的顺序需要很久；`vis2hap protocol show`会打印其平衡性。</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
     </message>
 </context>
 <context>

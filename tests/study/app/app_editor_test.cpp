@@ -178,6 +178,7 @@ void AppEditorTest::fieldsThatNobodyKnowsStay()
              nlohmann::json::parse(R"({"questions": ["Q1"], "alternatives": 3, "later": [{"same_twice": 3}]})"));
     QCOMPARE(saved["participant_texts"]["agree"], "Yes");
     QCOMPARE(saved["prompts"]["wait"], "wait.wav");
+    shown.check();
     // A key that no protocol has can be removed without seeing the file.
     for (int left = 10; left > 0 && !shown.faults().filter("unknown key").isEmpty(); --left) {
         const QStringList faults = shown.faults();

@@ -46,6 +46,15 @@ std::string placeIn(const protocols::ProtocolFault& fault)
     return place + (place.empty() ? "" : ".") + quotedKeyIn(fault.text);
 }
 
+/// "true slots per condition, Q1": what is balanced, and the question.
+QString nameOfRange(const std::string& what)
+{
+    const QString english = QString::fromStdString(what);
+    const qsizetype comma = english.indexOf(QStringLiteral(", "));
+    if (comma < 0) return inOwnLanguage(english);
+    return CheckPanel::tr("%1, %2").arg(inOwnLanguage(english.left(comma)), english.mid(comma + 2));
+}
+
 QString decimal(double value) { return QString::number(value, 'f', 2).replace(QLatin1Char('.'), decimalMark()); }
 
 }  // namespace
@@ -209,9 +218,8 @@ void CheckPanel::showOutlook(const SessionOutlook& outlook)
     showText(*m_detects, lines.join(QLatin1Char('\n')));
     QStringList balance;
     for (const SessionOutlook::Range& range : outlook.balance)
-        balance << (range.least == range.most
-                        ? tr("%1: %2").arg(QString::fromStdString(range.what)).arg(range.least)
-                        : tr("%1: %2 to %3").arg(QString::fromStdString(range.what)).arg(range.least).arg(range.most));
+        balance << (range.least == range.most ? tr("%1: %2").arg(nameOfRange(range.what)).arg(range.least)
+                                              : tr("%1: %2 to %3").arg(nameOfRange(range.what)).arg(range.least).arg(range.most));
     if (!balance.isEmpty()) balance.prepend(tr("Balance of the running orders:"));
     if (!outlook.isBalanceDrawn)
         balance << tr("Orders of this length take long to draw; `vis2hap protocol show` prints their balance.");

@@ -398,7 +398,7 @@ void EditorPage::showTitle()
 
 void EditorPage::arrange()
 {
-    constexpr int widestForOne = 120;  // characters
+    constexpr int widestForOne = 140;  // characters
     const bool hasRoom = width() >= widestForOne * fontMetrics().averageCharWidth();
     const bool isLow = isLowFor(*this) || !hasRoom;
     m_sections->setVisible(hasRoom || !m_isPanelShown);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 
 namespace protocols {
 
@@ -145,10 +146,15 @@ void AnchorDraws::addMismatched(std::vector<DesignTrial>& list)
     constexpr int tries = 20;
     const std::size_t length = list.size();
     const auto stretches = static_cast<std::size_t>(m_phase.anchors.mismatched);
+    std::set<int> shown;  // a participant feels no image a second time before all were felt
     // From the end, so that earlier places keep their numbers.
     for (std::size_t stretch = stretches; stretch > 0; --stretch) {
-        if (m_images.empty()) m_images = shuffledNumbers(m_size.fabrics, m_random);
+        if (m_images.empty()) {
+            m_images = shuffledNumbers(m_size.fabrics, m_random);
+            std::stable_partition(m_images.begin(), m_images.end(), [&](int image) { return shown.contains(image); });
+        }
         const int image = m_images.back();
+        shown.insert(image);
         m_images.pop_back();
         auto& others = m_others[static_cast<std::size_t>(image)];
         if (others.empty()) {

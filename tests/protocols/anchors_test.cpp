@@ -81,6 +81,19 @@ private Q_SLOTS:
         QVERIFY(!hasAnchors(protocolFromJson(paperProtocolJson(), "paper")));
     }
 
+    // A script answers a mismatched image once, so an image that came twice could not be replayed.
+    void noParticipantFeelsAMismatchedImageTwice()
+    {
+        const Protocol protocol = anchored();
+        for (std::uint64_t seed = 1; seed <= 20; ++seed)
+            for (const auto& list : drawDesign(protocol, seed).participants) {
+                std::set<int> images;
+                for (const DesignTrial& trial : list)
+                    if (trial.label == mismatchedLabel) QVERIFY(images.insert(trial.fabric).second);
+                QCOMPARE(images.size(), std::size_t(4));
+            }
+    }
+
     void theBestMeasuredConditionIsTheReference_data()
     {
         QTest::addColumn<QString>("conditions");

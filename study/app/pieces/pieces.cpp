@@ -1,6 +1,8 @@
 #include "study/app/pieces/pieces.h"
 
+#include <QAbstractItemView>
 #include <QApplication>
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QStyle>
 #include <QVBoxLayout>
@@ -210,6 +212,7 @@ void name(QWidget& widget, const char* objectName, const QString& accessibleName
 {
     widget.setObjectName(QString::fromLatin1(objectName));
     widget.setAccessibleName(accessibleName);
+    if (auto* box = qobject_cast<QComboBox*>(&widget)) box->view()->setAccessibleName(accessibleName);
 }
 
 void showText(QLabel& target, const QString& text)

@@ -1,12 +1,13 @@
 #include "study/app/pieces/session_footer.h"
 
 #include <QEvent>
+#include <QRegularExpression>
 #include <QVBoxLayout>
 
+#include "study/app/language/app_text.h"
 #include "study/app/language/below.h"
 #include "study/app/pieces/flow_layout.h"
 #include "study/app/pieces/pieces.h"
-#include "study/app/state/rating_text.h"
 
 namespace study::app {
 
@@ -23,11 +24,12 @@ QString inShort(const QString& answer)
 /// "Q2: 5.4", "S1: same", with the words and the decimal mark of the window.
 QString lastAnswerOf(const session::View& view)
 {
+    QString said = QString::fromStdString(*view.lastAnswer);
     const QString question = QString::fromStdString(view.lastQuestion->value + ": ");
     const session::GivenAnswer& response = view.state.answers.back().response;
-    if (const auto* rating = std::get_if<protocols::Tenths>(&response)) return question + textOf(*rating);
     if (std::holds_alternative<session::Sameness>(response)) return question + inOwnLanguage(session::textOf(response));
-    return QString::fromStdString(*view.lastAnswer);
+    static const QRegularExpression point(QStringLiteral("(?<=\\d)\\.(?=\\d$)"));
+    return std::holds_alternative<protocols::Tenths>(response) ? said.replace(point, decimalMark()) : said;
 }
 
 }  // namespace

@@ -182,7 +182,7 @@ void AppStagesTest::checklistStoresItsReadingsAndTheTime()
     pressKey(open, Qt::Key_Return);
     QVERIFY2(open.message().contains("not ticked yet"), qPrintable(open.message()));
     QCOMPARE(nameOf(open.view().state), std::string("CheckingList"));
-    open.perform(ChecklistDone{open.gui().plan().protocol.checklist, {{"temperature in °C", "22,5"}}});
+    open.perform(ChecklistDone{open.gui().plan().protocol.checklist, {{"temperature in °C", "22.5"}}});
     const auto last = open.window().study()->store().events(ParticipantId("P01")).back();
     QCOMPARE(last.kind, std::string("checklist_done"));
     QVERIFY(last.payloadJson.find("eye mask") != std::string::npos);

@@ -212,7 +212,10 @@ void name(QWidget& widget, const char* objectName, const QString& accessibleName
 {
     widget.setObjectName(QString::fromLatin1(objectName));
     widget.setAccessibleName(accessibleName);
-    if (auto* box = qobject_cast<QComboBox*>(&widget)) box->view()->setAccessibleName(accessibleName);
+    if (auto* box = qobject_cast<QComboBox*>(&widget)) {
+        box->view()->setObjectName(widget.objectName() + QStringLiteral("Rows"));
+        box->view()->setAccessibleName(accessibleName);
+    }
 }
 
 void showText(QLabel& target, const QString& text)

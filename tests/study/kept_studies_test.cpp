@@ -113,9 +113,9 @@ private Q_SLOTS:
         QVERIFY(signals.at("controls").is_null() && signals.at("height_ssim_registered").is_null());
         QVERIFY(signals.at("why").at("controls").get<std::string>().find("earlier version") != std::string::npos);
         const Json statistics = jsonOf(at("out/statistics.json")), oldStatistics = jsonOf(kept("finished-statistics.json"));
+        // "data" counts worded answers since 0.6.0. The d' of same and different was that of a choice until then.
         for (const auto& [key, value] : oldStatistics.items())
-            if (key != "data")  // which counts worded answers since 0.6.0
-                QVERIFY2(holds(statistics, Json{{key, value}}), key.c_str());
+            if (key != "data" && key != "same_sensitivity") QVERIFY2(holds(statistics, Json{{key, value}}), key.c_str());
     }
 
     void aPlanCanBeRegisteredLate()

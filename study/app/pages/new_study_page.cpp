@@ -91,7 +91,6 @@ NewStudyPage::NewStudyPage(MakeStudy make, QWidget* parent)
     m_dataset =
         addPath(*form, "datasetField", tr("Fabric data set"), tr("the folder that contains dataset.json"), Browse::Folder);
     m_protocol = addPath(*form, "protocolField", tr("Protocol file"), tr("empty: the study of the paper"), Browse::File);
-    form->addWidget(m_editProtocol, form->rowCount() + 1, 1, Qt::AlignLeft);
     addRow(*form, tr("Language of the participants"), m_language);
     addRow(*form, tr("Participants"), m_participants);
     addRow(*form, tr("Seed"), m_seed);
@@ -107,6 +106,7 @@ NewStudyPage::NewStudyPage(MakeStudy make, QWidget* parent)
     auto* actions = new QHBoxLayout;
     actions->setSpacing(14);
     actions->addWidget(m_makeButton);
+    actions->addWidget(m_editProtocol);
     actions->addWidget(m_back);
     actions->addStretch(1);
     auto* column = new QVBoxLayout(page);

@@ -76,7 +76,8 @@ EditorStart::EditorStart(QWidget* parent)
     setType(*m_examples, Type::Body);
     m_examples->setWordWrap(true);
     m_examples->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_examples->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
+    m_examples->setMinimumHeight(m_examples->fontMetrics().height() *
+                                 5);  // a longer list scrolls, so that the buttons stay in view
     m_examples->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     addExamples();
     m_file->setPlaceholderText(tr("a protocol file to change, .json"));

@@ -1353,7 +1353,7 @@
     </message>
     <message>
         <source>presentations of a rendering per participant</source>
-        <translation>Darbietungen einer Wiedergabe je Versuchsperson</translation>
+        <translation>Darbietungen eines Reibungsbilds je Versuchsperson</translation>
     </message>
     <message>
         <source>ordered pairs of conditions</source>
@@ -1373,23 +1373,23 @@
     </message>
     <message>
         <source>foil sets per true fabric</source>
-        <translation>Sätze falscher Stoffe je richtigem Stoff</translation>
+        <translation>Sätze von Ablenkern je richtigem Stoff</translation>
     </message>
     <message>
         <source>true slots per participant and fabric</source>
-        <translation>richtige Plätze je Versuchsperson und Stoff</translation>
+        <translation>richtige Felder je Versuchsperson und Stoff</translation>
     </message>
     <message>
         <source>true slots per condition</source>
-        <translation>richtige Plätze je Bedingung</translation>
+        <translation>richtige Felder je Bedingung</translation>
     </message>
     <message>
         <source>a fabric as foil per participant</source>
-        <translation>ein Stoff als falscher Stoff je Versuchsperson</translation>
+        <translation>ein Stoff als Ablenker je Versuchsperson</translation>
     </message>
     <message>
         <source>slots of a foil per participant</source>
-        <translation>Plätze eines falschen Stoffs je Versuchsperson</translation>
+        <translation>Felder eines Ablenkers je Versuchsperson</translation>
     </message>
 </context>
 <context>

@@ -1365,11 +1365,11 @@
     </message>
     <message>
         <source>a condition per stretch of the order</source>
-        <translation>每段顺序中的同一条件</translation>
+        <translation>每段呈现顺序中的同一条件</translation>
     </message>
     <message>
         <source>a fabric per stretch of the order</source>
-        <translation>每段顺序中的同一织物</translation>
+        <translation>每段呈现顺序中的同一织物</translation>
     </message>
     <message>
         <source>foil sets per true fabric</source>
@@ -1377,11 +1377,11 @@
     </message>
     <message>
         <source>true slots per participant and fabric</source>
-        <translation>每位参与者和织物的正确位置</translation>
+        <translation>每位参与者和织物的正确格</translation>
     </message>
     <message>
         <source>true slots per condition</source>
-        <translation>每个条件的正确位置</translation>
+        <translation>每个条件的正确格</translation>
     </message>
     <message>
         <source>a fabric as foil per participant</source>
@@ -1389,7 +1389,7 @@
     </message>
     <message>
         <source>slots of a foil per participant</source>
-        <translation>每位参与者中干扰样的位置</translation>
+        <translation>每位参与者中干扰样所在的格</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,8 @@
 // The page that makes and changes protocols: from an idea to a running session by its controls alone, and what it keeps of files
 // that others wrote.
 #include <QElapsedTimer>
+#include <QScrollArea>
+#include <QScrollBar>
 
 #include "protocols/texts/shipped_texts.h"
 #include "protocols/usual_texts.h"
@@ -13,6 +15,22 @@ using tests::bytesAt;
 using tests::protocolAt;
 using tests::ShownEditor;
 using tests::support::OpenWindow;
+
+namespace {
+
+class ResizeCounter : public QObject {
+public:
+    int count = 0;
+
+protected:
+    bool eventFilter(QObject*, QEvent* event) override
+    {
+        count += event->type() == QEvent::Resize ? 1 : 0;
+        return false;
+    }
+};
+
+}  // namespace
 
 class AppEditorTest : public tests::support::WindowTest {
     Q_OBJECT
@@ -27,6 +45,8 @@ private Q_SLOTS:
     void fabricsComeFromADataSet();
     void newConditionsAndContrasts();
     void wayByKeysAlone();
+    void previewStaysStillAtEveryHeight();
+    void previewShowsTheWholePage();
 };
 
 void AppEditorTest::fromAnIdeaToARunningSession()
@@ -322,6 +342,50 @@ void AppEditorTest::wayByKeysAlone()
     QVERIFY(std::holds_alternative<protocols::ForcedChoice>(protocol.phases.at(0).task));
     press(Qt::Key_Escape);
     QTRY_COMPARE(shown.window.currentPage()->objectName(), QString("startPage"));
+}
+
+void AppEditorTest::previewStaysStillAtEveryHeight()
+{
+    AppOptions options = tests::editorOptions();
+    options.lookAhead = [](const protocols::Protocol&) { return SessionOutlook{true, {{"true slots, Q1", 9, 11}}, {}}; };
+    ShownEditor shown(options);
+    shown.beginWith("Two pieces");
+    shown.check();
+    ResizeCounter counter;
+    shown.widget<QLabel>("previewPicture").installEventFilter(&counter);
+    int shownBars = 0, hiddenBars = 0;
+    const auto& bar = *shown.widget<QScrollArea>("checkArea").verticalScrollBar();
+    for (int height = 1000; height > 600; height -= 2) {
+        counter.count = 0;
+        shown.window.resize(1366, height);
+        QTest::qWait(1);
+        for (int turn = 0; turn < 20; ++turn) QCoreApplication::processEvents();
+        QVERIFY2(counter.count <= 8, qPrintable(QString("%1 px: %2 sizes").arg(height).arg(counter.count)));
+        ++(bar.isVisible() ? shownBars : hiddenBars);
+    }
+    QVERIFY(shownBars > 0);
+    QVERIFY(hiddenBars > 0);
+}
+
+void AppEditorTest::previewShowsTheWholePage()
+{
+    // The page of the picture has a scroll bar at its right edge if its text did not get smaller.
+    ShownEditor shown;
+    shown.beginWith("Two pieces");
+    shown.section(3);
+    shown.enter("phases[0].questions[0].text", QString("Which of the two pieces of fabric feels like the screen? ").repeated(6));
+    const QImage picture = shown.widget<QLabel>("previewPicture").pixmap().toImage();
+    const QRgb background = picture.pixel(picture.width() - 3, picture.height() - 3);
+    for (int y = 2; y < picture.height() - 2; ++y) QCOMPARE(picture.pixel(picture.width() - 3, y), background);
+    // The two answers are white boxes as wide as the page.
+    int boxes = 0;
+    bool isInBox = false;
+    for (int y = 2; y < picture.height() - 2; ++y) {
+        const bool isWhite = picture.pixel(picture.width() * 3 / 4, y) == qRgb(255, 255, 255);
+        boxes += isWhite && !isInBox ? 1 : 0;
+        isInBox = isWhite;
+    }
+    QVERIFY2(boxes >= 2, qPrintable(QString::number(boxes)));
 }
 
 QTEST_MAIN(AppEditorTest)

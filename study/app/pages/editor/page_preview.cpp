@@ -1,8 +1,11 @@
 #include "study/app/pages/editor/page_preview.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QEvent>
 #include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -12,6 +15,7 @@
 #include "study/app/pages/stage_stack.h"
 #include "study/app/participant/instruction_view.h"
 #include "study/app/participant/participant_side.h"
+#include "study/app/pieces/page_fit.h"
 #include "study/app/pieces/pieces.h"
 #include "study/participant/session/present_instruction.h"
 
@@ -76,6 +80,25 @@ View viewOf(const Protocol& protocol, int phase, const Stage& stage)
     if (!shown.instructions.empty()) view.instruction = shown.instructions.front();
     view.instructionBegins = true;
     return view;
+}
+
+/// The picture of the pages as a window shows them. Pages fit their text to their room only while they are shown.
+QPixmap grabbedAsShown(QWidget& pages)
+{
+    pages.setAttribute(Qt::WA_DontShowOnScreen);
+    pages.setAttribute(Qt::WA_ShowWithoutActivating);
+    pages.show();
+    for (PageFit* fit : pages.findChildren<PageFit*>()) QCoreApplication::sendPostedEvents(fit, QEvent::MetaCall);
+    pages.hide();  // a picture of hidden pages begins with their layouts
+    return pages.grab();
+}
+
+/// The scroll area that shows the widget; null if there is none.
+const QScrollArea* areaAround(const QWidget& widget)
+{
+    const QWidget* around = widget.parentWidget();
+    while (around && !qobject_cast<const QScrollArea*>(around)) around = around->parentWidget();
+    return qobject_cast<const QScrollArea*>(around);
 }
 
 }  // namespace
@@ -164,7 +187,7 @@ QPixmap PagePreview::pictureOf(const Moment& moment) const
     page.present(view);
     pages.bringForward(page);
     pages.resize(pageSize);
-    return pages.grab();
+    return grabbedAsShown(pages);
 }
 
 void PagePreview::draw()
@@ -177,10 +200,20 @@ void PagePreview::draw()
     fit();
 }
 
+/// Width for the picture: that beside a scroll bar, whether there is one or not. Otherwise the bar makes the picture smaller,
+/// the smaller picture needs no bar, and both change for ever.
+int PagePreview::roomPx() const
+{
+    const QScrollArea* area = areaAround(*this);
+    if (!area) return width();
+    const int margin = mapTo(area->widget(), QPoint()).x();
+    return std::min(width(), area->maximumViewportSize().width() - area->verticalScrollBar()->sizeHint().width() - 2 * margin);
+}
+
 void PagePreview::fit()
 {
     if (m_drawn.isNull()) return;
-    const int room = std::max(1, width() - 2);
+    const int room = std::max(1, roomPx() - 2);
     QPixmap fitted = m_drawn.scaledToWidth(static_cast<int>(room * devicePixelRatioF()), Qt::SmoothTransformation);
     fitted.setDevicePixelRatio(devicePixelRatioF());
     m_picture->setPixmap(fitted);

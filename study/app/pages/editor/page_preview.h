@@ -42,6 +42,7 @@ private:
     std::vector<Moment> momentsOf(const protocols::Protocol& protocol) const;
     void draw();
     QPixmap pictureOf(const Moment& moment) const;
+    int roomPx() const;
     void fit();
 
     std::optional<protocols::Protocol> m_protocol;

@@ -68,7 +68,7 @@ Markup page(const std::string& title, const std::string& body, const PrintedHead
            "h1{font-size:20pt}h2{font-size:15pt;margin-top:10mm}table{border-collapse:collapse}\n"
            "td,th{border:1px solid #000;padding:2mm 5mm;text-align:left}\n"
            ".label{display:inline-block;border:1px dashed #000;padding:6mm 9mm;margin:2mm;font-size:26pt;font-weight:bold}\n"
-           ".sheet{page-break-after:always}p{max-width:170mm}.foot{font-size:9pt;margin-top:10mm}.blank "
+           ".sheet+.sheet{page-break-before:always}p{max-width:170mm}.foot{font-size:9pt;margin-top:10mm}.blank "
            "td{height:9mm;min-width:25mm}\n"
            "</style></head><body>\n<h1>" +
            protocols::escapedMarkup(title) + "</h1>\n" + body + footOf(printed) + "</body></html>\n";

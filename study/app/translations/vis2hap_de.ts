@@ -1504,6 +1504,10 @@
         <source>%1, %2</source>
         <translation>%1, %2</translation>
     </message>
+    <message>
+        <source>%1 is missing</source>
+        <translation>%1 fehlt</translation>
+    </message>
 </context>
 <context>
     <name>study::app::ChecklistPage</name>
@@ -2279,7 +2283,7 @@
     </message>
     <message>
         <source>One rendering at three prices in computing time.</source>
-        <translation>Ein Verfahren zu drei Preisen an Rechenzeit.</translation>
+        <translation>Ein Verfahren mit drei verschiedenen Rechenzeiten.</translation>
     </message>
     <message>
         <source>Your own images</source>

@@ -1504,6 +1504,10 @@
         <source>%1, %2</source>
         <translation>%1，%2</translation>
     </message>
+    <message>
+        <source>%1 is missing</source>
+        <translation>缺少“%1”</translation>
+    </message>
 </context>
 <context>
     <name>study::app::ChecklistPage</name>

@@ -6,6 +6,7 @@
 
 #include "protocols/texts/shipped_texts.h"
 #include "protocols/usual_texts.h"
+#include "study/app/language/language.h"
 #include "tests/study/app/editor_fixture.h"
 #include "tests/support/program.h"
 
@@ -47,6 +48,8 @@ private Q_SLOTS:
     void wayByKeysAlone();
     void previewStaysStillAtEveryHeight();
     void previewShowsTheWholePage();
+    void numbersHaveTheMarkOfTheLanguage();
+    void emptyFieldIsNamedByItsCaption();
 };
 
 void AppEditorTest::fromAnIdeaToARunningSession()
@@ -386,6 +389,35 @@ void AppEditorTest::previewShowsTheWholePage()
         isInBox = isWhite;
     }
     QVERIFY2(boxes >= 2, qPrintable(QString::number(boxes)));
+}
+
+void AppEditorTest::numbersHaveTheMarkOfTheLanguage()
+{
+    LanguageInUse language("vis2hap 0.6.0");
+    language.use("de");
+    ShownEditor shown;
+    shown.beginWith("Zwei Proben");
+    shown.section(4);
+    QCOMPARE(shown.widget<QLineEdit>("dead_time_seconds").placeholderText(), QString("0,7"));
+    shown.enter("dead_time_seconds", "1,5");
+    shown.section(6);
+    QCOMPARE(shown.widget<QLineEdit>("lowerBound").text(), QString("-0,5"));
+    shown.enter("lowerBound", "-0.25");
+    QCOMPARE(shown.faults(), QStringList());
+    shown.saveAs(filePath("german.json"));
+    const auto protocol = protocolAt(filePath("german.json"));
+    QCOMPARE(protocol.deadTimeSeconds, 1.5);
+    shown.page().edit(shown.page().draft(), filePath("german.json").toStdString());
+    shown.section(6);
+    QCOMPARE(shown.widget<QLineEdit>("lowerBound").text(), QString("-0,25"));
+}
+
+void AppEditorTest::emptyFieldIsNamedByItsCaption()
+{
+    ShownEditor shown;
+    shown.beginWith("Two pieces");
+    shown.enter("name", "");
+    QCOMPARE(shown.faults(), QStringList{"Name of the study is missing"});
 }
 
 QTEST_MAIN(AppEditorTest)

@@ -39,8 +39,8 @@ AnalysisSection::AnalysisSection(DraftFields& fields, QWidget* parent)
     column->addLayout(row);
     row->addWidget(captioned(tr("Equal from (scale points)"), *m_lower, this));
     row->addWidget(captioned(tr("to (scale points)"), *m_upper, this));
-    m_lower->setPlaceholderText(QStringLiteral("-0.5"));
-    m_upper->setPlaceholderText(QStringLiteral("0.5"));
+    m_lower->setPlaceholderText(withDecimalMark(QStringLiteral("-0.5")));
+    m_upper->setPlaceholderText(withDecimalMark(QStringLiteral("0.5")));
     fields.bind(boundsPlace, tr("Bounds of equivalence"), *m_lower);
     fields.bind(std::string(boundsPlace) + "[1]", tr("Upper bound of equivalence"), *m_upper);
     addSmallHead(*column, "contrastsTitle", tr("Planned contrasts"),
@@ -70,7 +70,7 @@ void AnalysisSection::present()
 {
     const ProtocolDraft& draft = m_fields.draft();
     const auto show = [&](QLineEdit& line, const char* element) {
-        const QString text = QString::fromStdString(draft.typedAt(std::string(boundsPlace) + element));
+        const QString text = withDecimalMark(QString::fromStdString(draft.typedAt(std::string(boundsPlace) + element)));
         if (line.text() != text) line.setText(text);
     };
     show(*m_lower, "[0]");

@@ -104,7 +104,10 @@ QString CheckPanel::wordsOf(const protocols::ProtocolFault& fault) const
     const DraftFields::Bound* bound = m_fields.boundAt(placeIn(fault));
     // The caption of the control stands for the place in the file.
     const QString where = bound ? bound->caption : english.left(colon);
-    const QString text = colon < 0 ? inOwnLanguage(english) : tr("%1: %2").arg(where, whatIsWrong(english.mid(colon + 2)));
+    const bool isEmptyField = bound && bound->place == placeIn(fault) && fault.text.ends_with("' is missing");
+    const QString text = isEmptyField ? tr("%1 is missing").arg(where)
+                         : colon < 0  ? inOwnLanguage(english)
+                                      : tr("%1: %2").arg(where, whatIsWrong(english.mid(colon + 2)));
     return m_hasLines ? tr("Line %1, column %2. %3").arg(fault.line).arg(fault.column).arg(text) : text;
 }
 

@@ -4,9 +4,11 @@
 #include <QKeyEvent>
 #include <QListWidget>
 #include <QPlainTextEdit>
+#include <QRegularExpression>
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "study/app/language/app_text.h"
 #include "study/app/pieces/flow_layout.h"
 #include "study/app/pieces/pieces.h"
 #include "study/app/pieces/tick_box.h"
@@ -145,10 +147,11 @@ QLineEdit* DraftFields::boundLine(const std::string& place, const QString& capti
                                   QWidget* parent)
 {
     QLineEdit* line = field(place.c_str(), caption, parent);
-    line->setPlaceholderText(hint);
+    line->setPlaceholderText(kind == FieldKind::Number ? withDecimalMark(hint) : hint);
     bind(place, caption, *line);
-    m_bound.back().show = [this, place, line] {
-        const QString text = QString::fromStdString(draft().typedAt(place));
+    m_bound.back().show = [this, place, kind, line] {
+        const QString typed = QString::fromStdString(draft().typedAt(place));
+        const QString text = kind == FieldKind::Number ? withDecimalMark(typed) : typed;
         if (line->text() != text) line->setText(text);
     };
     m_bound.back().show();
@@ -261,6 +264,12 @@ bool DraftFields::eventFilter(QObject* watched, QEvent* event)
                 break;
             }
     return QObject::eventFilter(watched, event);
+}
+
+QString withDecimalMark(QString text)
+{
+    static const QRegularExpression point(QStringLiteral("^(-?\\d+)\\.(\\d+)$"));
+    return text.replace(point, "\\1" + decimalMark() + "\\2");
 }
 
 void addCaptioned(QBoxLayout& column, const QString& caption, QWidget& control)

@@ -84,6 +84,9 @@ private:
     bool m_isShowing = false;
 };
 
+/// A number with the decimal mark of the window's language; any other text as it is.
+QString withDecimalMark(QString text);
+
 /// A caption above its control.
 void addCaptioned(QBoxLayout& column, const QString& caption, QWidget& control);
 

@@ -1508,6 +1508,10 @@
         <source>%1 is missing</source>
         <translation>%1 fehlt</translation>
     </message>
+    <message>
+        <source>%1: none yet</source>
+        <translation>%1: noch nichts gewählt</translation>
+    </message>
 </context>
 <context>
     <name>study::app::ChecklistPage</name>

@@ -1508,6 +1508,10 @@
         <source>%1 is missing</source>
         <translation>缺少“%1”</translation>
     </message>
+    <message>
+        <source>%1: none yet</source>
+        <translation>%1：尚未选择</translation>
+    </message>
 </context>
 <context>
     <name>study::app::ChecklistPage</name>

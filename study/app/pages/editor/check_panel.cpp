@@ -104,10 +104,13 @@ QString CheckPanel::wordsOf(const protocols::ProtocolFault& fault) const
     const DraftFields::Bound* bound = m_fields.boundAt(placeIn(fault));
     // The caption of the control stands for the place in the file.
     const QString where = bound ? bound->caption : english.left(colon);
-    const bool isEmptyField = bound && bound->place == placeIn(fault) && fault.text.ends_with("' is missing");
-    const QString text = isEmptyField ? tr("%1 is missing").arg(where)
-                         : colon < 0  ? inOwnLanguage(english)
-                                      : tr("%1: %2").arg(where, whatIsWrong(english.mid(colon + 2)));
+    const QString said = colon < 0 ? english : english.mid(colon + 2);
+    const bool isField = bound && bound->place == placeIn(fault);
+    const bool isEmpty = said.endsWith(QStringLiteral("' is missing")) || said.startsWith(QStringLiteral("\"\", expected"));
+    const QString text = isField && isEmpty                                                    ? tr("%1 is missing").arg(where)
+                         : isField && said.startsWith(QStringLiteral("a list of 0, expected")) ? tr("%1: none yet").arg(where)
+                         : colon < 0                                                           ? inOwnLanguage(said)
+                                     : tr("%1: %2").arg(where, whatIsWrong(said));
     return m_hasLines ? tr("Line %1, column %2. %3").arg(fault.line).arg(fault.column).arg(text) : text;
 }
 

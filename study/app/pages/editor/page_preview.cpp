@@ -17,6 +17,7 @@
 #include "study/app/participant/participant_side.h"
 #include "study/app/pieces/page_fit.h"
 #include "study/app/pieces/pieces.h"
+#include "study/app/state/appearance.h"
 #include "study/participant/session/present_instruction.h"
 
 namespace study::app {
@@ -174,11 +175,13 @@ void PagePreview::showQuestion(int question)
 QPixmap PagePreview::pictureOf(const Moment& moment) const
 {
     const View view = viewOf(*m_protocol, m_phase, moment.stage);
+    // The text grows with the window, and so does the page.
+    const QSize size = pageSize * std::max(1.0, scaleOf(window()->size()));
     if (moment.isOfParticipant) {
         ParticipantSide side(nullptr);
         side.show(participant::instructionFor(view, *m_protocol));
         InstructionView screen(side, nullptr);
-        screen.resize(pageSize);
+        screen.resize(size);
         return screen.grab();
     }
     StageStack pages(nullptr);
@@ -186,7 +189,7 @@ QPixmap PagePreview::pictureOf(const Moment& moment) const
     StagePage& page = pages.pageOf(moment.stage);
     page.present(view);
     pages.bringForward(page);
-    pages.resize(pageSize);
+    pages.resize(size);
     return grabbedAsShown(pages);
 }
 

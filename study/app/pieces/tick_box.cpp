@@ -1,5 +1,6 @@
 #include "study/app/pieces/tick_box.h"
 
+#include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
 
@@ -8,6 +9,21 @@
 namespace study::app {
 
 TickBox::TickBox(QWidget* parent) : QCheckBox(parent) { setType(*this, Type::Body); }
+
+void TickBox::takeClicksOf(QWidget& caption) { caption.installEventFilter(this); }
+
+bool TickBox::eventFilter(QObject* watched, QEvent* event)
+{
+    // Pressed on the caption and released on it.
+    const auto* caption = qobject_cast<QWidget*>(watched);
+    const bool isLeft = event->type() == QEvent::MouseButtonRelease || event->type() == QEvent::MouseButtonPress
+                            ? static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton
+                            : false;
+    if (!caption || caption == this || !isLeft) return QCheckBox::eventFilter(watched, event);
+    const bool isInside = caption->rect().contains(static_cast<QMouseEvent*>(event)->position().toPoint());
+    if (event->type() == QEvent::MouseButtonRelease && isInside) click();
+    return true;
+}
 
 QSize TickBox::sizeHint() const
 {

@@ -104,6 +104,7 @@ void ConditionsSection::buildRendered(QVBoxLayout& column)
         title->setText(shown);
         QLabel* text = quietLabel("conditionSentence", this, Type::Plain);
         text->setText(sentence);
+        for (QLabel* caption : {title, text}) tick->takeClicksOf(*caption);
         words->addWidget(title);
         words->addWidget(text);
         line->addLayout(words, 1);

@@ -219,6 +219,7 @@ TickBox* DraftFields::addTick(QBoxLayout& column, const std::string& place, cons
     row->setSpacing(8);
     QLabel* text = label("tickCaption", Type::Body, column.parentWidget());
     text->setText(caption);
+    tick->takeClicksOf(*text);
     row->addWidget(tick, 0, Qt::AlignTop);
     row->addWidget(text, 1);
     column.addLayout(row);

@@ -195,6 +195,7 @@ void PhaseDetail::addQuestion(QVBoxLayout& column, std::size_t question)
         QLabel* caption = quietLabel("ownWordsCaption", this, Type::Plain);
         caption->setText(tr("answered in own words"));
         caption->setWordWrap(false);
+        own->takeClicksOf(*caption);
         actions->addWidget(own);
         actions->addWidget(caption);
     }

@@ -87,6 +87,7 @@ TickBox* RehearsalPage::addTick(QBoxLayout& column, const char* objectName, cons
     auto* words = label("rehearsalTickText", Type::Body, this);
     words->setText(text);
     words->setBuddy(box);
+    box->takeClicksOf(*words);
     auto* row = new QHBoxLayout;
     row->setSpacing(8);
     row->addWidget(box, 0, Qt::AlignTop);

@@ -63,7 +63,7 @@ void requireFontFor(const QString& language)
 QString nameInList(const QString& language)
 {
     const QLocale locale(language);
-    const QString own = locale.nativeLanguageName();
+    const QString own = locale.language() == QLocale::English ? QStringLiteral("English") : locale.nativeLanguageName();
     if (own.isEmpty() || !missingFontPackage(language).isEmpty()) return QLocale::languageToString(locale.language());
     return own.left(1).toUpper() + own.mid(1);
 }

@@ -144,9 +144,11 @@ QPushButton[role="plain"]:focus { border-color: %6; color: %3; }
 QPushButton[role="plain"]:disabled { background: transparent; border-color: transparent; color: %12; }
 QLineEdit, QPlainTextEdit, QComboBox { background: %2; color: %3; border: 1px solid %4; border-radius: 8px; padding: 7px 10px; }
 QLineEdit:focus, QPlainTextEdit:focus, QComboBox:focus { border: 2px solid %6; padding: 6px 9px; }
+QComboBox { combobox-popup: 0; }
 QComboBox::drop-down { border: none; width: 34px; }
 QTreeView, QListView { background: %2; color: %3; border: 1px solid %5; border-radius: 8px; padding: 4px; }
 QTreeView:focus, QListView:focus { border: 2px solid %6; padding: 3px; }
+QComboBox QListView, QComboBox QListView:focus { border: none; border-radius: 0; padding: 0; }
 QTreeView::item, QListView::item { border: 0px; padding: 6px 8px; }
 QTreeView::item:selected, QListView::item:selected { background: %6; color: %7; }
 QHeaderView::section { background: %2; color: %4; border: none; border-bottom: 1px solid %5; padding: 6px 8px; }

@@ -1,5 +1,6 @@
 // The page that makes and changes protocols: from an idea to a running session by its controls alone, and what it keeps of files
 // that others wrote.
+#include <QAbstractItemView>
 #include <QElapsedTimer>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -50,6 +51,8 @@ private Q_SLOTS:
     void previewShowsTheWholePage();
     void numbersHaveTheMarkOfTheLanguage();
     void emptyFieldIsNamedByItsCaption();
+    void captionsTickTheirBox();
+    void listOfAChoiceShowsAllRows();
 };
 
 void AppEditorTest::fromAnIdeaToARunningSession()
@@ -418,6 +421,39 @@ void AppEditorTest::emptyFieldIsNamedByItsCaption()
     shown.beginWith("Two pieces");
     shown.enter("name", "");
     QCOMPARE(shown.faults(), QStringList{"Name of the study is missing"});
+    shown.page().edit(study::app::ProtocolDraft(), {});
+    shown.check();
+    QVERIFY2(shown.faults().contains("Conditions: none yet"), qPrintable(shown.faults().join("; ")));
+}
+
+void AppEditorTest::captionsTickTheirBox()
+{
+    ShownEditor shown;
+    shown.beginWith("Empty");
+    shown.section(2);
+    auto& box = shown.widget<QAbstractButton>("condition v_grey");
+    for (QLabel* caption :
+         {shown.page().findChild<QLabel*>("conditionId"), shown.page().findChild<QLabel*>("conditionSentence")}) {
+        const bool before = box.isChecked();
+        QTest::mouseClick(caption, Qt::LeftButton);
+        QCOMPARE(box.isChecked(), !before);
+        QTest::mouseClick(caption, Qt::RightButton);
+        QCOMPARE(box.isChecked(), !before);
+    }
+}
+
+void AppEditorTest::listOfAChoiceShowsAllRows()
+{
+    ShownEditor shown;
+    shown.beginWith("Empty");
+    shown.section(3);
+    auto& choice = shown.widget<QComboBox>("newPhaseKind");
+    choice.showPopup();
+    QTest::qWait(1);
+    const auto* list = choice.view();
+    const QRect last = list->visualRect(list->model()->index(choice.count() - 1, 0));
+    QVERIFY2(list->viewport()->rect().contains(last), qPrintable(QString::number(last.bottom())));
+    choice.hidePopup();
 }
 
 QTEST_MAIN(AppEditorTest)

@@ -146,6 +146,7 @@ QLineEdit, QPlainTextEdit, QComboBox { background: %2; color: %3; border: 1px so
 QLineEdit:focus, QPlainTextEdit:focus, QComboBox:focus { border: 2px solid %6; padding: 6px 9px; }
 QComboBox { combobox-popup: 0; }
 QComboBox::drop-down { border: none; width: 34px; }
+QComboBox::down-arrow { image: url(:/icons/choice.png); width: 14px; height: 14px; }
 QTreeView, QListView { background: %2; color: %3; border: 1px solid %5; border-radius: 8px; padding: 4px; }
 QTreeView:focus, QListView:focus { border: 2px solid %6; padding: 3px; }
 QComboBox QListView, QComboBox QListView:focus { border: none; border-radius: 0; padding: 0; }

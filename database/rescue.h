@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "database/disk/study_folder.h"
 #include "database/sqlite_connection.h"
-#include "database/study_folder.h"
 
 namespace database {
 

@@ -98,13 +98,20 @@ void createDatabase(const StudyFolder& folder, const StudyFacts& facts,
                     const std::vector<std::vector<protocols::BlindedTrial>>& slots,
                     const std::map<protocols::FileCode, std::string>& stimulusHashes)
 {
+    makeDatabase(folder, [&](const SqliteConnection& sqlite) {
+        insertFixedRows(sqlite, facts, slots, stimulusHashes);
+        recordCreation(sqlite, facts);
+    });
+}
+
+void makeDatabase(const StudyFolder& folder, const std::function<void(const SqliteConnection&)>& fill)
+{
     const DraftDatabase draft(folder);
     {
         const SqliteConnection sqlite(draft.path(), SqliteConnection::Mode::Create);
         Transaction transaction(sqlite);
         makeSchema(sqlite);
-        insertFixedRows(sqlite, facts, slots, stimulusHashes);
-        recordCreation(sqlite, facts);
+        fill(sqlite);
         transaction.commit();
         sqlite.run(QStringLiteral("PRAGMA wal_checkpoint(TRUNCATE)"));
     }

@@ -8,6 +8,7 @@
 
 #include "database/audit.h"
 #include "database/disk/open_files.h"
+#include "database/disk/server_note.h"
 #include "database/erasure.h"
 #include "database/rescue.h"
 #include "database/sqlite_connection.h"
@@ -26,9 +27,10 @@ struct StudyStore::Connection {
     StudyFolder folder;
     std::unique_ptr<WriteLock> lock;  ///< null for a reader
     SqliteConnection sqlite;
-    std::optional<OpenFiles> files = {};   ///< of a writer
-    std::filesystem::path keptAside = {};  ///< the rescue file, once the open files are no longer in place
-    std::optional<StudyFacts> facts = {};  ///< once they were asked for
+    std::filesystem::path serverFolder = {};  ///< of a study on a server, of which this is a copy
+    std::optional<OpenFiles> files = {};      ///< of a writer
+    std::filesystem::path keptAside = {};     ///< the rescue file, once the open files are no longer in place
+    std::optional<StudyFacts> facts = {};     ///< once they were asked for
     /// Participants that the open batch may store; none without a batch.
     std::optional<std::set<protocols::ParticipantId>> batch = {};
 
@@ -126,6 +128,11 @@ void StudyStore::create(const StudyFolder& folder, const StudyFacts& facts,
 
 StudyStore::StudyStore(const StudyFolder& folder, Access access)
 {
+    if (const auto note = readServerNote(folder.folder))
+        throw protocols::workFailed({"this study lies on a server, where its stations write to it", folder.folder.string(),
+                                     note->address,
+                                     "run sessions in the app, or bring the study back first: vis2hap study move '" +
+                                         note->address + "' " + folder.folder.string()});
     std::error_code unreadable;
     if (!std::filesystem::is_regular_file(folder.database(), unreadable))
         throw protocols::badInput({"this is no study folder (it has no study.db)", folder.folder.string(),
@@ -141,12 +148,26 @@ StudyStore::StudyStore(const StudyFolder& folder, Access access)
     m_connection->files.emplace(opened.database());
 }
 
+StudyStore::StudyStore(std::unique_ptr<Connection> connection) : m_connection(std::move(connection)) {}
+
+StudyStore StudyStore::ofCopy(std::unique_ptr<protocols::TemporaryFolder> copy, const std::filesystem::path& original)
+{
+    const StudyFolder opened{copy->path()};
+    std::unique_ptr<Connection> connection(
+        new Connection{std::move(copy), opened, nullptr, {opened.database(), SqliteConnection::Mode::Read}});
+    connection->serverFolder = original;
+    return StudyStore(std::move(connection));
+}
+
 StudyStore::~StudyStore() = default;
 StudyStore::StudyStore(StudyStore&&) noexcept = default;
+StudyStore& StudyStore::operator=(StudyStore&&) noexcept = default;
 
 const StudyFolder& StudyStore::folder() const { return m_connection->folder; }
 
-bool StudyStore::isUpgradedCopy() const { return m_connection->copy != nullptr; }
+bool StudyStore::isUpgradedCopy() const { return m_connection->copy != nullptr && m_connection->serverFolder.empty(); }
+
+std::filesystem::path StudyStore::serverFolder() const { return m_connection->serverFolder; }
 
 const StudyFacts& StudyStore::facts() const
 {
@@ -159,6 +180,11 @@ std::map<protocols::FileCode, std::string> StudyStore::stimulusHashes() const { 
 std::vector<Slot> StudyStore::slots() const { return slotsIn(m_connection->sqlite); }
 
 std::vector<protocols::BlindedTrial> StudyStore::trials(int slot) const { return trialsIn(m_connection->sqlite, slot); }
+
+protocols::BlindedTrial StudyStore::dueTrial(int slot, protocols::TrialNumber number)
+{
+    return trials(slot).at(static_cast<std::size_t>(number.value) - 1);
+}
 
 std::vector<Enrolment> StudyStore::enrolments() const { return enrolmentsIn(m_connection->sqlite); }
 
@@ -266,6 +292,13 @@ std::vector<CurrentAnswer> StudyStore::answers() const
 }
 
 void StudyStore::eachAnswer(const std::function<void(CurrentAnswer)>& take) const { eachAnswerIn(m_connection->sqlite, take); }
+
+std::map<protocols::ParticipantId, int> StudyStore::answerCounts() const
+{
+    std::map<protocols::ParticipantId, int> counts;
+    eachAnswer([&](const CurrentAnswer& answer) { counts[answer.participant] += !answer.voided; });
+    return counts;
+}
 
 std::map<protocols::ParticipantId, int> StudyStore::voidedPresentations() const
 {

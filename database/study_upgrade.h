@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "database/study_folder.h"
+#include "database/disk/study_folder.h"
 #include "protocols/files/temporary_folder.h"
 
 namespace database {

@@ -122,16 +122,11 @@ LogEntry logEntryOf(const SqliteConnection& sqlite, const StudyStore::Append& en
 /// Stores the facts outside the log, and their commitments in the payload of the event.
 void storeFacts(const SqliteConnection& sqlite, const StudyStore::Append& entry, EventRecord& event)
 {
-    if (entry.facts.empty()) return;
-    nlohmann::ordered_json payload = nlohmann::ordered_json::parse(event.payloadJson, nullptr, false);
-    if (!payload.is_object()) payload = nlohmann::ordered_json::object();
-    for (const auto& [fact, value] : entry.facts) {
-        const std::string salt = protocols::drawHex(factSaltBytes);
-        payload["facts_sha256"][fact] = commitmentOfFact(salt, fact, value);
+    const std::vector<SaltedFact> facts = salted(entry.facts);
+    event.payloadJson = withCommitments(event.payloadJson, facts);
+    for (const auto& [fact, value, salt] : facts)
         sqlite.run(QStringLiteral("INSERT OR REPLACE INTO participant_facts(participant, fact, value, salt) VALUES (?, ?, ?, ?)"),
                    {toQt(event.participant.value), toQt(fact), toQt(value), toQt(salt)});
-    }
-    event.payloadJson = payload.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 void moveState(const SqliteConnection& sqlite, const protocols::ParticipantId& participant, SlotState state)
@@ -146,6 +141,22 @@ void moveState(const SqliteConnection& sqlite, const protocols::ParticipantId& p
 }
 
 }  // namespace
+
+std::vector<SaltedFact> salted(const std::vector<std::pair<std::string, std::string>>& facts)
+{
+    std::vector<SaltedFact> all;
+    for (const auto& [fact, value] : facts) all.push_back({fact, value, protocols::drawHex(factSaltBytes)});
+    return all;
+}
+
+std::string withCommitments(const std::string& payloadJson, const std::vector<SaltedFact>& facts)
+{
+    if (facts.empty()) return payloadJson;
+    nlohmann::ordered_json payload = nlohmann::ordered_json::parse(payloadJson, nullptr, false);
+    if (!payload.is_object()) payload = nlohmann::ordered_json::object();
+    for (const auto& [fact, value, salt] : facts) payload["facts_sha256"][fact] = commitmentOfFact(salt, fact, value);
+    return payload.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
 
 Slot enrolIn(const SqliteConnection& sqlite, const protocols::ParticipantId& participant, ParticipantKind kind)
 {

@@ -3,11 +3,21 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "database/sqlite_connection.h"
 #include "database/study_store.h"
 
 namespace database {
+
+/// A fact about a participant with the salt of its commitment in the log, in hexadecimal.
+struct SaltedFact {
+    std::string fact, value, salt;
+};
+std::vector<SaltedFact> salted(const std::vector<std::pair<std::string, std::string>>& facts);
+/// The payload with the commitments to the facts; as it is without facts.
+std::string withCommitments(const std::string& payloadJson, const std::vector<SaltedFact>& facts);
 
 /// As StudyStore::enrol.
 Slot enrolIn(const SqliteConnection& sqlite, const protocols::ParticipantId& participant, ParticipantKind kind);

@@ -2,7 +2,7 @@
 // way, so that no stale lock remains.
 #pragma once
 
-#include "database/study_folder.h"
+#include "database/disk/study_folder.h"
 
 namespace database {
 

@@ -11,13 +11,6 @@ namespace database {
 
 namespace {
 
-std::string detailsOf(const Act& act)
-{
-    return nlohmann::ordered_json{{"who", act.who},   {"program", act.program},     {"host", act.host},
-                                  {"path", act.path}, {"entry", act.head.sequence}, {"hash", act.head.hash}}
-        .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-}
-
 std::string hashOf(const ChainedAct& act)
 {
     protocols::CanonicalBytes bytes;
@@ -73,6 +66,13 @@ void insert(const SqliteConnection& sqlite, const Act& act)
 }
 
 }  // namespace
+
+std::string detailsOf(const Act& act)
+{
+    return nlohmann::ordered_json{{"who", act.who},   {"program", act.program},     {"host", act.host},
+                                  {"path", act.path}, {"entry", act.head.sequence}, {"hash", act.head.hash}}
+        .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
 
 std::optional<std::string> recordAct(const StudyFolder& folder, Act act)
 {

@@ -19,6 +19,9 @@ struct Act {
     std::string wallTime;            ///< set by recordAct where it is empty
 };
 
+/// The JSON of an act in its chain.
+std::string detailsOf(const Act& act);
+
 /// Returns why the act could not be recorded (a read-only folder, a locked database), or nothing. Never throws for that, because
 /// the act itself is done.
 std::optional<std::string> recordAct(const StudyFolder& folder, Act act);

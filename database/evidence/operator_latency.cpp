@@ -27,24 +27,32 @@ std::optional<double> realIn(const nlohmann::json& payload, const char* field)
 
 }  // namespace
 
-void recordOperatorLatency(const StudyStore& store, const OperatorLatency& run)
+void requireOperator(const OperatorLatency& run, const std::string& where)
 {
     if (run.operatorName.empty())
-        throw protocols::badInput({"the latency task needs the operator's name", store.folder().folder.string(), "a name",
-                                   "enter the name, then repeat the task"});
+        throw protocols::badInput(
+            {"the latency task needs the operator's name", where, "a name", "enter the name, then repeat the task"});
+}
+
+nlohmann::ordered_json latencyPayload(const OperatorLatency& run)
+{
+    return {{"operator", run.operatorName},
+            {"signal", run.signal},
+            {"seconds", run.seconds},
+            {"taps", run.taps},
+            {"misses", run.misses},
+            {"anticipations", run.anticipations},
+            {"median_ms", numberOrNull(run.medianMs)},
+            {"q1_ms", numberOrNull(run.q1Ms)},
+            {"q3_ms", numberOrNull(run.q3Ms)}};
+}
+
+void recordOperatorLatency(const StudyStore& store, const OperatorLatency& run)
+{
+    requireOperator(run, store.folder().folder.string());
     const SqliteConnection sqlite(store.folder().database(), SqliteConnection::Mode::Write);
     Transaction transaction(sqlite);
-    database::store(sqlite, actOnStudy(latencyKind,
-                                       {{"operator", run.operatorName},
-                                        {"signal", run.signal},
-                                        {"seconds", run.seconds},
-                                        {"taps", run.taps},
-                                        {"misses", run.misses},
-                                        {"anticipations", run.anticipations},
-                                        {"median_ms", numberOrNull(run.medianMs)},
-                                        {"q1_ms", numberOrNull(run.q1Ms)},
-                                        {"q3_ms", numberOrNull(run.q3Ms)}},
-                                       wallTimeNow()));
+    database::store(sqlite, actOnStudy(latencyKind, latencyPayload(run), wallTimeNow()));
     transaction.commit();
 }
 

@@ -3,6 +3,7 @@
 // lock.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,11 @@ struct OperatorLatency {
     std::int64_t entry = 0;                      ///< number in the log; set by recordOperatorLatency
     bool operator==(const OperatorLatency&) const = default;
 };
+
+/// Throws badInput for an empty operator.
+void requireOperator(const OperatorLatency& run, const std::string& where);
+/// What the log keeps of a run.
+nlohmann::ordered_json latencyPayload(const OperatorLatency& run);
 
 /// Appends the run to the log; returns after the sync. Throws badInput for an empty operator, environmentFault (disk full,
 /// read-only).

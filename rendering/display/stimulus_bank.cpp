@@ -84,6 +84,13 @@ std::string writeStimulus(const std::filesystem::path& stimuli, const protocols:
     return protocols::writeSealedStimulus(stimuli, code, pgmBytes(image), stationKey);
 }
 
+cv::Mat openedStimulus(const protocols::SecretKey& key, std::string_view sealed, std::string_view bound,
+                       const std::filesystem::path& where)
+{
+    const auto bytes = protocols::open(key, sealed, bound);
+    return bytes ? pgmOfBytes(*bytes, where) : cv::Mat();
+}
+
 StimulusBank::StimulusBank(const std::filesystem::path& stimuli, const StimulusHashes& hashes,
                            const protocols::SecretKey& stationKey)
     : m_stimuli(stimuli), m_stationKey(stationKey)
@@ -128,9 +135,9 @@ void StimulusBank::makeReady(const protocols::FileCode& code)
         return;
     }
     const auto file = protocols::stimulusFile(m_stimuli, code);
-    const auto bytes = protocols::open(m_stationKey, sealedOf(code), code.value);
-    if (!bytes) throw notUsable("the stimulus was altered", file);
-    m_ready[code] = pgmOfBytes(*bytes, file);
+    cv::Mat image = openedStimulus(m_stationKey, sealedOf(code), code.value, file);
+    if (image.empty()) throw notUsable("the stimulus was altered", file);
+    m_ready[code] = std::move(image);
     m_order.push_back(code);
     if (m_order.size() > keptReady) {
         m_ready.erase(m_order.front());

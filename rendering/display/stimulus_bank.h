@@ -7,6 +7,7 @@
 #include <map>
 #include <opencv2/core/mat.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "protocols/ids.h"
@@ -22,20 +23,34 @@ using StimulusHashes = std::map<protocols::FileCode, std::string>;
 std::string writeStimulus(const std::filesystem::path& stimuli, const protocols::FileCode& code, const cv::Mat& image,
                           const protocols::SecretKey& stationKey);
 
-class StimulusBank {
+/// The image of sealed bytes, CV_8UC1; an empty one where the key or the bound text is another, or a bit was changed. `where`
+/// names the source in errors.
+cv::Mat openedStimulus(const protocols::SecretKey& key, std::string_view sealed, std::string_view bound,
+                       const std::filesystem::path& where);
+
+/// The friction images that a session presents.
+class PresentedImages {
+public:
+    virtual ~PresentedImages() = default;
+
+    /// CV_8UC1 [800 x 1280]; the reference is valid until three other images are requested.
+    virtual const cv::Mat& image(const protocols::SealedCode& code) = 0;
+    /// Throws as image() does where the study has no such image; decrypts no image.
+    virtual void requireImage(const protocols::SealedCode& code) const = 0;
+    /// Decrypts the image now, while the operator fills the tray. Keeps the last few images.
+    virtual void prefetch(const protocols::SealedCode& code) = 0;
+};
+
+class StimulusBank final : public PresentedImages {
 public:
     /// Reads all files. Throws workFailed where one is missing or altered, or was sealed with another key.
     StimulusBank(const std::filesystem::path& stimuli, const StimulusHashes& hashes, const protocols::SecretKey& stationKey);
 
-    /// CV_8UC1 [800 x 1280]; the reference is valid until three other images are requested.
-    const cv::Mat& image(const protocols::SealedCode& code);
+    const cv::Mat& image(const protocols::SealedCode& code) override;
     const cv::Mat& imageOf(const protocols::FileCode& code);
 
-    /// Throws as image() does where the study has no such image; decrypts no image.
-    void requireImage(const protocols::SealedCode& code) const;
-
-    /// Decrypts the image now, while the operator fills the tray. Keeps the last few images.
-    void prefetch(const protocols::SealedCode& code);
+    void requireImage(const protocols::SealedCode& code) const override;
+    void prefetch(const protocols::SealedCode& code) override;
 
 private:
     const std::string& sealedOf(const protocols::FileCode& code) const;

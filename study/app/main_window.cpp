@@ -4,6 +4,7 @@
 #include <QKeyEvent>
 #include <QScreen>
 #include <QShortcut>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "protocols/files/errors.h"
@@ -55,12 +56,18 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
       m_appearanceKeys(new AppearanceKeys(options.settings, *this, AppearanceKeys::Growth::WithWindow)),
       m_opening(options.openDisplay),
       m_participantRoom(new ParticipantRoom(this)),
-      m_pages(new WindowPages(m_options, *m_participantRoom, this))
+      m_pages(new WindowPages(m_options, *m_participantRoom, this)),
+      m_serverBar(new MessageBar("serverBar", this))
 {
     setObjectName("mainWindow");
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(m_pages);
+    column->addWidget(m_pages, 1);
+    column->addWidget(m_serverBar);
+    m_serverBar->clearMessage();
+    auto* everyFewSeconds = new QTimer(this);
+    connect(everyFewSeconds, &QTimer::timeout, this, &MainWindow::showServerLink);
+    everyFewSeconds->start(2000);
     const QSize frame(16, 40);  // the borders and the title that the desktop adds
     const QRect room = screen()->availableGeometry();
     resize(QSize(1100, 750).boundedTo(room.size() - frame));
@@ -348,8 +355,9 @@ void MainWindow::showStart()
     m_pages->bring(*m_pages->start);
 }
 
-void MainWindow::openStudy(const std::filesystem::path& folder)
+void MainWindow::openStudy(const std::filesystem::path& place)
 {
+    const std::filesystem::path folder = folderOfStudy(place);
     auto opened = std::make_unique<OpenStudy>(folder);
     m_session.reset();
     m_monitor.reset();
@@ -366,6 +374,26 @@ void MainWindow::showStudy()
     for (const QString& fault : {m_study->fontFault(), m_study->protocolFault()})
         if (!fault.isEmpty()) m_pages->study->showFault(fault);
     m_pages->bring(*m_pages->study);
+    showServerLink();
+}
+
+void MainWindow::showServerLink()
+{
+    const auto link = m_study ? m_study->serverLink() : std::nullopt;
+    if (!link) return m_serverBar->clearMessage();
+    const QString station = QString::fromStdString(link->station);
+    if (!link->isUp && link->waiting == 0)
+        m_serverBar->showFault(tr("Station %1: the server cannot be reached. No entry waits on this computer.").arg(station));
+    else if (!link->isUp)
+        m_serverBar->showFault(
+            tr("Station %1: the server cannot be reached. Entries that wait on this computer: %2. They are sent "
+               "when the server is back.")
+                .arg(station)
+                .arg(link->waiting));
+    else if (!link->fault.empty())
+        m_serverBar->showFault(inOwnLanguage(link->fault.c_str()));
+    else
+        m_serverBar->showHint(tr("Station %1: every answer is on the server.").arg(station));
 }
 
 void MainWindow::closeStudy()
@@ -373,6 +401,7 @@ void MainWindow::closeStudy()
     m_session.reset();
     m_monitor.reset();
     m_study.reset();
+    showServerLink();
     showStart();
     tellParticipant();
 }
@@ -414,8 +443,8 @@ void MainWindow::showStudyFault(const QString& text)
 void MainWindow::begin(OpenStudy& study, const protocols::ParticipantId& participant,
                        std::unique_ptr<rendering::HapticDisplay> display)
 {
-    m_session = std::make_unique<SessionController>(study.store(), participant, study.bank(), std::move(display), m_options.clock,
-                                                    m_options.kind, m_options.operatedBy, nullptr);
+    m_session = std::make_unique<SessionController>(study.store(), participant, study.images(), std::move(display),
+                                                    m_options.clock, m_options.kind, m_options.operatedBy, nullptr);
     m_leavingWasRefused = false;
     connectSession();
     SessionFacts facts = m_session->facts();
@@ -448,6 +477,7 @@ void MainWindow::refreshSession()
         m_pages->session->closePanelAndMessage();
     m_pages->session->present(m_session->view(), m_session->canCorrect());
     tellParticipant();
+    showServerLink();
 }
 
 bool MainWindow::pauseForLeaving()

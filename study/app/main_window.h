@@ -19,6 +19,7 @@ struct ParticipantAct;
 
 namespace study::app {
 
+class MessageBar;
 class MonitorWindow;
 class ParticipantRoom;
 class ParticipantSide;
@@ -32,8 +33,9 @@ public:
     explicit MainWindow(const AppOptions& options, QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    /// Opens the study for writing and shows its page. Throws protocols::Error and then keeps the current study open.
-    void openStudy(const std::filesystem::path& folder);
+    /// Opens the study for writing and shows its page. `place`: its folder, or its address on a server. Throws protocols::Error
+    /// and then keeps the current study open.
+    void openStudy(const std::filesystem::path& place);
     /// Enrols the participant, or resumes the session, and shows it. Waits for the display. Throws protocols::Error.
     void startSession(const protocols::ParticipantId& participant);
     /// Starts the session of a person only with a display, or where the operator chose to rehearse without one; otherwise shows
@@ -86,6 +88,8 @@ private:
     void presentRehearsal(const QString& displayName);
     void playRehearsal(std::unique_ptr<rendering::HapticDisplay> display);
     void showStudyFault(const QString& text);
+    /// How this station stands with the server of the study; nothing for a study in a folder.
+    void showServerLink();
     void openMonitor();
     void refreshSession();
     void leaveSession();
@@ -108,6 +112,7 @@ private:
 
     ParticipantRoom* m_participantRoom;
     WindowPages* m_pages;
+    MessageBar* m_serverBar;  ///< below the pages
     QString m_chosenLanguage;
     QWidget* m_beforeParticipantPage = nullptr;  ///< the page to go back to
     std::unique_ptr<MonitorWindow> m_monitor;    ///< of the open study; empty until it is asked for

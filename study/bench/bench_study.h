@@ -5,7 +5,7 @@
 #include <opencv2/core/mat.hpp>
 #include <string>
 
-#include "database/study_folder.h"
+#include "database/disk/study_folder.h"
 #include "protocols/counterbalancing.h"
 
 namespace study::bench {

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "database/server/server_address.h"
 #include "protocols/files/errors.h"
 #include "reports/analysis/quality_flags.h"
 #include "study/app/app.h"
@@ -10,8 +11,8 @@
 #include "study/app/state/tried_display.h"
 #include "study/commands/command_line.h"
 #include "study/commands/parts/look_ahead.h"
+#include "study/commands/parts/text_checks.h"
 #include "study/commands/study_tools.h"
-#include "study/commands/text_checks.h"
 #include "study/looking/look_at_data.h"
 #include "study/making/new_study.h"
 #include "study/making/rehearsal.h"
@@ -97,7 +98,7 @@ int runWindow(const AppCall& call)
 {
     if (call.monitor && call.study.empty())
         throw protocols::badInput({"no study is named", "--monitor", "vis2hap --monitor STUDY", "name the folder of the study"});
-    if (!call.study.empty() && !std::filesystem::exists(call.study))
+    if (!call.study.empty() && !database::isServerAddress(call.study) && !std::filesystem::exists(call.study))
         throw protocols::badInput(
             {"this is neither a command nor the folder of a study", call.study, "a study or a command", "see `vis2hap --help`"});
     app::requireFontFor(QStringLiteral("en"));

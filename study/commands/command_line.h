@@ -58,6 +58,9 @@ void addView(CLI::App& app, Action& action);
 /// `study preregister`; `study` is the command that it belongs to.
 void addPreregister(CLI::App& study, Action& action);
 void addProof(CLI::App& study, Action& action);  ///< study data-sheet, signing-key, sign
+void addMove(CLI::App& study, Action& action);
+void addJoin(CLI::App& study, Action& action);
+void addServer(CLI::App& app, Action& action);  ///< server roles, server status
 /// The window: `vis2hap [STUDY]`, when no command is named.
 void addApp(CLI::App& app, Action& action);
 

@@ -12,7 +12,7 @@
 #include "study/commands/command_line.h"
 #include "study/commands/parts/display_calibration.h"
 #include "study/commands/parts/number_checks.h"
-#include "study/commands/text_checks.h"
+#include "study/commands/parts/text_checks.h"
 
 namespace study::commands {
 

@@ -8,8 +8,8 @@
 #include "protocols/files/errors.h"
 #include "study/commands/command_line.h"
 #include "study/commands/parts/study_backup.h"
+#include "study/commands/parts/text_checks.h"
 #include "study/commands/recorded_act.h"
-#include "study/commands/text_checks.h"
 #include "study/records/erasure_certificate.h"
 #include "study/records/stored_study.h"
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "database/server/server_address.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/cache/result_cache.h"
@@ -11,6 +12,7 @@
 #include "study/commands/parts/json_output.h"
 #include "study/commands/passphrase_option.h"
 #include "study/commands/recorded_act.h"
+#include "study/commands/server/server_work.h"
 #include "study/exports/write_export.h"
 #include "study/leaks/leak_text.h"
 #include "study/records/blinded_report.h"
@@ -52,6 +54,7 @@ std::vector<leaks::Exporter> exportersOf(const database::StudyStore& store)
 
 int leakCheck(const std::string& study, const PassphraseOption& passphrase, const JsonTarget& target)
 {
+    if (database::isServerAddress(study)) return checkLogin(study, target);
     const auto store = records::openStudy(study);
     const auto key = readKeyForAggregates(store, passphraseFrom(passphrase));
     const auto report = leaks::leakReport(store, key, exportersOf(store), rendering::cache::usualFolder().value_or(""));
@@ -74,7 +77,7 @@ void addLeakCheck(CLI::App& app, Action& action)
     };
     auto* command = app.add_subcommand("leak-check", "attack a blinded study and print what each role could learn");
     auto call = std::make_shared<Call>();
-    command->add_option("STUDY", call->study, "the study")->required();
+    command->add_option("STUDY", call->study, "the study, or its address on a server with the login to check")->required();
     addPassphraseOption(*command, call->passphrase);
     addJsonOption(*command, call->target);
     command->callback([call, &action] {

@@ -124,6 +124,7 @@ int run(int argc, char** argv)
     study::commands::addDisplay(app, action);
     study::commands::addStroke(app, action);
     study::commands::addView(app, action);
+    study::commands::addServer(app, action);
     study::commands::Explanation explanation;
     explanation.addOptions(app);
     try {

@@ -8,7 +8,7 @@
 #include "reports/data/registration.h"
 #include "study/commands/command_line.h"
 #include "study/commands/parts/json_output.h"
-#include "study/commands/text_checks.h"
+#include "study/commands/parts/text_checks.h"
 #include "study/making/preregistration.h"
 #include "study/session/clock.h"
 

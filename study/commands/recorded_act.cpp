@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "database/evidence/acts.h"
+#include "database/server/study_move.h"
 #include "study/commands/command_line.h"
 #include "study/session/operated_by.h"
 
@@ -14,7 +14,9 @@ std::string addAct(const database::StudyStore& store, const std::string& kind, c
     if (store.isUpgradedCopy()) return "an earlier version made this study, and only the app or `replay` upgrades it";
     const auto by = session::operatedBy(operatorName, versionText());
     const std::string whole = path.empty() ? "" : std::filesystem::absolute(path).lexically_normal().string();
-    return database::recordAct(store.folder(), {kind, by.operatorName, by.program, by.host, whole, store.head(), {}})
+    const database::Act act{kind, by.operatorName, by.program, by.host, whole, store.head(), {}};
+    return (store.serverFolder().empty() ? database::recordAct(store.folder(), act)
+                                         : database::recordActOnServer({store.serverFolder()}, act))
         .value_or("");
 }
 

@@ -5,29 +5,33 @@
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 
+#include "database/disk/server_note.h"
 #include "database/keys.h"
+#include "database/server/study_move.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/shipped_folder.h"
 #include "rendering/display/display.h"
 #include "study/app/gui_operator.h"
 #include "study/app/main_window.h"
+#include "study/app/state/open_study.h"
 #include "study/commands/command_line.h"
 #include "study/commands/parts/json_output.h"
 #include "study/commands/parts/progress.h"
+#include "study/commands/parts/text_checks.h"
 #include "study/commands/passphrase_option.h"
-#include "study/commands/text_checks.h"
 #include "study/players/scripted_participant.h"
 #include "study/records/stored_study.h"
-#include "study/session/stimuli.h"
 
 namespace study::commands {
 
 namespace {
 
 using database::ParticipantKind;
+using database::SessionStore;
 using database::SlotState;
 using database::StudyStore;
 
@@ -81,7 +85,7 @@ void nameFabrics(std::vector<players::Script>& scripts, const std::vector<protoc
         for (auto& answer : script.answers) answer.place.fabric = own.at(answer.place.fabric);
 }
 
-database::Slot slotOf(const StudyStore& store, const protocols::ParticipantId& participant)
+database::Slot slotOf(const SessionStore& store, const protocols::ParticipantId& participant)
 {
     for (const auto& enrolment : store.enrolments())
         if (enrolment.participant == participant) return {enrolment.slot, enrolment.state, participant, enrolment.kind};
@@ -110,13 +114,16 @@ struct Playing {
     session::OperatedBy operatedBy;
 };
 
-players::ScriptedTrials trialsFor(const StudyStore& store, const protocols::ParticipantId& participant, const Playing& playing)
+/// A script must know the whole list. A server gives each trial out when it is due, so the list comes from the owner's copy.
+players::ScriptedTrials trialsFor(const SessionStore& store, const protocols::ParticipantId& participant, const Playing& playing)
 {
-    const session::Plan plan = session::readPlan(store, participant);
+    const bool isOnServer = database::readServerNote(store.folder().folder).has_value();
+    const session::Plan plan =
+        isOnServer ? session::readPlan(readStudy(store.folder()), participant) : session::readPlan(store, participant);
     return {plan.trials, playing.key, playing.protocol, plan.fabricNames};
 }
 
-void play(const players::Script& script, StudyStore& store, players::Hands& hands, session::VirtualClock& clock,
+void play(const players::Script& script, const SessionStore& store, players::Hands& hands, session::VirtualClock& clock,
           const std::vector<database::EventRecord>& logged, const Playing& playing)
 {
     const auto trials = trialsFor(store, script.participant, playing);
@@ -127,17 +134,20 @@ void play(const players::Script& script, StudyStore& store, players::Hands& hand
     std::printf("  log head %s\n", textOf(store.head()).c_str());
 }
 
-void playDirectly(const std::vector<players::Script>& scripts, StudyStore& store, const Playing& playing)
+void playDirectly(const std::vector<players::Script>& scripts, const std::filesystem::path& study, const Playing& playing)
 {
-    auto bank = session::stimuliOf(store);
+    app::OpenStudy open(study);
+    SessionStore& store = open.store();
     const auto display = rendering::openDisplay("none");
     for (const auto& script : scripts) {
         const auto slot = slotOf(store, script.participant);
         requireScripted(slot, script);
         if (finishedAlready(slot, script)) continue;
+        store.enrol(script.participant, ParticipantKind::Scripted);
         const auto logged = store.events(script.participant);
         session::VirtualClock clock;
-        session::Driver driver(store, script.participant, ParticipantKind::Scripted, bank, *display, clock, playing.operatedBy);
+        session::Driver driver(store, script.participant, ParticipantKind::Scripted, open.images(), *display, clock,
+                               playing.operatedBy);
         players::DriverHands hands(driver);
         play(script, store, hands, clock, logged, playing);
     }
@@ -157,6 +167,7 @@ void playThroughWindow(const std::vector<players::Script>& scripts, const std::f
         const auto slot = slotOf(store, script.participant);
         requireScripted(slot, script);
         if (finishedAlready(slot, script)) continue;
+        store.enrol(script.participant, ParticipantKind::Scripted);
         const auto logged = store.events(script.participant);
         window.show();
         window.startSession(script.participant);
@@ -180,19 +191,19 @@ int replay(const ReplayCall& call)
     if (paper != files.empty())
         throw protocols::badInput({paper ? "--paper has its own scripts" : "there is no script", study,
                                    "either scripts, one for each participant, or --paper", "see `vis2hap replay --help`"});
-    // Opened for writing, so that the key read is that of an upgraded study.
-    auto store = std::make_unique<StudyStore>(database::StudyFolder{study}, StudyStore::Access::Write);
+    // Opened for writing, so that the key read is that of an upgraded study; a server keeps studies of this version only.
+    const bool isOnServer = database::readServerNote(study).has_value();
+    std::optional<StudyStore> store(isOnServer ? database::readStudy({study}) : StudyStore({study}, StudyStore::Access::Write));
     const auto protocol = records::protocolOf(store->facts());
     auto scripts = readScripts(paper ? paperFiles() : files, protocol);
     if (paper) nameFabrics(scripts, store->facts().fabrics, study);
     const auto key = readAllocationKeyForTestDriver(*store, ParticipantKind::Scripted, passphraseFrom(passphrase));
     const Playing playing{protocol, key, protocol.answersPerParticipant(), session::operatedBy(operatorName, versionText())};
-    if (gui) {
-        store.reset();  // the window opens the study itself
+    store.reset();  // the sessions open the study themselves
+    if (gui)
         playThroughWindow(scripts, study, playing);
-        return 0;
-    }
-    playDirectly(scripts, *store, playing);
+    else
+        playDirectly(scripts, study, playing);
     return 0;
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "database/server/server_address.h"
 #include "database/study_store.h"
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
@@ -20,8 +21,9 @@
 #include "study/commands/parts/explanation.h"
 #include "study/commands/parts/json_output.h"
 #include "study/commands/parts/progress.h"
+#include "study/commands/parts/text_checks.h"
 #include "study/commands/passphrase_option.h"
-#include "study/commands/text_checks.h"
+#include "study/commands/server/server_work.h"
 #include "study/making/new_study.h"
 #include "study/making/study_sheets.h"
 #include "study/records/display_response_record.h"
@@ -148,7 +150,8 @@ void addNew(CLI::App& study, Action& action)
     auto hasNone = std::make_shared<bool>(false), noCache = std::make_shared<bool>(false);
     call->programVersion = versionText();
     call->programCommit = commitText();
-    command->add_option("STUDY", call->study, "folder to make")->required();
+    command->add_option("STUDY", call->study, "folder to make, or an address postgresql://USER@HOST/DATABASE?study=NAME")
+        ->required();
     command->add_option("--dataset", call->dataset, "the data set")->required();
     command->add_option("--protocol", call->protocol, "protocol file (default: the paper's study)");
     command
@@ -196,7 +199,11 @@ void addNew(CLI::App& study, Action& action)
             call->cache = cacheUnless(*noCache);
             if (!*hasNone) call->passphrase = newPassphrase(*passphrase);
             StageTimes stages(isExplained(*command));
-            return makeNew(*call, stages);
+            const std::string place = call->study.string();
+            const bool isOnServer = database::isServerAddress(place);
+            if (isOnServer) call->study = folderOfNewStudy(place);
+            const int made = makeNew(*call, stages);
+            return isOnServer ? moveNewStudy(call->study.string(), place) : made;
         };
     });
 }
@@ -208,6 +215,8 @@ void addStudy(CLI::App& app, Action& action)
     auto* study = app.add_subcommand("study", "make a study, see its progress, print its running orders");
     study->require_subcommand(1);
     addNew(*study, action);
+    addMove(*study, action);
+    addJoin(*study, action);
     addPreregister(*study, action);
     addProof(*study, action);
 

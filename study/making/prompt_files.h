@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "database/study_folder.h"
+#include "database/disk/study_folder.h"
 #include "protocols/protocol.h"
 
 namespace study::making {

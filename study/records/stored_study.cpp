@@ -8,6 +8,7 @@
 
 #include "database/evidence/finger_records.h"
 #include "database/evidence/operator_latency.h"
+#include "database/server/study_move.h"
 #include "protocols/condition.h"
 #include "protocols/protocol_json.h"
 #include "protocols/records/anchor_trials.h"
@@ -229,10 +230,7 @@ std::string languageStamp(const std::string& tag)
 
 }  // namespace
 
-database::StudyStore openStudy(const std::filesystem::path& study)
-{
-    return {database::StudyFolder{study}, database::StudyStore::Access::Read};
-}
+database::StudyStore openStudy(const std::filesystem::path& study) { return database::readStudy({study}); }
 
 protocols::Protocol protocolOf(const database::StudyFacts& facts)
 {

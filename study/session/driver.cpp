@@ -11,9 +11,9 @@ namespace study::session {
 
 namespace {
 
-using database::StudyStore;
+using database::SessionStore;
 
-std::string protocolTextFor(const StudyStore& store, const database::Enrolment& enrolment)
+std::string protocolTextFor(const SessionStore& store, const database::Enrolment& enrolment)
 {
     for (const database::ProtocolVersion& version : store.protocolVersions())
         if (version.version == enrolment.protocolVersion) return version.json;
@@ -21,7 +21,7 @@ std::string protocolTextFor(const StudyStore& store, const database::Enrolment& 
                                  store.folder().database().string(), "", "run vis2hap verify on the study"});
 }
 
-Plan planOf(const StudyStore& store, const database::Enrolment& enrolment)
+Plan planOf(const SessionStore& store, const database::Enrolment& enrolment)
 {
     const database::StudyFacts& facts = store.facts();
     Plan plan{protocols::keptProtocolFromJson(protocolTextFor(store, enrolment), store.folder().protocol().string(),
@@ -49,11 +49,11 @@ bool holdsNul(const std::string& json)
 
 }  // namespace
 
-Driver::Driver(StudyStore& store, const protocols::ParticipantId& participant, database::ParticipantKind kind,
-               rendering::StimulusBank& bank, rendering::HapticDisplay& display, Clock& clock, OperatedBy operatedBy)
+Driver::Driver(SessionStore& store, const protocols::ParticipantId& participant, database::ParticipantKind kind,
+               rendering::PresentedImages& images, rendering::HapticDisplay& display, Clock& clock, OperatedBy operatedBy)
     : m_store(store),
       m_participant(participant),
-      m_bank(bank),
+      m_images(images),
       m_display(display),
       m_clock(clock),
       m_operatedBy(std::move(operatedBy))
@@ -61,9 +61,12 @@ Driver::Driver(StudyStore& store, const protocols::ParticipantId& participant, d
     m_operatedBy.display = display.isThere() ? display.name() : "none";
     requireKeptProtocol(store);
     const database::Slot slot = store.enrol(participant, kind);
+    m_slot = slot.number;
     // Where the protocol never changed, the list of all participants need not be read for its version.
-    m_plan = store.protocolVersions().size() == 1 ? planOf(store, {participant, slot.number, kind, slot.state, 1})
-                                                  : readPlan(store, participant);
+    const auto versions = store.protocolVersions();
+    m_plan = versions.size() == 1 && versions.front().version == 1
+                 ? planOf(store, {participant, slot.number, kind, slot.state, 1})
+                 : readPlan(store, participant);
     replayLog();
     const auto deadTimeNs = static_cast<std::int64_t>(m_plan.protocol.deadTimeSeconds * 1e9);
     if (const auto refusal = send(SittingStarted{deadTimeNs}))
@@ -71,7 +74,7 @@ Driver::Driver(StudyStore& store, const protocols::ParticipantId& participant, d
             {"the session cannot be opened: " + refusal->reason, participant.value, "", "run vis2hap verify on the study"});
 }
 
-Plan readPlan(const StudyStore& store, const protocols::ParticipantId& participant)
+Plan readPlan(const SessionStore& store, const protocols::ParticipantId& participant)
 {
     for (const database::Enrolment& enrolment : store.enrolments())
         if (enrolment.participant == participant) return planOf(store, enrolment);
@@ -79,7 +82,7 @@ Plan readPlan(const StudyStore& store, const protocols::ParticipantId& participa
         {"unknown participant " + participant.value, store.folder().folder.string(), "an enrolled participant", ""});
 }
 
-void requireKeptProtocol(const StudyStore& store)
+void requireKeptProtocol(const SessionStore& store)
 {
     const std::filesystem::path file = store.folder().protocol();
     const std::string study = store.folder().folder.string();
@@ -128,7 +131,7 @@ std::optional<Refusal> Driver::send(const EventBody& body)
 
 void Driver::commit(const EventBody& body, std::string payload, std::int64_t atNs, SessionStep step)
 {
-    StudyStore::Append entry = entryOf(m_plan, m_state, step.next, body, atNs);
+    SessionStore::Append entry = entryOf(m_plan, m_state, step.next, body, atNs);
     entry.event = {0, m_participant, step.next.sitting, kindOf(body), std::move(payload), atNs, m_clock.wallTime()};
     if (std::holds_alternative<Answered>(body)) entry.finger = m_finger.unstored(entry.answers.front().trial);
     if (entry.voids) entry.finger = m_finger.unstored(*entry.voids);
@@ -145,11 +148,12 @@ void Driver::addFinger(const rendering::FingerReport& report)
     m_finger.add({m_clock.monotonicNs() - report.ago.count(), report.xMm, report.yMm, report.forceN});
 }
 
-/// Performs effects of events that are on the disk. If the display fails, the session is paused, so that the presentation begins
-/// again when the display works.
+/// Performs effects of events that are on the disk. If the display or the server fails, the session is paused, so that the
+/// presentation begins again when it works.
 void Driver::letOut(const std::vector<Effect>& effects)
 {
     try {
+        takeDueTrial();
         for (const Effect& effect : effects) perform(effect);
     } catch (...) {
         pauseAfterFault();
@@ -157,14 +161,25 @@ void Driver::letOut(const std::vector<Effect>& effects)
     }
 }
 
+/// A server gives out each presentation when it is due, not before.
+void Driver::takeDueTrial()
+{
+    const auto* tray = std::get_if<PlacingTray>(&m_state.stage);
+    if (!tray || m_state.paused) return;
+    protocols::BlindedTrial& trial = m_plan.trials[static_cast<std::size_t>(tray->index)];
+    if (!trial.sealedCode.empty()) return;
+    trial = m_store.dueTrial(m_slot, trial.number);
+    if (m_display.isThere()) prefetchIfPossible(trial.sealedCode);
+}
+
 void Driver::perform(const Effect& effect)
 {
     const bool isFelt = m_display.isThere();  // without a display no image is decrypted
     if (const auto* show = std::get_if<ShowStimulus>(&effect)) {
         if (isFelt)
-            m_display.show(m_bank.image(show->code));
+            m_display.show(m_images.image(show->code));
         else
-            m_bank.requireImage(show->code);
+            m_images.requireImage(show->code);
     } else if (const auto* prefetch = std::get_if<Prefetch>(&effect)) {
         if (isFelt) prefetchIfPossible(prefetch->code);
     } else {
@@ -175,7 +190,7 @@ void Driver::perform(const Effect& effect)
 void Driver::prefetchIfPossible(const protocols::SealedCode& code)
 {
     try {
-        m_bank.prefetch(code);
+        m_images.prefetch(code);
     } catch (const protocols::Error&) {
         // Reading ahead only saves time. A missing or altered stimulus is reported when it is shown.
     }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "database/study_store.h"
+#include "database/session_store.h"
 #include "rendering/display/display.h"
 #include "rendering/display/stimulus_bank.h"
 #include "study/session/clock.h"
@@ -20,20 +20,21 @@
 namespace study::session {
 
 /// The plan of an enrolled participant's session. Throws badInput for an unknown participant.
-Plan readPlan(const database::StudyStore& store, const protocols::ParticipantId& participant);
+Plan readPlan(const database::SessionStore& store, const protocols::ParticipantId& participant);
 
 /// Throws badInput if protocol.json differs from the latest version in the database.
-void requireKeptProtocol(const database::StudyStore& store);
+void requireKeptProtocol(const database::SessionStore& store);
 
 class Driver {
 public:
     /// Enrols the participant, or continues their session. `store` must be open for writing. `operatedBy` is recorded with the
     /// sitting, and its operator with every correction and void.
-    Driver(database::StudyStore& store, const protocols::ParticipantId& participant, database::ParticipantKind kind,
-           rendering::StimulusBank& bank, rendering::HapticDisplay& display, Clock& clock, OperatedBy operatedBy = {});
+    Driver(database::SessionStore& store, const protocols::ParticipantId& participant, database::ParticipantKind kind,
+           rendering::PresentedImages& images, rendering::HapticDisplay& display, Clock& clock, OperatedBy operatedBy = {});
 
     /// Empty if the event was accepted and is on the disk; else the reason, and nothing has changed. Throws protocols::Error if
-    /// the display or the disk fails. After a fault of the display the session is paused, and no answer is lost.
+    /// the display, the disk or the server fails. After a fault of display or server the session is paused, and no answer is
+    /// lost.
     std::optional<Refusal> send(const EventBody& event);
 
     /// Takes what the display measured of the finger. The samples are stored with the next answer to the presentation; those of a
@@ -48,16 +49,18 @@ private:
     void replayLog();
     void commit(const EventBody& body, std::string payload, std::int64_t atNs, SessionStep step);
     void letOut(const std::vector<Effect>& effects);
+    void takeDueTrial();
     void perform(const Effect& effect);
     void prefetchIfPossible(const protocols::SealedCode& code);
     void pauseAfterFault();
 
-    database::StudyStore& m_store;
+    database::SessionStore& m_store;
     protocols::ParticipantId m_participant;
-    rendering::StimulusBank& m_bank;
+    rendering::PresentedImages& m_images;
     rendering::HapticDisplay& m_display;
     Clock& m_clock;
     OperatedBy m_operatedBy;
+    int m_slot = 0;
     Plan m_plan;
     State m_state;
     FingerRecording m_finger;

@@ -25,10 +25,10 @@ void FingerRecording::add(const protocols::FingerSample& sample)
     m_samples.push_back(finite);
 }
 
-std::optional<database::StudyStore::FingerStretch> FingerRecording::unstored(protocols::TrialNumber trial) const
+std::optional<database::SessionStore::FingerStretch> FingerRecording::unstored(protocols::TrialNumber trial) const
 {
     if (m_samples.empty()) return std::nullopt;
-    return database::StudyStore::FingerStretch{trial, m_samples, m_leftOut};
+    return database::SessionStore::FingerStretch{trial, m_samples, m_leftOut};
 }
 
 void FingerRecording::markStored()

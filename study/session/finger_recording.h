@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "database/study_store.h"
+#include "database/session_store.h"
 
 namespace study::session {
 
@@ -19,7 +19,7 @@ public:
     /// A value that is not finite is left out of the sample, and an empty sample is left out.
     void add(const protocols::FingerSample& sample);
     /// The samples that are not stored yet, for a trial; none if there are none.
-    std::optional<database::StudyStore::FingerStretch> unstored(protocols::TrialNumber trial) const;
+    std::optional<database::SessionStore::FingerStretch> unstored(protocols::TrialNumber trial) const;
     void markStored();
 
 private:

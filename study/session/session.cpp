@@ -100,11 +100,13 @@ struct Transition {
     Outcome operator()(const PlacingTray& tray, const TrayReady& ready) const
     {
         if (state.deadTimeNs > 0 && atNs - state.trayAskedAtNs < state.deadTimeNs) return Refusal{tooSoon()};
+        const protocols::SealedCode& code = plan.trials[static_cast<std::size_t>(tray.index)].sealedCode;
+        if (code.empty()) return Refusal{"The server has not given out this presentation yet."};
         if (plan.protocol.confirmPieces)
             if (const auto fault = faultOfPieces(plan, tray.index, ready.pieces)) return Refusal{*fault};
         SessionStep step = moved(Presenting{tray.index, answersTo(state, tray.index), atNs, std::nullopt, TouchSource::Operator});
         step.next.trayTookNs = atNs - state.trayAskedAtNs;
-        step.effects.emplace_back(ShowStimulus{plan.trials[static_cast<std::size_t>(tray.index)].sealedCode});
+        step.effects.emplace_back(ShowStimulus{code});
         if (const auto next = sealedCodeAt(plan, state, state.position + 1)) step.effects.emplace_back(Prefetch{*next});
         return step;
     }

@@ -10,7 +10,7 @@ namespace study::session {
 namespace {
 
 using database::AnswerRecord;
-using database::StudyStore;
+using database::SessionStore;
 
 const protocols::BlindedTrial& trialOf(const Plan& plan, int index) { return plan.trials[static_cast<std::size_t>(index)]; }
 
@@ -78,9 +78,9 @@ std::optional<int> trialNotedOn(const State& state)
 
 }  // namespace
 
-StudyStore::Append entryOf(const Plan& plan, const State& before, const State& next, const EventBody& body, std::int64_t atNs)
+SessionStore::Append entryOf(const Plan& plan, const State& before, const State& next, const EventBody& body, std::int64_t atNs)
 {
-    StudyStore::Append entry;
+    SessionStore::Append entry;
     if (const auto* answered = std::get_if<Answered>(&body))
         entry.answers.push_back(
             firstAnswer(plan, before, std::get<Presenting>(before.stage), next.answers.back(), answered->stamps, atNs));

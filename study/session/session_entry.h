@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "database/study_store.h"
+#include "database/session_store.h"
 #include "study/session/session.h"
 
 namespace study::session {
@@ -13,7 +13,7 @@ namespace study::session {
 inline constexpr const char* debriefingFact = "debriefing";
 
 /// `next`: the state after the event, as apply() returned it. The event's own row, its stamp of storing and the finger are empty.
-database::StudyStore::Append entryOf(const Plan& plan, const State& before, const State& next, const EventBody& body,
-                                     std::int64_t atNs);
+database::SessionStore::Append entryOf(const Plan& plan, const State& before, const State& next, const EventBody& body,
+                                       std::int64_t atNs);
 
 }  // namespace study::session

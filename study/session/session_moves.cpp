@@ -85,7 +85,8 @@ std::optional<std::size_t> latestAnswerTo(const Plan& plan, const State& state, 
 std::optional<protocols::SealedCode> sealedCodeAt(const Plan& plan, const State& state, int position)
 {
     if (position >= static_cast<int>(state.order.size())) return std::nullopt;
-    return plan.trials[static_cast<std::size_t>(placeAt(state, position).index)].sealedCode;
+    const protocols::SealedCode& code = plan.trials[static_cast<std::size_t>(placeAt(state, position).index)].sealedCode;
+    return code.empty() ? std::nullopt : std::optional(code);
 }
 
 int attemptAt(const State& state, int position)
@@ -197,7 +198,7 @@ void placeTray(const Plan& plan, SessionStep& step, std::int64_t atNs)
     step.next.trayAskedAtNs = atNs;
     step.next.trayTookNs = 0;
     // Read the image while the operator fills the tray, so that it can be shown at once.
-    step.effects.emplace_back(Prefetch{*sealedCodeAt(plan, step.next, step.next.position)});
+    if (const auto code = sealedCodeAt(plan, step.next, step.next.position)) step.effects.emplace_back(Prefetch{*code});
 }
 
 void endPresentation(const Plan& plan, SessionStep& step, std::int64_t atNs)

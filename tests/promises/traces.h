@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "database/study_folder.h"
+#include "database/disk/study_folder.h"
 
 namespace tests::promises {
 

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "database/study_folder.h"
+#include "database/disk/study_folder.h"
 
 namespace tests::support {
 

@@ -70,19 +70,18 @@ void FakeDisplay::clear() { calls.push_back("clear"); }
 
 OpenSession::OpenSession(const database::StudyFolder& folder, const std::string& participant, database::ParticipantKind kind,
                          const study::session::OperatedBy& operatedBy)
-    : store(folder, database::StudyStore::Access::Write),
-      bank(stimuliOf(store)),
-      driver(std::make_unique<Driver>(store, protocols::ParticipantId(participant), kind, bank, display, clock, operatedBy))
+    : store(folder, database::StudyStore::Access::Write), bank(stimuliOf(store))
 {
+    driver = std::make_unique<Driver>(store, protocols::ParticipantId(participant), kind, bank, display, clock, operatedBy);
 }
 
-void OpenSession::send(const EventBody& event)
+void SessionHands::send(const EventBody& event)
 {
     if (const auto refusal = driver->send(event))
         throw std::logic_error("\"" + kindOf(event) + "\" in " + nameOf(driver->state()) + " was refused: " + refusal->reason);
 }
 
-bool OpenSession::step()
+bool SessionHands::step()
 {
     const auto* presenting = std::get_if<Presenting>(&driver->state().stage);
     if (presenting && !driver->state().paused) {
@@ -96,19 +95,19 @@ bool OpenSession::step()
     return event.has_value();
 }
 
-void OpenSession::playUntilAnswers(int answers)
+void SessionHands::playUntilAnswers(int answers)
 {
     while (driver->state().answersStored < answers && step()) {
     }
 }
 
-void OpenSession::playToEnd()
+void SessionHands::playToEnd()
 {
     while (step()) {
     }
 }
 
-void OpenSession::stepUntil(const std::string& stateName)
+void SessionHands::stepUntil(const std::string& stateName)
 {
     while (nameOf(driver->state()) != stateName)
         if (!step()) throw std::logic_error("the session ended before " + stateName);

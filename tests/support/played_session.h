@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "database/study_store.h"
 #include "rendering/display/display.h"
+#include "rendering/display/stimulus_bank.h"
 #include "study/session/driver.h"
 
 namespace tests::support {
@@ -25,14 +27,8 @@ public:
     std::function<void()> onShow;
 };
 
-/// A store that is open for writing, with driver, stimulus bank, display and clock of one participant.
-struct OpenSession {
-    OpenSession(const database::StudyFolder& folder, const std::string& participant,
-                database::ParticipantKind kind = database::ParticipantKind::Scripted,
-                const study::session::OperatedBy& operatedBy = {});
-
-    database::StudyStore store;
-    rendering::StimulusBank bank;
+/// Driver, display and clock of one participant, for a store of either kind.
+struct SessionHands {
     FakeDisplay display;
     study::session::VirtualClock clock;
     std::unique_ptr<study::session::Driver> driver;
@@ -46,6 +42,17 @@ struct OpenSession {
     void playToEnd();
     /// Steps until the state has this name ("PlacingTray", "Presenting", …).
     void stepUntil(const std::string& stateName);
+};
+
+/// The session in a study folder: its store, open for writing, and its stimulus bank.
+struct OpenSession : SessionHands {
+    OpenSession(const database::StudyFolder& folder, const std::string& participant,
+                database::ParticipantKind kind = database::ParticipantKind::Scripted,
+                const study::session::OperatedBy& operatedBy = {});
+    ~OpenSession() { driver.reset(); }
+
+    database::StudyStore store;
+    rendering::StimulusBank bank;
 };
 
 /// The event that continues the session from `view`: begin, consent, tray ready, answer, end of break, … It ticks every line

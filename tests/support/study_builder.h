@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "database/study_folder.h"
+#include "database/disk/study_folder.h"
 #include "protocols/protocol.h"
 
 namespace tests::support {

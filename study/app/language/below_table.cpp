@@ -232,6 +232,16 @@ constexpr const char* table[] = {
     QT_TRANSLATE_NOOP("study::app::Below", "true slots per condition"),
     QT_TRANSLATE_NOOP("study::app::Below", "a fabric as foil per participant"),
     QT_TRANSLATE_NOOP("study::app::Below", "slots of a foil per participant"),
+    QT_TRANSLATE_NOOP("study::app::Below", "The server has not given out this presentation yet."),
+    QT_TRANSLATE_NOOP("study::app::Below", "the server cannot be reached"),
+    QT_TRANSLATE_NOOP("study::app::Below", "the server cannot be reached: %1"),
+    QT_TRANSLATE_NOOP("study::app::Below", "wait until it can be reached again, then go on"),
+    QT_TRANSLATE_NOOP("study::app::Below", "the connection to the server ended (%1)"),
+    QT_TRANSLATE_NOOP("study::app::Below", "the server does not answer"),
+    QT_TRANSLATE_NOOP("study::app::Below", "check the network and the server"),
+    QT_TRANSLATE_NOOP("study::app::Below", "the server refused this login: %1"),
+    QT_TRANSLATE_NOOP("study::app::Below", "all slots of the study are taken"),
+    QT_TRANSLATE_NOOP("study::app::Below", "The server refused answers of %1 that waited here (%2). They are kept in %3."),
 };
 
 }  // namespace

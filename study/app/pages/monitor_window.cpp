@@ -54,7 +54,8 @@ QString sentenceOf(const MonitorFlag& flag)
 
 MonitorWindow::MonitorWindow(const std::filesystem::path& study, const AppOptions& options, QWidget* parent)
     : QWidget(parent),
-      m_store(database::StudyFolder{study}, database::StudyStore::Access::Read),
+      m_study(study),
+      m_store(readMonitored(study)),
       m_clock(options.clock ? options.clock : std::make_shared<session::SystemClock>()),
       m_appearanceKeys(new AppearanceKeys(options.settings, *this)),
       m_flagReading(new FlagReading(options.readFlags, study, this)),
@@ -107,6 +108,7 @@ MonitorWindow::~MonitorWindow() = default;
 void MonitorWindow::refresh()
 {
     try {
+        if (!m_store.serverFolder().empty()) m_store = readMonitored(m_study);  // a copy does not follow the server
         present(monitorOverview(m_store, m_clock->wallTime()));
         m_message->clearMessage();
     } catch (const std::exception& fault) {

@@ -34,6 +34,7 @@ private:
     void present(const MonitorOverview& overview);
     void showFlags(const std::vector<MonitorFlag>& flags);
 
+    std::filesystem::path m_study;
     database::StudyStore m_store;
     std::shared_ptr<session::Clock> m_clock;
     std::optional<MonitorOverview> m_shown;

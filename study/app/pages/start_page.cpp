@@ -53,7 +53,8 @@ StartPage::StartPage(QWidget* parent)
     m_recent->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* caption = quietLabel("studyFolderCaption", page);
     caption->setText(tr("Study folder"));
-    m_folder->setPlaceholderText(tr("the folder that contains study.db"));
+    m_folder->setPlaceholderText(
+        tr("the folder that contains study.db, or an address postgresql://USER@HOST/DATABASE?study=NAME"));
 
     auto* folderRow = new QHBoxLayout;
     folderRow->setSpacing(10);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "database/server/study_move.h"
 #include "protocols/protocol_json.h"
 #include "study/app/language/app_text.h"
 #include "study/session/driver.h"
@@ -104,6 +105,8 @@ MonitorOverview::ParticipantRow rowOf(const database::StudyStore& store, const d
 }
 
 }  // namespace
+
+database::StudyStore readMonitored(const std::filesystem::path& study) { return database::readStudy({study}); }
 
 MonitorOverview monitorOverview(const database::StudyStore& store, const std::string& now)
 {

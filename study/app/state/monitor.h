@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QString>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -23,6 +24,9 @@ struct MonitorFlag {
 /// Reads the flags of a study. Called on a worker thread; throws protocols::Error. main supplies it, because this folder
 /// does not include the reports.
 using ReadFlags = std::function<std::vector<MonitorFlag>(const database::StudyStore&)>;
+
+/// The study as it stands now. Throws the errors of database::readStudy.
+database::StudyStore readMonitored(const std::filesystem::path& study);
 
 struct MonitorOverview {
     struct ParticipantRow {

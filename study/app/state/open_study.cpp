@@ -1,31 +1,78 @@
 #include "study/app/state/open_study.h"
 
 #include <QCoreApplication>
+#include <QDir>
+#include <QRegularExpression>
+#include <QStandardPaths>
 #include <algorithm>
-#include <map>
 
+#include "database/server/server_roles.h"
 #include "protocols/files/errors.h"
 #include "protocols/protocol_json.h"
 #include "study/app/language/app_text.h"
 #include "study/app/language/below.h"
 #include "study/app/language/fonts.h"
 #include "study/session/driver.h"
+#include "study/session/operated_by.h"
+#include "study/session/station_images.h"
 #include "study/session/stimuli.h"
 
 namespace study::app {
 
+namespace {
+
+std::unique_ptr<database::SessionStore> storeOf(const database::StudyFolder& folder)
+{
+    if (database::readServerNote(folder.folder)) return std::make_unique<database::StationStore>(folder);
+    return std::make_unique<database::StudyStore>(folder, database::StudyStore::Access::Write);
+}
+
+}  // namespace
+
+std::filesystem::path folderOfStudy(const std::filesystem::path& place)
+{
+    if (!database::isServerAddress(place.string())) return place;
+    const database::ServerAddress address = database::serverAddressFrom(place.string());
+    const QString name = QString::fromStdString(address.study + "-" + address.database + "-" + address.host);
+    const QDir stations(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/stations");
+    const database::StudyFolder folder{
+        stations.filePath(QString(name).replace(QRegularExpression("[^A-Za-z0-9_.-]"), "_")).toStdString()};
+    if (!database::readServerNote(folder.folder)) joinStudy(address, folder.folder, session::operatedBy("", "").host);
+    return folder.folder;
+}
+
 OpenStudy::OpenStudy(const std::filesystem::path& folder)
-    : m_store(database::StudyFolder{folder}, database::StudyStore::Access::Write),
-      m_facts(m_store.facts()),
-      m_protocol(protocols::keptProtocolFromJson(m_store.protocolVersions().back().json,
+    : m_store(storeOf({folder})),
+      m_station(dynamic_cast<database::StationStore*>(m_store.get())),
+      m_facts(m_store->facts()),
+      m_protocol(protocols::keptProtocolFromJson(m_store->protocolVersions().back().json,
                                                  database::StudyFolder{folder}.protocol().string(), m_facts.programVersion))
 {
 }
 
-rendering::StimulusBank& OpenStudy::bank()
+rendering::PresentedImages& OpenStudy::images()
 {
-    if (!m_bank) m_bank.emplace(session::stimuliOf(m_store));
-    return *m_bank;
+    if (m_images) return *m_images;
+    if (m_station)
+        m_images = std::make_unique<session::StationImages>(*m_station);
+    else
+        m_images = std::make_unique<rendering::StimulusBank>(session::stimuliOf(static_cast<database::StudyStore&>(*m_store)));
+    return *m_images;
+}
+
+std::optional<database::StationStore::Link> OpenStudy::serverLink()
+{
+    if (!m_station) return std::nullopt;
+    m_station->refresh();
+    return m_station->link();
+}
+
+void OpenStudy::storeLatency(const database::OperatorLatency& run)
+{
+    if (m_station)
+        m_station->storeLatency(run);
+    else
+        recordOperatorLatency(static_cast<database::StudyStore&>(*m_store), run);
 }
 
 QString OpenStudy::name() const { return QString::fromStdString(m_facts.name); }
@@ -38,16 +85,14 @@ int StudyOverview::placesIn(database::SlotState state) const
 
 StudyOverview OpenStudy::overview() const
 {
-    std::map<protocols::ParticipantId, int> stored;
-    for (const auto& answer : m_store.answers())
-        if (!answer.voided) ++stored[answer.participant];
+    auto stored = m_store->answerCounts();
     StudyOverview seen{name(),
-                       QString::fromStdString(m_store.folder().folder.string()),
+                       QString::fromStdString(m_store->folder().folder.string()),
                        {},
                        m_protocol.answersPerParticipant(),
-                       QString::fromStdString(m_store.nextParticipantId().value)};
-    const auto enrolments = m_store.enrolments();
-    for (const auto& slot : m_store.slots()) {
+                       QString::fromStdString(m_store->nextParticipantId().value)};
+    const auto enrolments = m_store->enrolments();
+    for (const auto& slot : m_store->slots()) {
         for (const auto& one : enrolments)
             if (one.slot == slot.number)
                 seen.places.push_back(
@@ -59,7 +104,7 @@ StudyOverview OpenStudy::overview() const
 
 QStringList OpenStudy::codesOnPieces() const
 {
-    const auto slots = m_store.slots();
+    const auto slots = m_store->slots();
     const auto free =
         std::find_if(slots.begin(), slots.end(), [](const auto& s) { return s.state == database::SlotState::Free; });
     const auto place = static_cast<std::size_t>((free == slots.end() ? slots.back() : *free).number) - 1;
@@ -75,8 +120,8 @@ std::string OpenStudy::lastWallTime() const
 {
     std::int64_t last = 0;
     std::string time = m_facts.createdAt;
-    for (const auto& enrolment : m_store.enrolments()) {
-        const auto events = m_store.events(enrolment.participant);
+    for (const auto& enrolment : m_store->enrolments()) {
+        const auto events = m_store->events(enrolment.participant);
         if (events.empty() || events.back().sequence < last) continue;
         last = events.back().sequence;
         time = events.back().wallTime;
@@ -97,7 +142,7 @@ QString OpenStudy::fontFault() const
 QString OpenStudy::protocolFault() const
 {
     try {
-        session::requireKeptProtocol(m_store);
+        session::requireKeptProtocol(*m_store);
         return {};
     } catch (const protocols::Error& fault) {
         // Both remedies write to the study, which this window keeps locked.

@@ -5,11 +5,12 @@
 #include <QString>
 #include <QStringList>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "database/evidence/operator_latency.h"
-#include "database/study_store.h"
+#include "database/server/station_store.h"
 #include "protocols/protocol.h"
 #include "rendering/display/stimulus_bank.h"
 
@@ -37,21 +38,27 @@ struct StudyOverview {
     int placesIn(database::SlotState state) const;
 };
 
+/// The folder of a study that the operator named. An address of a server becomes the folder of this station, which is made at the
+/// first time, below the user's data. Throws the errors of database::joinStudy.
+std::filesystem::path folderOfStudy(const std::filesystem::path& place);
+
 class OpenStudy {
 public:
     /// Throws the errors of database::StudyStore, and badInput if the stored protocol cannot be read.
     explicit OpenStudy(const std::filesystem::path& folder);
 
-    database::StudyStore& store() { return m_store; }
+    database::SessionStore& store() { return *m_store; }
     /// Reads the stimuli at the first call. Throws workFailed where one is missing or altered.
-    rendering::StimulusBank& bank();
+    rendering::PresentedImages& images();
+    /// How this station stands with its server; none for a study in a folder. Speaks to the server: call it every few seconds.
+    std::optional<database::StationStore::Link> serverLink();
     const protocols::Protocol& protocol() const { return m_protocol; }
     QString name() const;
     /// Which package a font for the participants' language needs; empty if there is one.
     QString fontFault() const;
     StudyOverview overview() const;
     /// Adds a run of the latency task to the log. Throws the errors of database::recordOperatorLatency.
-    void storeLatency(const database::OperatorLatency& run) const { recordOperatorLatency(m_store, run); }
+    void storeLatency(const database::OperatorLatency& run);
     /// Message if protocol.json was changed, so that no session can run, with the next step; otherwise empty.
     QString protocolFault() const;
     /// Codes on the fabric pieces of the next participant; names of the fabrics where pieces have no codes.
@@ -60,10 +67,11 @@ public:
     std::string lastWallTime() const;
 
 private:
-    database::StudyStore m_store;
+    std::unique_ptr<database::SessionStore> m_store;
+    database::StationStore* m_station = nullptr;  ///< the store, for a study on a server
     database::StudyFacts m_facts;
     protocols::Protocol m_protocol;
-    std::optional<rendering::StimulusBank> m_bank;
+    std::unique_ptr<rendering::PresentedImages> m_images;
 };
 
 }  // namespace study::app

@@ -21,7 +21,10 @@ bool systemIsDark() { return QApplication::palette().color(QPalette::Window).lig
 QStringList recentStudies(const QSettings* settings)
 {
     QStringList folders = settings ? settings->value(recentKey).toStringList() : QStringList();
-    folders.removeIf([](const QString& folder) { return !QFileInfo(folder + QStringLiteral("/study.db")).exists(); });
+    folders.removeIf([](const QString& folder) {
+        return !QFileInfo(folder + QStringLiteral("/study.db")).exists() &&
+               !QFileInfo(folder + QStringLiteral("/server.json")).exists();
+    });
     return folders;
 }
 

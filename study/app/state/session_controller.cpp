@@ -45,14 +45,14 @@ bool isOtherQuestion(const session::Stage& before, const session::Stage& now)
 
 }  // namespace
 
-SessionController::SessionController(database::StudyStore& store, const protocols::ParticipantId& participant,
-                                     rendering::StimulusBank& bank, std::unique_ptr<rendering::HapticDisplay> display,
+SessionController::SessionController(database::SessionStore& store, const protocols::ParticipantId& participant,
+                                     rendering::PresentedImages& images, std::unique_ptr<rendering::HapticDisplay> display,
                                      std::shared_ptr<session::Clock> clock, database::ParticipantKind kind,
                                      const session::OperatedBy& operatedBy, QObject* parent)
     : QObject(parent),
       m_display(std::move(display)),
       m_clock(std::move(clock)),
-      m_driver(store, participant, kind, bank, *m_display, *m_clock, operatedBy),
+      m_driver(store, participant, kind, images, *m_display, *m_clock, operatedBy),
       m_view(m_driver.view())
 {
     m_display->onTouched([this](const rendering::Touch& touch) { displayTouched(touch); });

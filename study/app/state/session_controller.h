@@ -37,9 +37,10 @@ class SessionController : public QObject {
     Q_OBJECT
 public:
     /// Enrols the participant or restores the session. Throws the errors of Driver.
-    SessionController(database::StudyStore& store, const protocols::ParticipantId& participant, rendering::StimulusBank& bank,
-                      std::unique_ptr<rendering::HapticDisplay> display, std::shared_ptr<session::Clock> clock,
-                      database::ParticipantKind kind, const session::OperatedBy& operatedBy, QObject* parent);
+    SessionController(database::SessionStore& store, const protocols::ParticipantId& participant,
+                      rendering::PresentedImages& images, std::unique_ptr<rendering::HapticDisplay> display,
+                      std::shared_ptr<session::Clock> clock, database::ParticipantKind kind,
+                      const session::OperatedBy& operatedBy, QObject* parent);
     ~SessionController() override;
 
     /// Sends the event to the engine. Never throws: refusals and faults are reported by signal and kept in lastOutcome().

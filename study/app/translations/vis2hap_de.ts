@@ -1391,6 +1391,46 @@
         <source>slots of a foil per participant</source>
         <translation>Felder eines Ablenkers je Versuchsperson</translation>
     </message>
+    <message>
+        <source>The server has not given out this presentation yet.</source>
+        <translation>Der Server hat diese Darbietung noch nicht ausgegeben.</translation>
+    </message>
+    <message>
+        <source>the server cannot be reached</source>
+        <translation>der Server ist nicht erreichbar</translation>
+    </message>
+    <message>
+        <source>the server cannot be reached: %1</source>
+        <translation>der Server ist nicht erreichbar: %1</translation>
+    </message>
+    <message>
+        <source>wait until it can be reached again, then go on</source>
+        <translation>warten Sie, bis er wieder erreichbar ist, und machen Sie dann weiter</translation>
+    </message>
+    <message>
+        <source>the connection to the server ended (%1)</source>
+        <translation>die Verbindung zum Server ist abgebrochen (%1)</translation>
+    </message>
+    <message>
+        <source>the server does not answer</source>
+        <translation>der Server antwortet nicht</translation>
+    </message>
+    <message>
+        <source>check the network and the server</source>
+        <translation>prüfen Sie Netz und Server</translation>
+    </message>
+    <message>
+        <source>the server refused this login: %1</source>
+        <translation>der Server hat diese Anmeldung abgelehnt: %1</translation>
+    </message>
+    <message>
+        <source>all slots of the study are taken</source>
+        <translation>alle Plätze der Studie sind vergeben</translation>
+    </message>
+    <message>
+        <source>The server refused answers of %1 that waited here (%2). They are kept in %3.</source>
+        <translation>Der Server hat Antworten von %1 abgelehnt, die hier gewartet haben (%2). Sie liegen in %3.</translation>
+    </message>
 </context>
 <context>
     <name>study::app::Catalogue</name>
@@ -2669,6 +2709,18 @@ Noch ist nichts gewählt.</translation>
     <message>
         <source>%1 – %2 – Vis2Hap</source>
         <translation>%1 – %2 – Vis2Hap</translation>
+    </message>
+    <message>
+        <source>Station %1: the server cannot be reached. No entry waits on this computer.</source>
+        <translation>Station %1: Der Server ist nicht erreichbar. Auf diesem Rechner wartet kein Eintrag.</translation>
+    </message>
+    <message>
+        <source>Station %1: the server cannot be reached. Entries that wait on this computer: %2. They are sent when the server is back.</source>
+        <translation>Station %1: Der Server ist nicht erreichbar. Einträge, die auf diesem Rechner warten: %2. Sie werden gesendet, sobald der Server wieder da ist.</translation>
+    </message>
+    <message>
+        <source>Station %1: every answer is on the server.</source>
+        <translation>Station %1: Alle Antworten liegen auf dem Server.</translation>
     </message>
 </context>
 <context>
@@ -4449,10 +4501,6 @@ Noch ist nichts gewählt.</translation>
         <translation>Zuletzt geöffnete Studien</translation>
     </message>
     <message>
-        <source>the folder that contains study.db</source>
-        <translation>der Ordner, der study.db enthält</translation>
-    </message>
-    <message>
         <source>Language</source>
         <translation>Sprache</translation>
     </message>
@@ -4483,6 +4531,10 @@ Noch ist nichts gewählt.</translation>
     <message>
         <source>Change a protocol…</source>
         <translation>Protokoll ändern …</translation>
+    </message>
+    <message>
+        <source>the folder that contains study.db, or an address postgresql://USER@HOST/DATABASE?study=NAME</source>
+        <translation>der Ordner mit study.db, oder eine Adresse postgresql://USER@HOST/DATABASE?study=NAME</translation>
     </message>
 </context>
 <context>

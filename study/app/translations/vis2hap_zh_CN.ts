@@ -1391,6 +1391,46 @@
         <source>slots of a foil per participant</source>
         <translation>每位参与者中干扰样所在的格</translation>
     </message>
+    <message>
+        <source>The server has not given out this presentation yet.</source>
+        <translation>服务器尚未发放本次呈现。</translation>
+    </message>
+    <message>
+        <source>the server cannot be reached</source>
+        <translation>无法连接服务器</translation>
+    </message>
+    <message>
+        <source>the server cannot be reached: %1</source>
+        <translation>无法连接服务器：%1</translation>
+    </message>
+    <message>
+        <source>wait until it can be reached again, then go on</source>
+        <translation>请等到服务器恢复后再继续</translation>
+    </message>
+    <message>
+        <source>the connection to the server ended (%1)</source>
+        <translation>与服务器的连接已中断（%1）</translation>
+    </message>
+    <message>
+        <source>the server does not answer</source>
+        <translation>服务器没有响应</translation>
+    </message>
+    <message>
+        <source>check the network and the server</source>
+        <translation>请检查网络和服务器</translation>
+    </message>
+    <message>
+        <source>the server refused this login: %1</source>
+        <translation>服务器拒绝了此登录：%1</translation>
+    </message>
+    <message>
+        <source>all slots of the study are taken</source>
+        <translation>研究的所有名额都已占用</translation>
+    </message>
+    <message>
+        <source>The server refused answers of %1 that waited here (%2). They are kept in %3.</source>
+        <translation>服务器拒绝了在此等待的 %1 的回答（%2）。它们保存在 %3 中。</translation>
+    </message>
 </context>
 <context>
     <name>study::app::Catalogue</name>
@@ -2669,6 +2709,18 @@ Nothing is chosen yet.</source>
     <message>
         <source>%1 – %2 – Vis2Hap</source>
         <translation>%1 – %2 – Vis2Hap</translation>
+    </message>
+    <message>
+        <source>Station %1: the server cannot be reached. No entry waits on this computer.</source>
+        <translation>工作站 %1：无法连接服务器。本机没有等待发送的记录。</translation>
+    </message>
+    <message>
+        <source>Station %1: the server cannot be reached. Entries that wait on this computer: %2. They are sent when the server is back.</source>
+        <translation>工作站 %1：无法连接服务器。本机等待发送的记录：%2 条。服务器恢复后会自动发送。</translation>
+    </message>
+    <message>
+        <source>Station %1: every answer is on the server.</source>
+        <translation>工作站 %1：所有回答都已存到服务器。</translation>
     </message>
 </context>
 <context>
@@ -4449,10 +4501,6 @@ Nothing is chosen yet.</source>
         <translation>最近的研究</translation>
     </message>
     <message>
-        <source>the folder that contains study.db</source>
-        <translation>含有study.db的文件夹</translation>
-    </message>
-    <message>
         <source>Language</source>
         <translation>语言</translation>
     </message>
@@ -4483,6 +4531,10 @@ Nothing is chosen yet.</source>
     <message>
         <source>Change a protocol…</source>
         <translation>更改实验方案…</translation>
+    </message>
+    <message>
+        <source>the folder that contains study.db, or an address postgresql://USER@HOST/DATABASE?study=NAME</source>
+        <translation>包含 study.db 的文件夹，或地址 postgresql://USER@HOST/DATABASE?study=NAME</translation>
     </message>
 </context>
 <context>

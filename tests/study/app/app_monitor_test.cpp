@@ -175,7 +175,7 @@ void AppMonitorTest::showsNoHiddenNameAndNoScore()
     open.playTo("Presenting", "L1");
     MonitorWindow monitor(folder.folder, {});
     std::set<QString> hidden{"v_grey", "h&f", "h+f"};
-    for (const auto& [code, hash] : open.window().study()->store().stimulusHashes())
+    for (const auto& [code, hash] : dynamic_cast<database::StudyStore&>(open.window().study()->store()).stimulusHashes())
         hidden.insert(QString::fromStdString(code.value));
     for (const auto& answer : storedIn(folder)) {
         if (answer.record.answer && answer.record.question.value != "S1")

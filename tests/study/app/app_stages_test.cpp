@@ -105,7 +105,8 @@ void AppStagesTest::everyStageAndAnswerByKeyboardAlone()
     for (const auto& stored : storedIn(folder)) QCOMPARE(stored.seconds, 2.0);  // from touch to answer, by the injected clock
     pressKey(open, Qt::Key_Return);
     QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
-    const auto facts = open.window().study()->store().personalFacts().at(ParticipantId("P01"));
+    const auto facts =
+        dynamic_cast<database::StudyStore&>(open.window().study()->store()).personalFacts().at(ParticipantId("P01"));
     QCOMPARE(facts, (std::map<std::string, std::string>{{"age", "31"}, {"handedness", "left"}, {debriefingFact, "It was fun."}}));
 }
 
@@ -115,7 +116,7 @@ void AppStagesTest::factsAreKeptOutsideTheLog()
     open.window().startSession(ParticipantId("P01"));
     open.playTo("AskingFacts");
     open.perform(FactsGiven{{{"age", "thirty-one"}}});
-    const auto& store = open.window().study()->store();
+    const auto& store = dynamic_cast<const database::StudyStore&>(open.window().study()->store());
     QCOMPARE(store.personalFacts().at(ParticipantId("P01")).at("age"), std::string("thirty-one"));
     for (const auto& event : store.events(ParticipantId("P01")))
         QVERIFY(event.payloadJson.find("thirty-one") == std::string::npos);

@@ -127,9 +127,9 @@ void AppTest::windowStoresTheSameRowsAsTheEngine()
     }
     {
         OpenWindow open(byEngine);  // used only for its fakes; this run sends events to the engine directly
-        database::StudyStore& store = open.window().study()->store();
+        database::SessionStore& store = open.window().study()->store();
         const auto display = rendering::openDisplay("none");
-        Driver driver(store, protocols::ParticipantId("P01"), database::ParticipantKind::Human, open.window().study()->bank(),
+        Driver driver(store, protocols::ParticipantId("P01"), database::ParticipantKind::Human, open.window().study()->images(),
                       *display, open.clock());
         bool isCorrected = false;
         while (!std::holds_alternative<Finished>(driver.state().stage)) {

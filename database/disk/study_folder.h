@@ -21,6 +21,8 @@ struct StudyFolder {
     std::filesystem::path maskedKey() const { return folder / "masked-key.json"; }  ///< up to version 0.6.0
     std::filesystem::path upgrade() const { return folder / ".upgrade"; }           ///< what an upgrade prepares
     std::filesystem::path beforeUpgrade() const { return folder / "before-upgrade"; }
+
+    std::filesystem::path queue() const { return folder / "queue.db"; }  ///< answers that wait for the server
     std::filesystem::path lock() const { return folder / ".lock"; }
 };
 

@@ -1,0 +1,25 @@
+// The note in the folder of a study that lies on a server (server.json): its address, and the name of this station. The folder of
+// the study's owner keeps keys, protocol and stimuli beside it; the folder of a station that joined holds only its queue.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace database {
+
+struct ServerNote {
+    std::string address;
+    std::string station;   ///< name of this station in the study
+    std::string token;     ///< proves that a new connection is the same station, 64 hexadecimal digits
+    bool isOwner = false;  ///< the folder has the study's keys
+};
+
+/// `folder`: of the study.
+void writeServerNote(const std::filesystem::path& folder, const ServerNote& note);
+/// None where the study lies in the folder. Throws badInput for a note that cannot be read.
+std::optional<ServerNote> readServerNote(const std::filesystem::path& folder);
+/// server.json
+std::filesystem::path serverNoteOf(const std::filesystem::path& folder);
+
+}  // namespace database

@@ -1,0 +1,77 @@
+#include "database/server/server_address.h"
+
+#include <QUrl>
+#include <QUrlQuery>
+#include <algorithm>
+
+#include "protocols/files/errors.h"
+
+namespace database {
+
+namespace {
+
+constexpr const char* form = "postgresql://USER@HOST/DATABASE?study=NAME";
+constexpr std::size_t longestName = 40;  // PostgreSQL cuts the names of its schemas and roles at 63 bytes
+
+bool isStudyName(const std::string& name)
+{
+    return !name.empty() && name.size() <= longestName && std::ranges::all_of(name, [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+    });
+}
+
+void requireStudyName(const std::string& name, const std::string& where)
+{
+    if (!isStudyName(name))
+        throw protocols::badInput({"\"" + name + "\" cannot name a study on a server", where,
+                                   "at most 40 small letters, digits, - and _", "change study=NAME"});
+}
+
+}  // namespace
+
+bool isServerAddress(const std::string& text) { return text.starts_with("postgresql://") || text.starts_with("postgres://"); }
+
+ServerAddress serverAddressFrom(const std::string& text)
+{
+    const QUrl url(QString::fromStdString(text), QUrl::StrictMode);
+    if (!isServerAddress(text) || !url.isValid())
+        throw protocols::badInput({"this is no address of a server", text, form, "correct the address"});
+    if (!url.password().isEmpty())
+        throw protocols::badInput({"the address holds a password, which would stay in the notes of the study",
+                                   url.toDisplayString(QUrl::RemovePassword).toStdString(), form,
+                                   "put the password into ~/.pgpass or the environment variable PGPASSWORD"});
+    ServerAddress address{text, url.host().toStdString(), {}, url.path().mid(1).toStdString(), url.userName().toStdString(), {},
+                          {}};
+    if (url.port() > 0) address.port = std::to_string(url.port());
+    for (const auto& [name, value] : QUrlQuery(url).queryItems(QUrl::FullyDecoded)) {
+        const std::string setting = name.toStdString();
+        if (setting == "study")
+            address.study = value.toStdString();
+        else if (setting == "host")
+            address.host = value.toStdString();
+        else if (setting == "port")
+            address.port = value.toStdString();
+        else if (setting == "user")
+            address.user = value.toStdString();
+        else
+            address.settings.emplace_back(setting, value.toStdString());
+    }
+    if (address.database.empty() || address.database.find('/') != std::string::npos)
+        throw protocols::badInput({"the address names no database", text, form, "name the database after the host"});
+    if (!address.study.empty()) requireStudyName(address.study, text);
+    return address;
+}
+
+std::string addressOfStudy(const ServerAddress& address, const std::string& study)
+{
+    if (address.study == study) return address.text;
+    requireStudyName(study, address.text);
+    QUrl url(QString::fromStdString(address.text));
+    QUrlQuery query(url);
+    query.removeAllQueryItems(QStringLiteral("study"));
+    query.addQueryItem(QStringLiteral("study"), QString::fromStdString(study));
+    url.setQuery(query);
+    return url.toString(QUrl::FullyEncoded).toStdString();
+}
+
+}  // namespace database

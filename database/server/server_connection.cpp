@@ -1,0 +1,240 @@
+#include "database/server/server_connection.h"
+
+#include <QSqlError>
+#include <QStringList>
+#include <atomic>
+#include <nlohmann/json.hpp>
+
+#include "database/sqlite_connection.h"
+
+namespace database {
+
+namespace {
+
+constexpr int majorVersion = 15;
+
+// A cut network is noticed after these times, s and ms.
+constexpr const char* patience =
+    "connect_timeout=4;keepalives_idle=5;keepalives_interval=2;keepalives_count=3;tcp_user_timeout=5000";
+
+QString nextServerConnectionName()
+{
+    static std::atomic<int> count = 0;
+    return QStringLiteral("vis2hap-server-%1").arg(++count);
+}
+
+/// The parts of a server's message in any language: "ERROR:  what\nDETAIL:  …\nHINT:  …".
+QStringList partsOf(const QString& message)
+{
+    QStringList parts;
+    for (const QString& line : message.split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
+        const auto colon = line.indexOf(QStringLiteral(":  "));
+        parts << (colon < 0 ? line.trimmed() : line.mid(colon + 3).trimmed());
+    }
+    return parts;
+}
+
+std::string partAt(const QStringList& parts, qsizetype place) { return place < parts.size() ? parts[place].toStdString() : ""; }
+
+bool meansAway(const QString& code)
+{
+    // Class 08: connection; 57P01 to 57P03: the server stops or starts (PostgreSQL manual, appendix A).
+    return code.isEmpty() || code.startsWith(QLatin1String("08")) || code.startsWith(QLatin1String("57P0"));
+}
+
+ServerRefusal refusalOfRule(const QString& code, const QStringList& parts, const std::string& where)
+{
+    const auto exitCode = code.startsWith(QLatin1String("VH1"))   ? protocols::ExitCode::BadInput
+                          : code.startsWith(QLatin1String("VH3")) ? protocols::ExitCode::Environment
+                                                                  : protocols::ExitCode::WorkFailed;
+    return {exitCode, {partAt(parts, 0), where, partAt(parts, 1), partAt(parts, 2)}, code.toStdString()};
+}
+
+/// "?" outside quotes as "$1", "$2": QPSQL would rewrite a text that holds another question mark.
+QString withNumbers(const QString& sql)
+{
+    QString numbered;
+    int count = 0;
+    bool isQuoted = false;
+    for (const QChar c : sql) {
+        if (c == QLatin1Char('\'')) isQuoted = !isQuoted;
+        if (c == QLatin1Char('?') && !isQuoted)
+            numbered += QStringLiteral(":v%1").arg(++count);
+        else
+            numbered += c;
+    }
+    return numbered;
+}
+
+}  // namespace
+
+ServerConnection::ServerConnection(ServerAddress address) : m_address(std::move(address)), m_name(nextServerConnectionName())
+{
+    if (!QSqlDatabase::isDriverAvailable(QStringLiteral("QPSQL")))
+        throw protocols::environmentFault({"Qt's driver for PostgreSQL is missing", m_address.text, "the package libqt6sql6-psql",
+                                           "run: apt-get install libqt6sql6-psql"});
+    m_connection = QSqlDatabase::addDatabase(QStringLiteral("QPSQL"), m_name);
+    try {
+        open();
+    } catch (...) {
+        m_connection = QSqlDatabase();
+        QSqlDatabase::removeDatabase(m_name);
+        throw;
+    }
+}
+
+ServerConnection::~ServerConnection()
+{
+    m_connection.close();
+    m_connection = QSqlDatabase();
+    QSqlDatabase::removeDatabase(m_name);
+}
+
+void ServerConnection::open()
+{
+    m_connection.setHostName(toQt(m_address.host));
+    if (!m_address.port.empty()) m_connection.setPort(QString::fromStdString(m_address.port).toInt());
+    m_connection.setDatabaseName(toQt(m_address.database));
+    m_connection.setUserName(toQt(m_address.user));
+    QString options = QLatin1String(patience);
+    for (const auto& [name, setting] : m_address.settings)
+        options += QStringLiteral(";%1='%2'").arg(toQt(name), toQt(setting).replace(QLatin1Char('\''), QStringLiteral("\\'")));
+    m_connection.setConnectOptions(options);
+    if (!m_connection.open()) {
+        const QString text = m_connection.lastError().databaseText().trimmed();
+        const bool isRefused = text.contains(QLatin1String("FATAL"));
+        const protocols::Fault fault{
+            (isRefused ? "the server refused this login: " : "the server cannot be reached: ") +
+                partsOf(text).join(QStringLiteral(" ")).toStdString(),
+            m_address.text, isRefused ? "a user, a password and a database that the server knows" : "",
+            isRefused ? "see ~/.pgpass, or ask who keeps the server" : "check the network and the server"};
+        if (isRefused) throw protocols::badInput(fault);
+        throw ServerAway(fault);
+    }
+    run(QStringLiteral("SET client_min_messages = warning"));
+    const int version = value(QStringLiteral("SHOW server_version_num")).toString().toInt() / 10000;
+    if (version != majorVersion)
+        throw protocols::environmentFault({"the server is PostgreSQL " + std::to_string(version), m_address.text,
+                                           "PostgreSQL " + std::to_string(majorVersion), "use a server of this version"});
+}
+
+QStringList ServerConnection::studies() const
+{
+    QStringList names;
+    QSqlQuery row =
+        run(QStringLiteral("SELECT substr(nspname, 9) FROM pg_namespace WHERE substr(nspname, 1, 8) = 'vis2hap_' AND "
+                           "has_schema_privilege(oid, 'USAGE') ORDER BY nspname"));
+    while (row.next()) names << row.value(0).toString();
+    return names;
+}
+
+void ServerConnection::chooseStudy()
+{
+    const QStringList known = studies();
+    const std::string list = known.isEmpty() ? "none" : known.join(QStringLiteral(", ")).toStdString();
+    if (m_address.study.empty() && known.size() == 1) {
+        m_address.text = addressOfStudy(m_address, fromQt(known.front()));
+        m_address.study = fromQt(known.front());
+        return;
+    }
+    if (m_address.study.empty())
+        throw protocols::badInput(
+            {known.isEmpty() ? "the database has no study that this login may use" : "the database has several studies",
+             m_address.text, "one of: " + list, "add ?study=NAME to the address"});
+    if (!known.contains(toQt(m_address.study)))
+        throw protocols::badInput({"the database has no study " + m_address.study + " that this login may use", m_address.text,
+                                   "one of: " + list, "correct study=NAME, or ask the owner of the study for a role"});
+}
+
+QString ServerConnection::schema() const { return QStringLiteral("\"vis2hap_%1\"").arg(toQt(m_address.study)); }
+
+QString ServerConnection::completed(const QString& sql) const
+{
+    QString text = sql;
+    text.replace(QStringLiteral("@schema@"), schema());
+    text.replace(QStringLiteral("@prefix@"), QStringLiteral("vis2hap_%1").arg(toQt(m_address.study)));
+    return text;
+}
+
+QSqlQuery ServerConnection::run(const QString& sql, const QVariantList& values) const
+{
+    QSqlQuery query(m_connection);
+    query.setForwardOnly(true);
+    const QString text = completed(sql);
+    if (values.isEmpty()) {
+        if (!query.exec(text)) fail(query.lastError());
+        return query;
+    }
+    if (!query.prepare(withNumbers(text))) fail(query.lastError());
+    for (qsizetype place = 0; place < values.size(); ++place)
+        query.bindValue(QStringLiteral(":v%1").arg(place + 1), values[place]);
+    if (!query.exec()) fail(query.lastError());
+    return query;
+}
+
+QVariant ServerConnection::value(const QString& sql, const QVariantList& values) const
+{
+    QSqlQuery query = run(sql, values);
+    return query.next() ? query.value(0) : QVariant();
+}
+
+nlohmann::json ServerConnection::call(const char* function, const QVariantList& arguments) const
+{
+    QStringList places;
+    for (qsizetype i = 0; i < arguments.size(); ++i) places << QStringLiteral("?");
+    const QVariant result = value(
+        QStringLiteral("SELECT CAST(@schema@.%1(%2) AS text)").arg(QLatin1String(function), places.join(QStringLiteral(", "))),
+        arguments);
+    const std::string text = fromQt(result);  // empty where the function returns nothing
+    return text.empty() ? nlohmann::json() : nlohmann::json::parse(text);
+}
+
+void ServerConnection::runScript(const QString& sql) const
+{
+    QSqlQuery query(m_connection);
+    if (!query.exec(completed(sql))) fail(query.lastError());
+    while (query.nextResult())
+        if (query.lastError().isValid()) fail(query.lastError());
+    if (query.lastError().isValid()) fail(query.lastError());
+}
+
+void ServerConnection::fail(const QSqlError& error) const
+{
+    const QString code = error.nativeErrorCode();
+    const QStringList parts = partsOf(error.databaseText());
+    const std::string what = partAt(parts, 0), where = m_address.text;
+    if (code.startsWith(QLatin1String("VH"))) throw refusalOfRule(code, parts, where);
+    if (meansAway(code))
+        throw ServerAway({"the connection to the server ended (" + what + ")", where, "", "check the network and the server"});
+    if (code == QLatin1String("42501") || code == QLatin1String("42883") || code == QLatin1String("3F000"))
+        throw protocols::badInput({"this login may not do this (" + what + ")", where, "a login with the role for it",
+                                   "ask the owner of the study; see vis2hap server roles"});
+    if (code == QLatin1String("53100"))
+        throw protocols::environmentFault({"the disk of the server is full; this step was not stored", where, "",
+                                           "free some space on the server and do it again"});
+    throw protocols::workFailed({"the server refused a step: " + what + " (" + code.toStdString() + ")", where, "", ""});
+}
+
+ServerTransaction::ServerTransaction(const ServerConnection& connection, Kind kind) : m_connection(connection)
+{
+    m_connection.run(kind == Kind::Write ? QStringLiteral("BEGIN")
+                                         : QStringLiteral("BEGIN ISOLATION LEVEL REPEATABLE READ READ ONLY"));
+}
+
+ServerTransaction::~ServerTransaction()
+{
+    if (m_committed) return;
+    try {
+        m_connection.run(QStringLiteral("ROLLBACK"));
+    } catch (const protocols::Error&) {
+        // The server rolls back by itself when the connection ends. Keep the first error.
+    }
+}
+
+void ServerTransaction::commit()
+{
+    m_connection.run(QStringLiteral("COMMIT"));
+    m_committed = true;
+}
+
+}  // namespace database

@@ -1,0 +1,112 @@
+#include "database/server/server_link.h"
+
+#include <condition_variable>
+#include <functional>
+#include <future>
+#include <mutex>
+#include <optional>
+#include <queue>
+#include <thread>
+
+#include "database/server/server_connection.h"
+#include "database/sqlite_connection.h"
+
+namespace database {
+
+/// Shared by the link and its thread: whoever ends last frees it.
+struct ServerLink::Worker {
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::queue<std::function<void(std::optional<ServerConnection>&)>> work;
+    bool isEnded = false;
+
+    static void run(const std::shared_ptr<Worker>& own)
+    {
+        std::optional<ServerConnection> connection;  // belongs to this thread
+        std::unique_lock lock(own->mutex);
+        while (true) {
+            own->changed.wait(lock, [&] { return own->isEnded || !own->work.empty(); });
+            if (own->work.empty()) return;
+            const auto next = std::move(own->work.front());
+            own->work.pop();
+            lock.unlock();
+            next(connection);
+            lock.lock();
+        }
+    }
+};
+
+namespace {
+
+ServerReply replyOf(const ServerConnection& server, const char* function, const QVariantList& arguments, bool hasImage)
+{
+    if (!hasImage) return {server.call(function, arguments), {}, {}};
+    QStringList places;
+    for (qsizetype i = 0; i < arguments.size(); ++i) places << QStringLiteral("?");
+    QSqlQuery row = server.run(
+        QStringLiteral("SELECT * FROM @schema@.%1(%2)").arg(QLatin1String(function), places.join(QStringLiteral(", "))),
+        arguments);
+    if (!row.next()) return {};
+    const std::string first = fromQt(row.value(0));
+    return {first.starts_with('{') ? nlohmann::json::parse(first) : nlohmann::json(first),
+            row.value(1).toByteArray().toStdString(), fromQt(row.value(2))};
+}
+
+}  // namespace
+
+ServerLink::ServerLink(ServerAddress address) : m_worker(std::make_shared<Worker>()), m_address(std::move(address))
+{
+    std::thread([own = m_worker] { Worker::run(own); }).detach();
+}
+
+ServerLink::~ServerLink()
+{
+    {
+        const std::lock_guard lock(m_worker->mutex);
+        m_worker->isEnded = true;
+    }
+    m_worker->changed.notify_all();
+}
+
+ServerReply ServerLink::call(const char* function, const QVariantList& arguments, std::chrono::milliseconds patience)
+{
+    return waited(ask(function, arguments, false), patience);
+}
+
+ServerReply ServerLink::callForImage(const char* function, const QVariantList& arguments, std::chrono::milliseconds patience)
+{
+    return waited(ask(function, arguments, true), patience);
+}
+
+std::future<ServerReply> ServerLink::start(const char* function, const QVariantList& arguments)
+{
+    return ask(function, arguments, false);
+}
+
+std::future<ServerReply> ServerLink::ask(const char* function, const QVariantList& arguments, bool hasImage)
+{
+    const auto promise = std::make_shared<std::promise<ServerReply>>();
+    std::future<ServerReply> reply = promise->get_future();
+    {
+        const std::lock_guard lock(m_worker->mutex);
+        m_worker->work.emplace([=, address = m_address](std::optional<ServerConnection>& connection) {
+            try {
+                if (!connection) connection.emplace(address);
+                promise->set_value(replyOf(*connection, function, arguments, hasImage));
+            } catch (...) {
+                promise->set_exception(std::current_exception());
+            }
+        });
+    }
+    m_worker->changed.notify_all();
+    return reply;
+}
+
+ServerReply ServerLink::waited(std::future<ServerReply> reply, std::chrono::milliseconds patience) const
+{
+    if (reply.wait_for(patience) != std::future_status::ready)
+        throw ServerAway({"the server does not answer", m_address.text, "", "check the network and the server"});
+    return reply.get();
+}
+
+}  // namespace database

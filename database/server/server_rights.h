@@ -1,0 +1,39 @@
+// What a login can learn from a study on a server, by the rights that the server grants and by trying.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "database/server/server_address.h"
+
+namespace database {
+
+struct ServerRights {
+    std::string study, login;
+    std::vector<std::string> roles;  ///< of the study: "experimenter", "monitor", "analyst", "owner"
+    std::vector<std::string> may;    ///< functions of the study that the login may call
+    /// What neither an experimenter nor a monitor may have: rights on tables, on the server's files, on other functions, or a
+    /// presentation that is not due. One line each.
+    std::vector<std::string> learns;
+    std::vector<std::string> refused;  ///< what was tried and refused, one line each
+};
+
+/// Enrols nobody and changes nothing. Throws the errors of ServerConnection.
+ServerRights rightsOf(const ServerAddress& address);
+
+/// One station of a study as monitors see it.
+struct StationSeen {
+    std::string station, login, participant;  ///< participant: empty without a session
+    bool isLive = false;                      ///< its connection holds
+    int waiting = 0;                          ///< entries in its queue
+    int lastSeenSeconds = 0;
+};
+struct ServerProgress {
+    std::vector<StationSeen> stations;
+    int free = 0, started = 0, finished = 0, withdrawn = 0, answers = 0;
+    std::string head;
+};
+/// For monitors, analysts and the owner.
+ServerProgress progressOf(const ServerAddress& address);
+
+}  // namespace database

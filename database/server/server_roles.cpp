@@ -1,0 +1,90 @@
+#include "database/server/server_roles.h"
+
+#include <QFile>
+#include <algorithm>
+#include <array>
+
+#include "database/disk/server_note.h"
+#include "database/server/server_connection.h"
+#include "database/server/server_scripts.h"
+#include "database/server/station_store.h"
+#include "protocols/files/errors.h"
+#include "protocols/secrets/secret_key.h"
+
+namespace database {
+
+namespace {
+
+constexpr std::array<const char*, 3> roleNames{"experimenter", "monitor", "analyst"};
+
+void requireKnown(const ServerConnection& server, const std::string& login, const std::string& role)
+{
+    if (std::ranges::find(roleNames, role) == roleNames.end())
+        throw protocols::badInput({"there is no role \"" + role + "\"", login, "experimenter, monitor or analyst", ""});
+    if (server.value(QStringLiteral("SELECT COUNT(*) FROM pg_roles WHERE rolname = ?"), {toQt(login)}).toInt() == 0)
+        throw protocols::badInput({"the server knows no login \"" + login + "\"", server.address().text, "",
+                                   "make it first: CREATE ROLE \"" + login + "\" LOGIN PASSWORD '…'"});
+}
+
+QString quoted(const std::string& name)
+{
+    return QLatin1Char('"') + toQt(name).replace(QLatin1Char('"'), QStringLiteral("\"\"")) + QLatin1Char('"');
+}
+
+}  // namespace
+
+std::vector<std::string> makeRoles(const ServerAddress& address, const std::vector<std::pair<std::string, std::string>>& logins)
+{
+    ServerConnection server(address);
+    server.chooseStudy();
+    for (const auto& [login, role] : logins) requireKnown(server, login, role);
+    ServerTransaction transaction(server);
+    server.runScript(serverScript("roles"));
+    for (const auto& [login, role] : logins)
+        server.run(QStringLiteral("GRANT \"@prefix@_%1\" TO %2").arg(toQt(role), quoted(login)));
+    transaction.commit();
+    std::vector<std::string> lines;
+    for (const char* role : roleNames) {
+        QSqlQuery row = server.run(
+            QStringLiteral(
+                "SELECT member.rolname FROM pg_auth_members m JOIN pg_roles g ON g.oid = m.roleid JOIN pg_roles member "
+                "ON member.oid = m.member WHERE g.rolname = ? ORDER BY member.rolname"),
+            {QStringLiteral("vis2hap_%1_%2").arg(toQt(server.address().study), QLatin1String(role))});
+        std::string members;
+        while (row.next()) members += (members.empty() ? "" : ", ") + fromQt(row.value(0));
+        lines.push_back("vis2hap_" + server.address().study + "_" + role + ": " + (members.empty() ? "nobody yet" : members));
+    }
+    return lines;
+}
+
+JoinedStudy joinStudy(const ServerAddress& address, const std::filesystem::path& folder, const std::string& station)
+{
+    ServerAddress found = address;
+    {
+        ServerConnection server(address);
+        server.chooseStudy();
+        found = server.address();
+    }
+    const std::filesystem::path place = folder.empty() ? std::filesystem::path(found.study) : folder;
+    std::error_code ignored;
+    if (std::filesystem::exists(place, ignored) && !std::filesystem::is_empty(place, ignored))
+        throw protocols::badInput({"the folder is not empty", place.string(), "a new folder", "choose another name"});
+    const bool isNew = std::filesystem::create_directories(place, ignored);
+    if (ignored)
+        throw protocols::environmentFault({"the folder cannot be made (" + ignored.message() + ")", place.string(), "", ""});
+    std::filesystem::permissions(place, std::filesystem::perms::owner_all);
+    const StudyFolder made{place};
+    try {
+        writeServerNote(made.folder, {found.text, station, protocols::drawHex(32), false});
+        const StationStore store(made);
+        return {place, store.facts().name, station};
+    } catch (...) {
+        // Nothing half-made: what stands in the folder was written just now.
+        for (const auto& file : {serverNoteOf(made.folder), made.queue(), made.protocol(), made.lock()})
+            for (const char* ending : {"", "-wal", "-shm"}) std::filesystem::remove(file.string() + ending, ignored);
+        if (isNew) std::filesystem::remove(place, ignored);
+        throw;
+    }
+}
+
+}  // namespace database

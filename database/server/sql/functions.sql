@@ -1,0 +1,1066 @@
+-- What a station, a monitor and an analyst may do in a study. Every function that a login may call runs with the rights of the
+-- study's owner; roles.sql says who may call which. Functions whose names begin with server_ are for these functions and the
+-- owner only.
+--
+-- Rules for callers:
+--   * claim() and presentation() are refused in a transaction that has written before. Otherwise a login could store made-up
+--     answers, read ahead, and roll back without a trace. Call each function as a statement of its own, outside a transaction.
+--   * Arguments are passed by place. presentation() calls its argument number and familiarisation_image() calls it item, because
+--     a result column has the name trial, and position is a word of SQL.
+--   * A connection is known by its process number and by an advisory lock under a random number that join_study() draws. The
+--     owner could not use the start time of a connection: a server shows it to its own login and to pg_read_all_stats only.
+--     A connection that releases its advisory locks must join again.
+--
+-- Errors: VH101 wrong input. VH102 the participant was erased. VH103 the participant is of another kind. VH104 bad id.
+-- VH105 the login lacks a right. VH201 the station's name is in use. VH202 another station has the participant. VH203 the
+-- presentation is not due. VH204 another station went on. VH205 this connection has not joined or claimed. VH206 the study is
+-- being moved. VH207 all slots are taken. VH208 the answer is stored already. VH209 there is no answer to correct. VH210 a table
+-- is append-only. VH211 the presentation was not released. VH212 the participant has withdrawn. VH213 the transaction is not
+-- of its own. VH214 the study is not complete. VH301 the database is of another kind. VH302 the study is busy.
+
+-- The bytes that are hashed: protocols/files/canonical_bytes.h. Without the casts to text the planner could not inline these
+-- functions.
+
+CREATE OR REPLACE FUNCTION @schema@.server_field(value text) RETURNS text LANGUAGE sql IMMUTABLE AS
+$$ SELECT CASE WHEN value IS NULL THEN '-,' ELSE octet_length(value)::text || ':' || value || ',' END $$;
+
+CREATE OR REPLACE FUNCTION @schema@.server_field(value bigint) RETURNS text LANGUAGE sql IMMUTABLE AS
+$$ SELECT CASE WHEN value IS NULL THEN '-,' ELSE length(value::text)::text || ':' || value::text || ',' END $$;
+
+CREATE OR REPLACE FUNCTION @schema@.server_hash(bytes text) RETURNS text LANGUAGE sql IMMUTABLE AS
+$$ SELECT encode(sha256(convert_to(bytes, 'UTF8')), 'hex') $$;
+
+-- 32 random bytes, in hexadecimal.
+CREATE OR REPLACE FUNCTION @schema@.server_salt() RETURNS text LANGUAGE sql VOLATILE AS
+$$ SELECT encode(sha256(uuid_send(gen_random_uuid()) || uuid_send(gen_random_uuid()) || uuid_send(gen_random_uuid())), 'hex') $$;
+
+CREATE OR REPLACE FUNCTION @schema@.server_wall_time() RETURNS text LANGUAGE sql VOLATILE AS
+$$ SELECT to_char(clock_timestamp() AT TIME ZONE 'UTC', 'YYYY-MM-DD"T"HH24:MI:SS.MS"Z"') $$;
+
+CREATE OR REPLACE FUNCTION @schema@.server_head() RETURNS jsonb LANGUAGE sql STABLE AS
+$$ SELECT coalesce((SELECT jsonb_build_object('sequence', e.sequence, 'hash', e.hash) FROM @schema@.events e
+                    ORDER BY e.sequence DESC LIMIT 1),
+                   jsonb_build_object('sequence', 0, 'hash', '')) $$;
+
+-- Rules for texts: protocols/files/id_rule.cpp.
+
+CREATE OR REPLACE FUNCTION @schema@.server_fault_of_character(code int) RETURNS text LANGUAGE sql IMMUTABLE AS
+$$ SELECT CASE
+    WHEN code < 32 OR code BETWEEN 127 AND 159 THEN 'holds a control character'
+    WHEN code IN (173, 1564, 6158, 8203, 65279) OR code BETWEEN 8206 AND 8207 OR code BETWEEN 8232 AND 8238
+         OR code BETWEEN 8288 AND 8303 OR code BETWEEN 65529 AND 65531 OR code BETWEEN 65534 AND 65535
+         OR code BETWEEN 917504 AND 917631 THEN 'holds an invisible character'
+    ELSE '' END $$;
+
+CREATE OR REPLACE FUNCTION @schema@.server_is_blank(code int) RETURNS boolean LANGUAGE sql IMMUTABLE AS
+$$ SELECT code IN (32, 160, 5760, 8239, 8287, 12288) OR code BETWEEN 8192 AND 8202 $$;
+
+-- What the id breaks in the rule; empty for a good id.
+CREATE OR REPLACE FUNCTION @schema@.server_fault_of_id(id text) RETURNS text LANGUAGE plpgsql IMMUTABLE AS $$
+DECLARE
+    code int;
+    fault text;
+    ends_blank boolean := false;
+BEGIN
+    IF id IS NULL OR id = '' THEN RETURN 'is empty'; END IF;
+    IF octet_length(id) > 64 THEN RETURN 'has ' || octet_length(id) || ' bytes'; END IF;
+    IF left(id, 1) = '.' THEN RETURN 'begins with a dot'; END IF;
+    IF left(id, 1) = '-' THEN RETURN 'begins with a dash'; END IF;
+    FOR place IN 1 .. length(id) LOOP
+        code := ascii(substr(id, place, 1));
+        fault := @schema@.server_fault_of_character(code);
+        IF fault <> '' THEN RETURN fault; END IF;
+        IF code IN (47, 92) THEN RETURN 'holds a slash or backslash'; END IF;
+        IF code = 44 THEN RETURN 'holds a comma'; END IF;
+        ends_blank := @schema@.server_is_blank(code);
+        IF place = 1 AND ends_blank THEN RETURN 'begins with a blank'; END IF;
+    END LOOP;
+    RETURN CASE WHEN ends_blank THEN 'ends with a blank' ELSE '' END;
+END
+$$;
+
+-- What the line breaks in the rule; empty for a good one.
+CREATE OR REPLACE FUNCTION @schema@.server_fault_of_line(line text, most_bytes int) RETURNS text LANGUAGE plpgsql IMMUTABLE AS $$
+DECLARE
+    code int;
+    fault text;
+    has_words boolean := false;
+BEGIN
+    IF octet_length(line) > most_bytes THEN RETURN 'has ' || octet_length(line) || ' bytes'; END IF;
+    FOR place IN 1 .. coalesce(length(line), 0) LOOP
+        code := ascii(substr(line, place, 1));
+        fault := @schema@.server_fault_of_character(code);
+        IF fault <> '' THEN RETURN fault; END IF;
+        has_words := has_words OR NOT @schema@.server_is_blank(code);
+    END LOOP;
+    RETURN CASE WHEN has_words THEN '' ELSE 'is empty' END;
+END
+$$;
+
+CREATE OR REPLACE FUNCTION @schema@.server_require_line(line text, named text) RETURNS void LANGUAGE plpgsql IMMUTABLE AS $$
+DECLARE
+    fault text := @schema@.server_fault_of_line(line, 100);
+BEGIN
+    IF fault <> '' THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH101', MESSAGE = named || ' ' || fault,
+            DETAIL = 'one line of 1 to 100 bytes of UTF-8 without control or invisible characters',
+            HINT = 'choose another name';
+    END IF;
+END
+$$;
+
+-- The fields of an entry. `place` names where the field is, such as "answers[0].".
+
+CREATE OR REPLACE FUNCTION @schema@.server_wrong_field(name text, expected text) RETURNS void LANGUAGE plpgsql AS $$
+BEGIN
+    RAISE EXCEPTION USING ERRCODE = 'VH101', MESSAGE = 'the field "' || name || '" of the entry is missing or wrong',
+        DETAIL = expected, HINT = 'use a program of the same version as the study';
+END
+$$;
+
+CREATE OR REPLACE FUNCTION @schema@.server_text(object jsonb, name text, longest int, may_be_null boolean DEFAULT false,
+                                                place text DEFAULT '') RETURNS text LANGUAGE plpgsql AS $$
+DECLARE
+    kind text := jsonb_typeof(object -> name);
+    value text;
+BEGIN
+    IF kind = 'null' AND may_be_null THEN RETURN NULL; END IF;
+    IF kind = 'string' THEN
+        value := object ->> name;
+        IF octet_length(value) <= longest THEN RETURN value; END IF;
+    END IF;
+    PERFORM @schema@.server_wrong_field(place || name, 'a text of at most ' || longest || ' bytes'
+                                        || CASE WHEN may_be_null THEN ', or null' ELSE '' END);
+END
+$$;
+
+CREATE OR REPLACE FUNCTION @schema@.server_whole(object jsonb, name text, may_be_null boolean DEFAULT false,
+                                                 place text DEFAULT '', lowest bigint DEFAULT -9223372036854775808,
+                                                 highest bigint DEFAULT 9223372036854775807)
+    RETURNS bigint LANGUAGE plpgsql AS $$
+DECLARE
+    kind text := jsonb_typeof(object -> name);
+    digits text;
+BEGIN
+    IF kind = 'null' AND may_be_null THEN RETURN NULL; END IF;
+    IF kind = 'number' THEN
+        digits := object ->> name;
+        IF digits ~ '^-?[0-9]{1,19}$' AND digits::numeric BETWEEN lowest AND highest THEN RETURN digits::bigint; END IF;
+    END IF;
+    PERFORM @schema@.server_wrong_field(place || name, 'a whole number from ' || lowest || ' to ' || highest
+                                        || CASE WHEN may_be_null THEN ', or null' ELSE '' END);
+END
+$$;
+
+CREATE OR REPLACE FUNCTION @schema@.server_yes(object jsonb, name text, place text DEFAULT '') RETURNS bigint
+    LANGUAGE plpgsql AS $$
+BEGIN
+    IF object -> name IN ('true'::jsonb, '1'::jsonb) THEN RETURN 1; END IF;
+    IF object -> name IN ('false'::jsonb, '0'::jsonb) THEN RETURN 0; END IF;
+    PERFORM @schema@.server_wrong_field(place || name, 'true or false');
+END
+$$;
+
+-- The value of the field where it is of this type; NULL where it is null.
+CREATE OR REPLACE FUNCTION @schema@.server_part(object jsonb, name text, kind text) RETURNS jsonb LANGUAGE plpgsql AS $$
+BEGIN
+    IF jsonb_typeof(object -> name) = 'null' THEN RETURN NULL; END IF;
+    IF jsonb_typeof(object -> name) = kind THEN RETURN object -> name; END IF;
+    PERFORM @schema@.server_wrong_field(name, 'null, or the JSON type ' || kind);
+END
+$$;
+
+CREATE OR REPLACE FUNCTION @schema@.server_is_json_object(value text) RETURNS boolean LANGUAGE plpgsql IMMUTABLE AS $$
+BEGIN
+    RETURN coalesce(json_typeof(value::json) = 'object', false);
+EXCEPTION
+    WHEN invalid_text_representation OR statement_too_complex THEN RETURN false;
+END
+$$;
+
+-- Locks and connections.
+
+-- A later statement of a transaction at a higher level does not see what others stored.
+CREATE OR REPLACE FUNCTION @schema@.server_require_statement() RETURNS void LANGUAGE plpgsql AS $$
+BEGIN
+    IF current_setting('transaction_isolation') <> 'read committed' THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH213', MESSAGE = 'the transaction has the isolation level '
+                || current_setting('transaction_isolation'),
+            DETAIL = 'read committed', HINT = 'call the function outside a transaction';
+    END IF;
+END
+$$;
+
+CREATE OR REPLACE FUNCTION @schema@.server_require_fresh_transaction() RETURNS void LANGUAGE plpgsql AS $$
+BEGIN
+    PERFORM @schema@.server_require_statement();
+    IF pg_current_xact_id_if_assigned() IS NOT NULL THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH213', MESSAGE = 'the transaction has written already',
+            DETAIL = 'a transaction of its own', HINT = 'call the function outside a transaction';
+    END IF;
+END
+$$;
+
+-- Entries are appended one after the other: the lock lasts until the transaction ends. A transaction that writes entries is on
+-- the disk when it returns, whatever the login has set.
+CREATE OR REPLACE FUNCTION @schema@.server_lock(needs_open boolean) RETURNS void LANGUAGE plpgsql AS $$
+DECLARE
+    state text;
+BEGIN
+    PERFORM @schema@.server_require_statement();
+    BEGIN
+        SELECT s.state INTO state FROM @schema@.server_study s WHERE s.id = 1 FOR UPDATE;
+    EXCEPTION
+        WHEN lock_not_available THEN
+            RAISE EXCEPTION USING ERRCODE = 'VH302', MESSAGE = 'another connection keeps the study busy',
+                DETAIL = 'a free study within 10 seconds', HINT = 'try again';
+    END;
+    IF needs_open AND state IS DISTINCT FROM 'open' THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH206', MESSAGE = 'the study is being moved',
+            DETAIL = 'a study whose move is complete', HINT = 'ask its owner where it is now';
+    END IF;
+    IF current_setting('synchronous_commit') = 'off' THEN PERFORM set_config('synchronous_commit', 'on', true); END IF;
+END
+$$;
+
+-- The advisory locks that connections to this database hold.
+CREATE OR REPLACE FUNCTION @schema@.server_signs() RETURNS TABLE(pid int, sign bigint) LANGUAGE sql STABLE AS
+$$ SELECT l.pid, l.classid::bigint << 32 | l.objid::bigint FROM pg_locks l
+   WHERE l.locktype = 'advisory' AND l.granted AND l.mode = 'ExclusiveLock' AND l.objsubid = 1
+     AND l.database = (SELECT d.oid FROM pg_database d WHERE d.datname = current_database()) $$;
+
+-- Whether the process holds the sign of its station.
+CREATE OR REPLACE FUNCTION @schema@.server_is_live(process int, its_sign bigint) RETURNS boolean LANGUAGE sql STABLE AS
+$$ SELECT EXISTS (SELECT FROM @schema@.server_signs() s WHERE s.pid = process AND s.sign = its_sign) $$;
+
+-- The row of this connection, locked; a row of NULLs where it has not joined.
+CREATE OR REPLACE FUNCTION @schema@.server_own_station() RETURNS @schema@.server_stations LANGUAGE plpgsql AS $$
+DECLARE
+    own @schema@.server_stations;
+BEGIN
+    SELECT * INTO own FROM @schema@.server_stations s
+    WHERE s.pid = pg_backend_pid() AND s.login = session_user AND @schema@.server_is_live(s.pid, s.sign) FOR UPDATE;
+    RETURN own;
+END
+$$;
+
+CREATE OR REPLACE FUNCTION @schema@.server_require_station() RETURNS @schema@.server_stations LANGUAGE plpgsql AS $$
+DECLARE
+    own @schema@.server_stations := @schema@.server_own_station();
+BEGIN
+    IF own.station IS NULL THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH205', MESSAGE = 'this connection has not joined the study',
+            DETAIL = 'a station that has joined', HINT = 'join the study, then repeat the step';
+    END IF;
+    RETURN own;
+END
+$$;
+
+-- The own station, which must hold the participant; any participant where `wanted` is null.
+CREATE OR REPLACE FUNCTION @schema@.server_require_claim(wanted text) RETURNS @schema@.server_stations LANGUAGE plpgsql AS $$
+DECLARE
+    own @schema@.server_stations := @schema@.server_require_station();
+BEGIN
+    IF own.participant IS NULL OR own.participant <> coalesce(wanted, own.participant) THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH205',
+            MESSAGE = 'this station has not claimed ' || coalesce('participant ' || left(wanted, 64), 'a participant'),
+            DETAIL = 'the participant of this station', HINT = 'claim the participant, then repeat the step';
+    END IF;
+    RETURN own;
+END
+$$;
+
+-- The chain: database/event_chain.cpp. The caller holds server_lock(). `content`: the canonical bytes of the entry's rows.
+CREATE OR REPLACE FUNCTION @schema@.server_append(participant text, sitting bigint, kind text, payload text, at_ns bigint,
+                                                  wall_time text, places text DEFAULT '', content text DEFAULT '')
+    RETURNS bigint LANGUAGE plpgsql AS $$
+DECLARE
+    number bigint;
+    previous text;
+    salt text := @schema@.server_salt();
+    commitment text;
+BEGIN
+    SELECT e.sequence + 1, e.hash INTO number, previous FROM @schema@.events e ORDER BY e.sequence DESC LIMIT 1;
+    IF number IS NULL THEN
+        number := 1;
+        previous := '';
+    END IF;
+    commitment := @schema@.server_hash(@schema@.server_field(salt) || @schema@.server_field(payload)
+        || @schema@.server_field(at_ns) || @schema@.server_field(wall_time) || content);
+    INSERT INTO @schema@.events(sequence, participant, sitting, kind, places, payload, at_ns, wall_time, salt, commitment,
+                                previous_hash, hash)
+    VALUES (number, participant, sitting, kind, places, payload, at_ns, wall_time, salt, commitment, previous,
+            @schema@.server_hash(@schema@.server_field(previous) || @schema@.server_field(number)
+                || @schema@.server_field(participant) || @schema@.server_field(sitting) || @schema@.server_field(kind)
+                || @schema@.server_field(places) || @schema@.server_field(commitment)));
+    RETURN number;
+END
+$$;
+
+-- The present attempt at a trial: one more than its voids.
+CREATE OR REPLACE FUNCTION @schema@.server_attempt(its_participant text, its_trial bigint) RETURNS bigint LANGUAGE sql STABLE AS
+$$ SELECT 1 + count(*) FROM @schema@.voids v WHERE v.participant = its_participant AND v.trial = its_trial $$;
+
+-- A JSON list of lists of question ids: the phases of the participant's version of the protocol.
+CREATE OR REPLACE FUNCTION @schema@.server_phases(version bigint) RETURNS jsonb LANGUAGE sql STABLE AS
+$$ SELECT s.phase_questions -> version::text FROM @schema@.server_study s WHERE s.id = 1 $$;
+
+-- The trial as clients see it; trays and sealed codes only of released ones.
+CREATE OR REPLACE FUNCTION @schema@.server_trial(t @schema@.trials, is_released boolean) RETURNS jsonb LANGUAGE sql STABLE AS
+$$ SELECT jsonb_build_object('number', t.number, 'phase', t.phase, 'presentation_code', t.presentation_code,
+                             'instruction', t.instruction, 'aim', t.aim, 'deadline_ms', t.deadline_ms)
+       || CASE WHEN is_released
+               THEN jsonb_build_object('alternatives', t.alternatives, 'sealed_code', t.sealed_code) ELSE '{}' END $$;
+
+CREATE OR REPLACE FUNCTION @schema@.server_overview() RETURNS jsonb LANGUAGE sql STABLE AS $$
+    WITH given AS (
+        SELECT r.participant, count(*) AS number FROM @schema@.responses r WHERE r.is_correction = 0 GROUP BY r.participant),
+    voided AS (
+        SELECT r.participant, count(*) AS number
+        FROM @schema@.voids v
+        JOIN @schema@.responses r ON r.participant = v.participant AND r.trial = v.trial AND r.attempt = v.attempt
+        WHERE r.is_correction = 0 GROUP BY r.participant),
+    places AS (
+        SELECT p.slot, p.position, jsonb_build_object('slot', p.slot, 'state', p.state, 'participant', p.id, 'kind', p.kind,
+                                                      'answers', coalesce(g.number, 0) - coalesce(v.number, 0)) AS place
+        FROM @schema@.participants p
+        LEFT JOIN given g ON g.participant = p.id
+        LEFT JOIN voided v ON v.participant = p.id
+        UNION ALL
+        SELECT s.number, NULL, jsonb_build_object('slot', s.number, 'state', 'free', 'participant', '', 'kind', '', 'answers', 0)
+        FROM @schema@.slots s
+        WHERE NOT EXISTS (SELECT FROM @schema@.participants p WHERE p.slot = s.number AND p.state <> 'withdrawn'))
+    SELECT jsonb_build_object(
+        'places', coalesce((SELECT jsonb_agg(place ORDER BY slot, position NULLS LAST) FROM places), '[]'),
+        'participants', coalesce((SELECT jsonb_agg(p.id ORDER BY p.position) FROM @schema@.participants p), '[]'))
+$$;
+
+-- What a station may call.
+
+CREATE OR REPLACE FUNCTION @schema@.join_study(station text, token text, program text) RETURNS jsonb LANGUAGE plpgsql SECURITY DEFINER
+    SET search_path = pg_catalog, pg_temp SET client_min_messages = warning SET lock_timeout = '10s' AS $$
+DECLARE
+    its_station text := station;
+    its_token text := token;
+    its_program text := program;
+    own @schema@.server_stations;
+    same @schema@.server_stations;
+    new_sign bigint;
+BEGIN
+    PERFORM @schema@.server_require_line(its_station, 'the name of the station');
+    PERFORM @schema@.server_require_line(its_program, 'the name of the program');
+    IF its_token IS NULL OR its_token !~ '^[0-9a-f]{64}$' THEN
+        PERFORM @schema@.server_wrong_field('token', '64 hexadecimal digits');
+    END IF;
+    PERFORM @schema@.server_lock(false);
+    SELECT * INTO same FROM @schema@.server_stations s WHERE s.station = its_station;
+    -- After a cut network the same station comes back before the server has noticed: its token takes the old connection's place.
+    IF same.pid <> pg_backend_pid() AND same.token <> its_token AND @schema@.server_is_live(same.pid, same.sign) THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH201', MESSAGE = 'another connection has joined as station ' || its_station,
+            DETAIL = 'a name for each station', HINT = 'close the other program, or choose another name';
+    END IF;
+    own := @schema@.server_own_station();
+    IF own.station IS NOT NULL THEN PERFORM pg_advisory_unlock(own.sign); END IF;
+    -- Monitors see a station that is gone for one day.
+    DELETE FROM @schema@.server_stations s
+    WHERE s.station = its_station OR s.pid = pg_backend_pid()
+       OR (s.last_seen < clock_timestamp() - interval '1 day' AND NOT @schema@.server_is_live(s.pid, s.sign));
+    new_sign := ('x' || left(@schema@.server_salt(), 16))::bit(64)::bigint;
+    PERFORM pg_advisory_lock(new_sign);
+    INSERT INTO @schema@.server_stations(station, token, login, pid, sign, program)
+    VALUES (its_station, its_token, session_user, pg_backend_pid(), new_sign, its_program);
+    -- The server sees a cut network within 20 seconds, so that another station can go on. A program that hangs in a transaction
+    -- does not keep the study busy.
+    PERFORM set_config('tcp_keepalives_idle', '5', false), set_config('tcp_keepalives_interval', '5', false),
+            set_config('tcp_keepalives_count', '3', false), set_config('tcp_user_timeout', '20000', false),
+            set_config('idle_in_transaction_session_timeout', '5000', false);
+    RETURN (SELECT jsonb_build_object(
+        'name', s.name, 'protocol_version', (SELECT coalesce(max(v.version), 1) FROM @schema@.protocol_versions v),
+        'protocol_json', coalesce((SELECT v.json FROM @schema@.protocol_versions v ORDER BY v.version DESC LIMIT 1),
+                                  s.protocol_json),
+        'protocol_sha256', coalesce((SELECT v.sha256 FROM @schema@.protocol_versions v ORDER BY v.version DESC LIMIT 1),
+                                    s.protocol_sha256),
+        'made_with_program', s.program_version,
+        'has_passphrase', s.has_passphrase <> 0, 'stamps', s.stamps::jsonb, 'created_at', s.created_at,
+        'dataset_procedural', s.dataset_procedural <> 0,
+        'fabrics', coalesce((SELECT jsonb_agg(jsonb_build_object('id', f.id, 'name', f.name) ORDER BY f.position)
+                             FROM @schema@.fabrics f), '[]'),
+        'familiarisation', coalesce((SELECT jsonb_agg(jsonb_build_object('name', f.name, 'position', f.position)
+                                                      ORDER BY f.position) FROM @schema@.familiarisation f), '[]'),
+        'head', @schema@.server_head(), 'state', (SELECT t.state FROM @schema@.server_study t WHERE t.id = 1))
+        FROM @schema@.study s);
+END
+$$;
+
+CREATE OR REPLACE FUNCTION @schema@.overview() RETURNS jsonb LANGUAGE sql STABLE SECURITY DEFINER
+    SET search_path = pg_catalog, pg_temp SET client_min_messages = warning AS
+$$ SELECT @schema@.server_overview() $$;
+
+-- Enrols as enrolIn() in database/study_writing.cpp. The caller holds server_lock().
+CREATE OR REPLACE FUNCTION @schema@.server_enrol(its_id text, its_kind text) RETURNS @schema@.participants LANGUAGE plpgsql AS $$
+DECLARE
+    known @schema@.participants;
+    fault text;
+    free bigint;
+    version bigint;
+BEGIN
+    IF EXISTS (SELECT FROM @schema@.erasures e WHERE e.participant = its_id AND e.answers_too <> 0) THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH102', MESSAGE = 'participant ' || its_id || ' was erased',
+            DETAIL = 'another id', HINT = 'choose another id';
+    END IF;
+    SELECT * INTO known FROM @schema@.participants p WHERE p.id = its_id;
+    IF FOUND THEN
+        IF known.kind <> its_kind THEN
+            RAISE EXCEPTION USING ERRCODE = 'VH103',
+                MESSAGE = 'participant ' || its_id || ' is ' || known.kind || ', not ' || its_kind,
+                DETAIL = 'another id', HINT = 'choose another id';
+        END IF;
+        RETURN known;
+    END IF;
+    fault := @schema@.server_fault_of_id(its_id);
+    IF fault <> '' THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH104',
+            MESSAGE = CASE WHEN octet_length(its_id) > 64 THEN 'an id of a participant' ELSE '"' || coalesce(its_id, '') || '"' END
+                || ' cannot name a participant: it ' || fault,
+            DETAIL = '1 to 64 bytes of UTF-8 without control or invisible characters, slashes, backslashes and commas, that begin '
+                || 'with no dot, dash or blank and end with no blank',
+            HINT = 'choose another id';
+    END IF;
+    SELECT s.number INTO free FROM @schema@.slots s
+    WHERE NOT EXISTS (SELECT FROM @schema@.participants p WHERE p.slot = s.number AND p.state <> 'withdrawn')
+    ORDER BY s.number LIMIT 1;
+    IF free IS NULL THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH207', MESSAGE = 'all slots of the study are taken',
+            DETAIL = 'a free slot for ' || its_id, HINT = 'make a study with more participants';
+    END IF;
+    SELECT coalesce(max(v.version), 1) INTO version FROM @schema@.protocol_versions v;
+    INSERT INTO @schema@.participants(id, slot, kind, state, protocol_version) VALUES (its_id, free, its_kind, 'started', version)
+    RETURNING * INTO known;
+    PERFORM @schema@.server_append('', 0, 'enrolled',
+        '{"slot":' || free || ',"participant":' || to_json(its_id) || ',"kind":' || to_json(its_kind)
+            || CASE WHEN version > 1 THEN ',"protocol_version":' || version ELSE '' END || '}',
+        0, @schema@.server_wall_time());
+    RETURN known;
+END
+$$;
+
+CREATE OR REPLACE FUNCTION @schema@.claim(participant text, kind text) RETURNS jsonb LANGUAGE plpgsql SECURITY DEFINER
+    SET search_path = pg_catalog, pg_temp SET client_min_messages = warning SET lock_timeout = '10s' AS $$
+DECLARE
+    its_id text := participant;
+    own @schema@.server_stations;
+    holder @schema@.server_stations;
+    its @schema@.participants;
+BEGIN
+    PERFORM @schema@.server_require_fresh_transaction();
+    IF kind IS NULL OR kind NOT IN ('human', 'scripted', 'simulated') THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH101', MESSAGE = 'the kind of the participant is unknown',
+            DETAIL = 'human, scripted or simulated', HINT = 'choose one of these';
+    END IF;
+    IF kind <> 'human' AND NOT pg_has_role(session_user, current_user, 'MEMBER') THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH105', MESSAGE = 'only the owner of the study may enrol ' || kind || ' participants',
+            DETAIL = 'a human participant, or the login of the owner', HINT = 'ask the owner of the study';
+    END IF;
+    PERFORM @schema@.server_lock(true);
+    own := @schema@.server_require_station();
+    SELECT * INTO holder FROM @schema@.server_stations s WHERE s.participant = its_id AND s.station <> own.station;
+    IF FOUND THEN
+        IF @schema@.server_is_live(holder.pid, holder.sign) THEN
+            RAISE EXCEPTION USING ERRCODE = 'VH202',
+                MESSAGE = 'participant ' || its_id || ' is at station ' || holder.station,
+                DETAIL = 'a participant at one station at a time', HINT = 'end the session at the other station first';
+        END IF;
+        UPDATE @schema@.server_stations s SET participant = NULL WHERE s.station = holder.station;
+    END IF;
+    its := @schema@.server_enrol(its_id, kind);
+    UPDATE @schema@.server_stations s SET participant = its_id, last_seen = clock_timestamp() WHERE s.station = own.station;
+    RETURN jsonb_build_object(
+        'slot', its.slot, 'state', its.state, 'kind', its.kind, 'protocol_version', its.protocol_version,
+        'protocol_json', coalesce((SELECT v.json FROM @schema@.protocol_versions v WHERE v.version = its.protocol_version),
+                                  (SELECT s.protocol_json FROM @schema@.study s)),
+        'swatches', coalesce((SELECT jsonb_object_agg(s.fabric, s.code) FROM @schema@.swatches s WHERE s.slot = its.slot), '{}'),
+        'trials', coalesce((
+            SELECT jsonb_agg(@schema@.server_trial(t, EXISTS (
+                SELECT FROM @schema@.server_releases r WHERE r.participant = its_id AND r.trial = t.number)) ORDER BY t.number)
+            FROM @schema@.trials t WHERE t.slot = its.slot), '[]'),
+        'events', coalesce((
+            SELECT jsonb_agg(jsonb_build_object('sequence', e.sequence, 'sitting', e.sitting, 'kind', e.kind, 'payload', e.payload,
+                                                'at_ns', e.at_ns, 'wall_time', e.wall_time) ORDER BY e.sequence)
+            FROM @schema@.events e WHERE e.participant = its_id), '[]'),
+        'head', @schema@.server_head());
+END
+$$;
+
+-- The lowest trial that was not released, where every question of those before it is answered or the trial was voided.
+CREATE OR REPLACE FUNCTION @schema@.server_due(its @schema@.participants) RETURNS bigint LANGUAGE plpgsql STABLE AS $$
+DECLARE
+    phases jsonb := @schema@.server_phases(its.protocol_version);
+BEGIN
+    IF its.state <> 'started' OR jsonb_typeof(phases) IS DISTINCT FROM 'array' THEN RETURN NULL; END IF;
+    IF EXISTS (
+        SELECT FROM @schema@.trials t
+        WHERE t.slot = its.slot
+          AND EXISTS (SELECT FROM @schema@.server_releases r WHERE r.participant = its.id AND r.trial = t.number)
+          AND NOT EXISTS (SELECT FROM @schema@.voids v WHERE v.participant = its.id AND v.trial = t.number)
+          AND (jsonb_array_length(coalesce(phases -> t.phase::int, '[]')) = 0
+               OR EXISTS (SELECT FROM jsonb_array_elements_text(phases -> t.phase::int) asked(question)
+                          WHERE NOT EXISTS (SELECT FROM @schema@.responses a
+                                            WHERE a.participant = its.id AND a.trial = t.number AND a.attempt = 1
+                                              AND a.question = asked.question AND a.is_correction = 0)))) THEN
+        RETURN NULL;
+    END IF;
+    RETURN (SELECT min(t.number) FROM @schema@.trials t
+            WHERE t.slot = its.slot
+              AND NOT EXISTS (SELECT FROM @schema@.server_releases r WHERE r.participant = its.id AND r.trial = t.number));
+END
+$$;
+
+CREATE OR REPLACE FUNCTION @schema@.presentation(number int) RETURNS TABLE(trial jsonb, image bytea, key text)
+    LANGUAGE plpgsql SECURITY DEFINER
+    SET search_path = pg_catalog, pg_temp SET client_min_messages = warning SET lock_timeout = '10s' AS $$
+DECLARE
+    wanted bigint := number;
+    own @schema@.server_stations;
+    its @schema@.participants;
+BEGIN
+    PERFORM @schema@.server_require_fresh_transaction();
+    own := @schema@.server_require_claim(NULL);
+    IF (SELECT s.state FROM @schema@.server_study s WHERE s.id = 1) IS DISTINCT FROM 'open' THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH206', MESSAGE = 'the study is being moved',
+            DETAIL = 'a study whose move is complete', HINT = 'ask its owner where it is now';
+    END IF;
+    SELECT * INTO its FROM @schema@.participants p WHERE p.id = own.participant;
+    IF NOT EXISTS (SELECT FROM @schema@.server_releases r WHERE r.participant = its.id AND r.trial = wanted)
+       AND NOT coalesce(wanted = @schema@.server_due(its), false) THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH203', MESSAGE = 'the presentation is not due yet',
+            DETAIL = 'the next presentation of the participant, after every answer to those before it',
+            HINT = 'store the answers to the present presentation first';
+    END IF;
+    INSERT INTO @schema@.server_releases(participant, slot, trial, attempt, login, station)
+    VALUES (its.id, its.slot, wanted, @schema@.server_attempt(its.id, wanted), session_user, own.station);
+    RETURN QUERY
+        SELECT @schema@.server_trial(t, true), i.sealed, i.key
+        FROM @schema@.trials t
+        JOIN @schema@.server_trials s ON s.slot = t.slot AND s.number = t.number
+        JOIN @schema@.server_images i ON i.file_code = s.file_code
+        WHERE t.slot = its.slot AND t.number = wanted;
+    IF NOT FOUND THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH214', MESSAGE = 'the image of the presentation is not on the server',
+            DETAIL = 'an image for every presentation', HINT = 'ask the owner of the study';
+    END IF;
+END
+$$;
+
+CREATE OR REPLACE FUNCTION @schema@.familiarisation_image(item int) RETURNS TABLE(sealed_code text, image bytea, key text)
+    LANGUAGE plpgsql SECURITY DEFINER
+    SET search_path = pg_catalog, pg_temp SET client_min_messages = warning SET lock_timeout = '10s' AS $$
+BEGIN
+    PERFORM @schema@.server_require_claim(NULL);
+    RETURN QUERY
+        SELECT f.sealed_code, i.sealed, i.key
+        FROM @schema@.familiarisation f
+        JOIN @schema@.server_familiarisation s ON s.position = f.position
+        JOIN @schema@.server_images i ON i.file_code = s.file_code
+        WHERE f.position = item;
+    IF NOT FOUND THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH101', MESSAGE = 'there is no fabric ' || coalesce(item::text, '')
+                || ' for getting to know the display',
+            DETAIL = 'a position that join_study() names', HINT = 'join the study again';
+    END IF;
+END
+$$;
+
+-- A trial that answers, notes and voids may name: one that was released to the participant.
+CREATE OR REPLACE FUNCTION @schema@.server_require_released(its_participant text, its_trial bigint) RETURNS void
+    LANGUAGE plpgsql AS $$
+BEGIN
+    IF NOT EXISTS (SELECT FROM @schema@.server_releases r WHERE r.participant = its_participant AND r.trial = its_trial) THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH211', MESSAGE = 'presentation ' || its_trial || ' was not released to '
+                || its_participant,
+            DETAIL = 'a presentation that this participant has had', HINT = 'ask for the presentation first';
+    END IF;
+END
+$$;
+
+-- The row of an answer, as rowOf() in database/study_writing.cpp makes it, without its id and event.
+CREATE OR REPLACE FUNCTION @schema@.server_response(its @schema@.participants, answer jsonb, stored_at bigint, place text)
+    RETURNS @schema@.responses LANGUAGE plpgsql AS $$
+DECLARE
+    made @schema@.responses;
+    first @schema@.responses;
+    planned @schema@.trials;
+BEGIN
+    IF jsonb_typeof(answer) <> 'object' THEN PERFORM @schema@.server_wrong_field(rtrim(place, '.'), 'an object'); END IF;
+    made.participant := its.id;
+    made.trial := @schema@.server_whole(answer, 'trial', false, place, 1, 2147483647);
+    made.question := @schema@.server_text(answer, 'question', 64, false, place);
+    made.presentation_code := @schema@.server_text(answer, 'presentation_code', 64, false, place);
+    made.alternatives := @schema@.server_text(answer, 'alternatives', 100000, false, place);
+    made.choice := @schema@.server_text(answer, 'choice', 1000, true, place);
+    made.rating_tenths := @schema@.server_whole(answer, 'rating_tenths', true, place, -2147483648, 2147483647);
+    made.ready_at := @schema@.server_whole(answer, 'ready_at', false, place);
+    made.touched_at := @schema@.server_whole(answer, 'touched_at', true, place);
+    made.touched_by := nullif(@schema@.server_text(answer, 'touched_by', 64, true, place), '');
+    made.touch_ended_at := @schema@.server_whole(answer, 'touch_ended_at', true, place);
+    made.answer_begun_at := @schema@.server_whole(answer, 'answer_begun_at', true, place);
+    made.answer_begun_by := nullif(@schema@.server_text(answer, 'answer_begun_by', 64, true, place), '');
+    made.answered_at := @schema@.server_whole(answer, 'answered_at', false, place);
+    made.entries := @schema@.server_whole(answer, 'entries', true, place, -2147483648, 2147483647);
+    made.is_correction := @schema@.server_yes(answer, 'is_correction', place);
+    made.stored_at := stored_at;
+    IF (made.choice IS NULL) = (made.rating_tenths IS NULL) THEN
+        PERFORM @schema@.server_wrong_field(place || 'choice', 'either a choice or rating_tenths, the other null');
+    END IF;
+    PERFORM @schema@.server_require_released(its.id, made.trial);
+    SELECT * INTO planned FROM @schema@.trials t WHERE t.slot = its.slot AND t.number = made.trial;
+    IF planned.alternatives IS DISTINCT FROM made.alternatives THEN
+        PERFORM @schema@.server_wrong_field(place || 'alternatives', 'the text that the presentation has');
+    END IF;
+    IF NOT coalesce(@schema@.server_phases(its.protocol_version) -> planned.phase::int ? made.question, false) THEN
+        PERFORM @schema@.server_wrong_field(place || 'question', 'a question of the presentation''s phase');
+    END IF;
+    made.attempt := @schema@.server_attempt(its.id, made.trial);
+    SELECT * INTO first FROM @schema@.responses r
+    WHERE r.participant = its.id AND r.trial = made.trial AND r.attempt = made.attempt AND r.question = made.question
+    ORDER BY r.id LIMIT 1;
+    IF made.is_correction = 1 THEN
+        IF first.id IS NULL THEN
+            RAISE EXCEPTION USING ERRCODE = 'VH209', MESSAGE = 'there is no answer to correct',
+                DETAIL = its.id || ', trial ' || made.trial || ', ' || made.question, HINT = 'answer the question first';
+        END IF;
+        -- A correction changes the answer, not its time.
+        made.ready_at := first.ready_at;
+        made.touched_at := first.touched_at;
+        made.touch_ended_at := first.touch_ended_at;
+        made.answer_begun_at := first.answer_begun_at;
+        made.answer_begun_by := first.answer_begun_by;
+        made.answered_at := first.answered_at;
+    ELSIF first.id IS NOT NULL THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH208', MESSAGE = 'this answer is stored already',
+            DETAIL = 'one answer to a question: ' || its.id || ', trial ' || made.trial || ', ' || made.question,
+            HINT = 'take the participant up again';
+    END IF;
+    RETURN made;
+END
+$$;
+
+CREATE OR REPLACE FUNCTION @schema@.server_bytes_of_place(r @schema@.responses) RETURNS text LANGUAGE sql IMMUTABLE AS $$
+    SELECT @schema@.server_field('response'::text) || @schema@.server_field(r.participant) || @schema@.server_field(r.trial)
+        || @schema@.server_field(r.attempt) || @schema@.server_field(r.question) || @schema@.server_field(r.is_correction)
+$$;
+
+CREATE OR REPLACE FUNCTION @schema@.server_bytes_of_content(r @schema@.responses) RETURNS text LANGUAGE sql IMMUTABLE AS $$
+    SELECT @schema@.server_field('response'::text) || @schema@.server_field(r.presentation_code)
+        || @schema@.server_field(r.alternatives) || @schema@.server_field(r.choice) || @schema@.server_field(r.rating_tenths)
+        || @schema@.server_field(r.ready_at) || @schema@.server_field(r.touched_at) || @schema@.server_field(r.answered_at)
+        || @schema@.server_field(r.stored_at) || @schema@.server_field(r.touched_by) || @schema@.server_field(r.touch_ended_at)
+        || @schema@.server_field(r.answer_begun_at) || @schema@.server_field(r.answer_begun_by)
+        || @schema@.server_field(r.entries)
+$$;
+
+-- NULL where the payload has none, or holds texts that PostgreSQL cannot store.
+CREATE OR REPLACE FUNCTION @schema@.server_committed_facts(payload text) RETURNS json LANGUAGE plpgsql IMMUTABLE AS $$
+BEGIN
+    RETURN payload::json -> 'facts_sha256';
+EXCEPTION
+    WHEN data_exception THEN RETURN NULL;
+END
+$$;
+
+-- Facts stand outside the log. The payload holds the hash of each, which must agree.
+CREATE OR REPLACE FUNCTION @schema@.server_store_facts(its_participant text, facts jsonb, payload text) RETURNS void
+    LANGUAGE plpgsql AS $$
+DECLARE
+    item jsonb;
+    committed json;
+BEGIN
+    IF jsonb_array_length(facts) = 0 THEN RETURN; END IF;
+    committed := @schema@.server_committed_facts(payload);
+    FOR item IN SELECT f.value FROM jsonb_array_elements(facts) f LOOP
+        IF jsonb_typeof(item) <> 'array' OR jsonb_array_length(item) <> 3
+           OR EXISTS (SELECT FROM jsonb_array_elements(item) part WHERE jsonb_typeof(part.value) <> 'string')
+           OR octet_length(item ->> 0) NOT BETWEEN 1 AND 200 OR octet_length(item ->> 1) > 100000
+           OR item ->> 2 !~ '^[0-9a-f]{64}$' THEN
+            PERFORM @schema@.server_wrong_field('facts', 'lists of a fact, its value and a salt of 64 hexadecimal digits');
+        END IF;
+        IF json_typeof(committed) IS DISTINCT FROM 'object'
+           OR (committed ->> (item ->> 0)) IS DISTINCT FROM @schema@.server_hash(
+                  @schema@.server_field(item ->> 2) || @schema@.server_field(item ->> 0) || @schema@.server_field(item ->> 1)) THEN
+            PERFORM @schema@.server_wrong_field('facts', 'the hash of every fact in facts_sha256 of the payload');
+        END IF;
+        INSERT INTO @schema@.participant_facts(participant, fact, value, salt)
+        VALUES (its_participant, item ->> 0, item ->> 1, item ->> 2)
+        ON CONFLICT ON CONSTRAINT participant_facts_pkey DO UPDATE SET value = excluded.value, salt = excluded.salt;
+    END LOOP;
+END
+$$;
+
+CREATE OR REPLACE FUNCTION @schema@.store(entry jsonb) RETURNS jsonb LANGUAGE plpgsql SECURITY DEFINER
+    SET search_path = pg_catalog, pg_temp SET client_min_messages = warning SET lock_timeout = '10s' AS $$
+DECLARE
+    session_kinds CONSTANT text[] := ARRAY[
+        'sitting_started', 'begun', 'consented', 'facts_given', 'familiarisation_shown', 'familiarisation_done', 'scale_placed',
+        'scale_training_done', 'checklist_done', 'sitting_prepared', 'tray_ready', 'touched', 'answered', 'corrected', 'voided',
+        'break_ended', 'paused', 'resumed', 'withdrawn', 'noted', 'debriefed'];
+    whole_number CONSTANT bigint := 2147483647;
+    own @schema@.server_stations;
+    its @schema@.participants;
+    entry_id uuid;
+    stored_for text;
+    event jsonb;
+    its_id text;
+    its_kind text;
+    payload text;
+    sitting bigint;
+    at_ns bigint;
+    wall_time text;
+    stored_at bigint;
+    earlier bigint;
+    claimed_earlier bigint;
+    part jsonb;
+    note_text text;
+    rows @schema@.responses[] := '{}';
+    made @schema@.responses;
+    note @schema@.notes;
+    notes @schema@.notes[] := '{}';
+    finger @schema@.finger_samples;
+    voided bigint;
+    attempt bigint;
+    new_state text;
+    facts jsonb;
+    places text := '';
+    content text := '';
+    places_of_notes text := '';
+    content_of_notes text := '';
+    number bigint;
+    place int := 0;
+BEGIN
+    IF jsonb_typeof(entry) IS DISTINCT FROM 'object' THEN PERFORM @schema@.server_wrong_field('entry', 'an object'); END IF;
+    IF @schema@.server_text(entry, 'id', 36) !~* '^[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}$' THEN
+        PERFORM @schema@.server_wrong_field('id', 'a UUID');
+    END IF;
+    entry_id := entry ->> 'id';
+    event := @schema@.server_part(entry, 'event', 'object');
+    IF event IS NULL THEN PERFORM @schema@.server_wrong_field('event', 'an object'); END IF;
+    its_id := @schema@.server_text(event, 'participant', 64, false, 'event.');
+    its_kind := @schema@.server_text(event, 'kind', 64, false, 'event.');
+    IF its_kind <> ALL (session_kinds) THEN
+        PERFORM @schema@.server_wrong_field('event.kind', 'a kind of a session''s events');
+    END IF;
+    payload := @schema@.server_text(event, 'payload', 1000000, false, 'event.');
+    IF NOT @schema@.server_is_json_object(payload) THEN
+        PERFORM @schema@.server_wrong_field('event.payload', 'the text of a JSON object');
+    END IF;
+    sitting := @schema@.server_whole(event, 'sitting', false, 'event.', 0, whole_number);
+    at_ns := @schema@.server_whole(event, 'at_ns', false, 'event.');
+    wall_time := @schema@.server_text(event, 'wall_time', 64, false, 'event.');
+    claimed_earlier := @schema@.server_whole(entry, 'after', false, '', 0);
+    stored_at := @schema@.server_whole(entry, 'stored_at');
+
+    PERFORM @schema@.server_lock(true);
+    -- An entry that is sent again after a cut network: nobody knows its random id but the station that made it.
+    SELECT r.event, r.participant INTO number, stored_for FROM @schema@.server_received r WHERE r.id = entry_id;
+    IF stored_for <> its_id THEN PERFORM @schema@.server_wrong_field('id', 'a UUID that no other entry has'); END IF;
+    IF FOUND THEN RETURN jsonb_build_object('event', number, 'head', @schema@.server_head(), 'again', true); END IF;
+    own := @schema@.server_require_claim(its_id);
+    SELECT * INTO its FROM @schema@.participants p WHERE p.id = its_id;
+    IF EXISTS (SELECT FROM @schema@.erasures e WHERE e.participant = its_id AND e.answers_too <> 0) THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH102', MESSAGE = 'participant ' || its_id || ' was erased',
+            DETAIL = 'another id', HINT = 'choose another id';
+    END IF;
+    SELECT count(*) INTO earlier FROM @schema@.events e WHERE e.participant = its_id;
+    IF earlier <> claimed_earlier THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH204', MESSAGE = 'another station went on with this participant',
+            DETAIL = earlier || ' events are stored, ' || claimed_earlier || ' were expected',
+            HINT = 'take the participant up again';
+    END IF;
+
+    part := @schema@.server_part(entry, 'answers', 'array');
+    IF part IS NULL OR jsonb_array_length(part) > 100 THEN
+        PERFORM @schema@.server_wrong_field('answers', 'a list of at most 100 answers');
+    END IF;
+    FOR part IN SELECT a.value FROM jsonb_array_elements(part) WITH ORDINALITY a(value, rank) ORDER BY a.rank LOOP
+        made := @schema@.server_response(its, part, stored_at, 'answers[' || place || '].');
+        IF EXISTS (SELECT FROM unnest(rows) r WHERE r.trial = made.trial AND r.question = made.question) THEN
+            PERFORM @schema@.server_wrong_field('answers[' || place || '].question', 'a question that the entry answers once');
+        END IF;
+        rows := rows || made;
+        places := places || @schema@.server_bytes_of_place(made);
+        content := content || @schema@.server_bytes_of_content(made);
+        note_text := @schema@.server_text(part, 'note', 100000, true, 'answers[' || place || '].');
+        IF note_text <> '' THEN
+            note := (NULL, NULL, its_id, made.trial, made.attempt, made.question, note_text, 0);
+            notes := notes || note;
+        END IF;
+        place := place + 1;
+    END LOOP;
+    part := @schema@.server_part(entry, 'note', 'object');
+    IF part IS NOT NULL THEN
+        note := (NULL, NULL, its_id, @schema@.server_whole(part, 'trial', false, 'note.', 1, whole_number), NULL, NULL,
+                 @schema@.server_text(part, 'text', 100000, false, 'note.'), @schema@.server_yes(part, 'is_flag', 'note.'));
+        PERFORM @schema@.server_require_released(its_id, note.trial);
+        note.attempt := @schema@.server_attempt(its_id, note.trial);
+        notes := notes || note;
+    END IF;
+    FOREACH note IN ARRAY notes LOOP
+        places_of_notes := places_of_notes || @schema@.server_field('note'::text) || @schema@.server_field(its_id)
+            || @schema@.server_field(note.trial) || @schema@.server_field(note.attempt) || @schema@.server_field(note.question)
+            || @schema@.server_field(note.is_flag);
+        content_of_notes := content_of_notes || @schema@.server_field('note'::text) || @schema@.server_field(note.text);
+    END LOOP;
+    content := content || content_of_notes;
+    voided := @schema@.server_whole(entry, 'voids', true, '', 1, whole_number);
+    IF voided IS NOT NULL THEN
+        PERFORM @schema@.server_require_released(its_id, voided);
+        attempt := @schema@.server_attempt(its_id, voided);
+        places := places || @schema@.server_field('void'::text) || @schema@.server_field(its_id) || @schema@.server_field(voided)
+            || @schema@.server_field(attempt);
+    END IF;
+    places := places || places_of_notes;
+    part := @schema@.server_part(entry, 'finger', 'object');
+    IF part IS NOT NULL THEN
+        finger.trial := @schema@.server_whole(part, 'trial', false, 'finger.', 1, whole_number);
+        finger.began_at := @schema@.server_whole(part, 'began_at', false, 'finger.');
+        finger.count := @schema@.server_whole(part, 'count', false, 'finger.', 1, whole_number);
+        finger.left_out := @schema@.server_whole(part, 'left_out', false, 'finger.', 0, whole_number);
+        finger.samples := @schema@.server_text(part, 'samples', 8000000, false, 'finger.');
+        IF finger.samples = '' OR translate(finger.samples, '0123456789,;-', '') <> '' THEN
+            PERFORM @schema@.server_wrong_field('finger.samples', 'digits, dashes, commas and semicolons');
+        END IF;
+        PERFORM @schema@.server_require_released(its_id, finger.trial);
+        finger.attempt := @schema@.server_attempt(its_id, finger.trial);
+        places := places || @schema@.server_field('finger'::text) || @schema@.server_field(its_id)
+            || @schema@.server_field(finger.trial) || @schema@.server_field(finger.attempt);
+        content := content || @schema@.server_field('finger'::text) || @schema@.server_field(finger.began_at)
+            || @schema@.server_field(finger.count) || @schema@.server_field(finger.left_out)
+            || @schema@.server_field(@schema@.server_hash(finger.samples));
+    END IF;
+    new_state := @schema@.server_text(entry, 'state', 16, true);
+    IF new_state NOT IN ('finished', 'withdrawn') THEN
+        PERFORM @schema@.server_wrong_field('state', 'finished, withdrawn or null');
+    END IF;
+    IF its.state = 'withdrawn' AND new_state <> 'withdrawn' THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH212', MESSAGE = 'participant ' || its_id || ' has withdrawn',
+            DETAIL = 'a participant who takes part', HINT = 'choose another participant';
+    END IF;
+    facts := @schema@.server_part(entry, 'facts', 'array');
+    IF facts IS NULL OR jsonb_array_length(facts) > 1000 THEN
+        PERFORM @schema@.server_wrong_field('facts', 'a list of at most 1000 facts');
+    END IF;
+
+    PERFORM @schema@.server_store_facts(its_id, facts, payload);
+    number := @schema@.server_append(its_id, sitting, its_kind, payload, at_ns, wall_time, places, content);
+    INSERT INTO @schema@.responses
+    SELECT (SELECT coalesce(max(o.id), 0) FROM @schema@.responses o) + r.rank, number, r.participant, r.trial, r.attempt,
+           r.question, r.presentation_code, r.alternatives, r.choice, r.rating_tenths, r.ready_at, r.touched_at, r.answered_at,
+           r.stored_at, r.is_correction, r.touched_by, r.touch_ended_at, r.answer_begun_at, r.answer_begun_by, r.entries
+    FROM unnest(rows) WITH ORDINALITY AS r(id, event, participant, trial, attempt, question, presentation_code, alternatives,
+        choice, rating_tenths, ready_at, touched_at, answered_at, stored_at, is_correction, touched_by, touch_ended_at,
+        answer_begun_at, answer_begun_by, entries, rank);
+    IF voided IS NOT NULL THEN
+        INSERT INTO @schema@.voids(event, participant, trial, attempt) VALUES (number, its_id, voided, attempt);
+    END IF;
+    INSERT INTO @schema@.notes
+    SELECT (SELECT coalesce(max(o.id), 0) FROM @schema@.notes o) + n.rank, number, n.participant, n.trial, n.attempt, n.question,
+           n.text, n.is_flag
+    FROM unnest(notes) WITH ORDINALITY AS n(id, event, participant, trial, attempt, question, text, is_flag, rank);
+    IF finger.trial IS NOT NULL THEN
+        INSERT INTO @schema@.finger_samples
+        VALUES ((SELECT coalesce(max(o.id), 0) + 1 FROM @schema@.finger_samples o), number, its_id, finger.trial, finger.attempt,
+                finger.began_at, finger.count, finger.left_out, finger.samples);
+    END IF;
+    IF new_state IS NOT NULL THEN UPDATE @schema@.participants p SET state = new_state WHERE p.id = its_id; END IF;
+    INSERT INTO @schema@.server_received(id, participant, event, station, login)
+    VALUES (entry_id, its_id, number, own.station, session_user);
+    RETURN jsonb_build_object('event', number, 'head', @schema@.server_head(), 'again', false);
+END
+$$;
+
+CREATE OR REPLACE FUNCTION @schema@.sign_of_life(queue_length int) RETURNS jsonb LANGUAGE plpgsql SECURITY DEFINER
+    SET search_path = pg_catalog, pg_temp SET client_min_messages = warning SET lock_timeout = '10s' AS $$
+DECLARE
+    its_length int := queue_length;
+    own @schema@.server_stations := @schema@.server_require_station();
+BEGIN
+    IF its_length IS NULL OR its_length < 0 THEN
+        PERFORM @schema@.server_wrong_field('queue_length', 'a whole number from 0');
+    END IF;
+    UPDATE @schema@.server_stations s SET queue_length = its_length, last_seen = clock_timestamp()
+    WHERE s.station = own.station;
+    RETURN jsonb_build_object('now', @schema@.server_wall_time());
+END
+$$;
+
+CREATE OR REPLACE FUNCTION @schema@.leave() RETURNS void LANGUAGE plpgsql SECURITY DEFINER
+    SET search_path = pg_catalog, pg_temp SET client_min_messages = warning SET lock_timeout = '10s' AS $$
+DECLARE
+    own @schema@.server_stations := @schema@.server_own_station();
+BEGIN
+    IF own.station IS NULL THEN RETURN; END IF;
+    DELETE FROM @schema@.server_stations s WHERE s.station = own.station;
+    PERFORM pg_advisory_unlock(own.sign);
+END
+$$;
+
+-- What monitors, analysts and the owner may call.
+
+CREATE OR REPLACE FUNCTION @schema@.progress() RETURNS jsonb LANGUAGE sql VOLATILE SECURITY DEFINER
+    SET search_path = pg_catalog, pg_temp SET client_min_messages = warning AS $$
+    SELECT @schema@.server_overview() || jsonb_build_object(
+        'stations', coalesce((
+            SELECT jsonb_agg(jsonb_build_object(
+                'station', s.station, 'login', s.login, 'participant', s.participant,
+                'live', held.pid IS NOT NULL, 'queue_length', s.queue_length,
+                'last_seen_seconds', greatest(0, floor(extract(epoch FROM clock_timestamp() - s.last_seen)))::bigint)
+                ORDER BY s.station)
+            FROM @schema@.server_stations s
+            LEFT JOIN @schema@.server_signs() held ON held.pid = s.pid AND held.sign = s.sign), '[]'),
+        'head', @schema@.server_head())
+$$;
+
+-- Exports, backups and reports: database/evidence/acts.cpp. details: the text of a JSON object.
+CREATE OR REPLACE FUNCTION @schema@.record_act(kind text, details text, wall_time text) RETURNS jsonb
+    LANGUAGE plpgsql SECURITY DEFINER
+    SET search_path = pg_catalog, pg_temp SET client_min_messages = warning SET lock_timeout = '10s' AS $$
+DECLARE
+    its_kind text := kind;
+    its_time text := coalesce(nullif(wall_time, ''), @schema@.server_wall_time());
+    parsed jsonb;
+    name text;
+    number bigint;
+    previous text;
+    new_hash text;
+BEGIN
+    PERFORM @schema@.server_require_line(its_kind, 'the kind of the act');
+    PERFORM @schema@.server_require_line(its_time, 'the time of the act');
+    IF details IS NULL OR octet_length(details) > 100000 OR strpos(details, chr(92) || 'u0000') > 0
+       OR NOT @schema@.server_is_json_object(details) THEN
+        PERFORM @schema@.server_wrong_field('details', 'the text of a JSON object of at most 100000 bytes');
+    END IF;
+    parsed := details;
+    FOREACH name IN ARRAY ARRAY['who', 'program', 'host', 'path', 'hash'] LOOP
+        PERFORM @schema@.server_text(parsed, name, 10000, false, 'details.');
+    END LOOP;
+    IF NOT EXISTS (SELECT FROM @schema@.events e
+                   WHERE e.sequence = @schema@.server_whole(parsed, 'entry', false, 'details.') AND e.hash = parsed ->> 'hash') THEN
+        PERFORM @schema@.server_wrong_field('details.hash', 'the hash of the entry in the log');
+    END IF;
+    PERFORM @schema@.server_require_statement();
+    LOCK TABLE @schema@.acts IN SHARE ROW EXCLUSIVE MODE;
+    SELECT a.number + 1, a.hash INTO number, previous FROM @schema@.acts a ORDER BY a.number DESC LIMIT 1;
+    IF number IS NULL THEN
+        number := 1;
+        previous := '';
+    END IF;
+    new_hash := @schema@.server_hash(@schema@.server_field('act'::text) || @schema@.server_field(previous)
+        || @schema@.server_field(number) || @schema@.server_field(its_kind) || @schema@.server_field(details)
+        || @schema@.server_field(its_time));
+    INSERT INTO @schema@.acts(number, kind, details, wall_time, previous_hash, hash)
+    VALUES (number, its_kind, details, its_time, previous, new_hash);
+    RETURN jsonb_build_object('number', number, 'hash', new_hash);
+END
+$$;
+
+-- The operator's latency task: database/evidence/operator_latency.cpp.
+CREATE OR REPLACE FUNCTION @schema@.record_latency(payload text, wall_time text) RETURNS jsonb
+    LANGUAGE plpgsql SECURITY DEFINER
+    SET search_path = pg_catalog, pg_temp SET client_min_messages = warning SET lock_timeout = '10s' AS $$
+DECLARE
+    known CONSTANT text[] := ARRAY['operator', 'signal', 'seconds', 'taps', 'misses', 'anticipations', 'median_ms', 'q1_ms',
+                                   'q3_ms'];
+    parsed jsonb;
+    name text;
+    its_time text := coalesce(nullif(wall_time, ''), @schema@.server_wall_time());
+    number bigint;
+BEGIN
+    PERFORM @schema@.server_require_line(its_time, 'the time of the task');
+    IF payload IS NULL OR octet_length(payload) > 10000 OR strpos(payload, chr(92) || 'u0000') > 0
+       OR NOT @schema@.server_is_json_object(payload) THEN
+        PERFORM @schema@.server_wrong_field('payload', 'the text of a JSON object of at most 10000 bytes');
+    END IF;
+    parsed := payload;
+    FOR name IN SELECT k FROM jsonb_object_keys(parsed) k LOOP
+        IF name <> ALL (known) THEN
+            PERFORM @schema@.server_wrong_field(left(name, 64), 'only the fields ' || array_to_string(known, ', '));
+        END IF;
+    END LOOP;
+    IF @schema@.server_fault_of_line(@schema@.server_text(parsed, 'operator', 200), 200) <> '' THEN
+        PERFORM @schema@.server_wrong_field('operator', 'the name of the operator in one line');
+    END IF;
+    PERFORM @schema@.server_text(parsed, 'signal', 200);
+    FOREACH name IN ARRAY ARRAY['taps', 'misses', 'anticipations'] LOOP
+        PERFORM @schema@.server_whole(parsed, name, false, '', 0, 2147483647);
+    END LOOP;
+    FOREACH name IN ARRAY ARRAY['seconds', 'median_ms', 'q1_ms', 'q3_ms'] LOOP
+        IF NOT coalesce(jsonb_typeof(parsed -> name) = 'number' OR (jsonb_typeof(parsed -> name) = 'null' AND name <> 'seconds'),
+                        false) THEN
+            PERFORM @schema@.server_wrong_field(name, 'a number' || CASE name WHEN 'seconds' THEN '' ELSE ', or null' END);
+        END IF;
+    END LOOP;
+    PERFORM @schema@.server_lock(true);
+    number := @schema@.server_append('', 0, 'latency_measured', payload, 0, its_time);
+    RETURN jsonb_build_object('event', number, 'head', @schema@.server_head());
+END
+$$;
+
+-- What the owner alone may call.
+
+-- Before the rows of a study are copied in.
+CREATE OR REPLACE FUNCTION @schema@.begin_arrival(program text, format int, phase_questions jsonb) RETURNS void
+    LANGUAGE sql SET search_path = pg_catalog, pg_temp AS $$
+    INSERT INTO @schema@.server_study(id, state, program, format, phase_questions)
+    VALUES (1, 'arriving', $1, $2, $3)
+$$;
+
+-- After it: stations may join when every presentation has its image and every phase its questions.
+CREATE OR REPLACE FUNCTION @schema@.finish_arrival() RETURNS void LANGUAGE plpgsql
+    SET search_path = pg_catalog, pg_temp AS $$
+DECLARE
+    fault text;
+BEGIN
+    PERFORM @schema@.server_lock(false);
+    SELECT CASE
+        WHEN NOT EXISTS (SELECT FROM @schema@.study) THEN 'the facts of the study are missing'
+        WHEN NOT EXISTS (SELECT FROM @schema@.events) THEN 'the log is empty'
+        WHEN (SELECT count(*) FROM @schema@.events) <> (SELECT max(e.sequence) FROM @schema@.events e) THEN 'the log has gaps'
+        WHEN EXISTS (SELECT FROM @schema@.trials t WHERE NOT EXISTS (
+            SELECT FROM @schema@.server_trials s WHERE s.slot = t.slot AND s.number = t.number))
+            THEN 'a presentation has no image'
+        WHEN EXISTS (SELECT FROM @schema@.familiarisation f WHERE NOT EXISTS (
+            SELECT FROM @schema@.server_familiarisation s WHERE s.position = f.position))
+            THEN 'a fabric for getting to know the display has no image'
+        WHEN EXISTS (
+            SELECT FROM (SELECT 1 AS version UNION SELECT v.version FROM @schema@.protocol_versions v) v
+            CROSS JOIN (SELECT DISTINCT t.phase FROM @schema@.trials t) t
+            WHERE CASE WHEN jsonb_typeof(@schema@.server_phases(v.version) -> t.phase::int) = 'array'
+                       THEN jsonb_array_length(@schema@.server_phases(v.version) -> t.phase::int) = 0 ELSE true END)
+            THEN 'a phase has no questions'
+    END INTO fault;
+    IF fault IS NOT NULL THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH214', MESSAGE = fault, DETAIL = 'a whole study', HINT = 'copy the study again';
+    END IF;
+    UPDATE @schema@.server_study SET state = 'open' WHERE id = 1;
+END
+$$;
+
+-- Before the study is copied elsewhere: nothing is added from here on. cancel_leaving() opens it again.
+CREATE OR REPLACE FUNCTION @schema@.begin_leaving() RETURNS void LANGUAGE plpgsql
+    SET search_path = pg_catalog, pg_temp AS $$
+DECLARE
+    live text;
+BEGIN
+    PERFORM @schema@.server_lock(true);
+    SELECT string_agg(s.station, ', ' ORDER BY s.station) INTO live FROM @schema@.server_stations s
+    WHERE s.participant IS NOT NULL AND @schema@.server_is_live(s.pid, s.sign);
+    IF live IS NOT NULL THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH202', MESSAGE = 'stations are in sessions: ' || live,
+            DETAIL = 'no station in a session', HINT = 'end the sessions first';
+    END IF;
+    UPDATE @schema@.server_study SET state = 'leaving' WHERE id = 1;
+END
+$$;
+
+CREATE OR REPLACE FUNCTION @schema@.cancel_leaving() RETURNS void LANGUAGE sql SET search_path = pg_catalog, pg_temp AS
+$$ UPDATE @schema@.server_study SET state = 'open' WHERE id = 1 AND state = 'leaving' $$;
+
+REVOKE ALL ON ALL FUNCTIONS IN SCHEMA @schema@ FROM PUBLIC;

@@ -1,0 +1,102 @@
+// A study on a server, as one of its stations sees it: the participants' progress, the list and the log of the one participant at
+// work here, and no presentation before it is due. What the server cannot take at the moment waits in the station's queue.
+#pragma once
+
+#include <chrono>
+#include <future>
+#include <map>
+#include <memory>
+
+#include "database/disk/server_note.h"
+#include "database/evidence/operator_latency.h"
+#include "database/server/answer_queue.h"
+#include "database/server/server_connection.h"
+#include "database/server/server_link.h"
+#include "database/session_store.h"
+#include "database/write_lock.h"
+
+namespace database {
+
+class StationStore final : public SessionStore {
+public:
+    /// Joins the study of the folder's note and sends what waits there. Throws ServerAway, and badInput for a login without the
+    /// right.
+    explicit StationStore(const StudyFolder& folder);
+    ~StationStore() override;
+    StationStore(const StationStore&) = delete;
+    StationStore& operator=(const StationStore&) = delete;
+
+    const StudyFolder& folder() const override { return m_folder; }
+    const StudyFacts& facts() const override { return m_facts; }
+    std::vector<ProtocolVersion> protocolVersions() const override { return m_versions; }
+    std::vector<Slot> slots() const override;
+    std::vector<Enrolment> enrolments() const override;
+    protocols::ParticipantId nextParticipantId() const override;
+    std::map<protocols::ParticipantId, int> answerCounts() const override;
+    Slot enrol(const protocols::ParticipantId& participant, ParticipantKind kind) override;
+    std::vector<protocols::BlindedTrial> trials(int slot) const override;
+    protocols::BlindedTrial dueTrial(int slot, protocols::TrialNumber number) override;
+    std::vector<EventRecord> events(const protocols::ParticipantId& participant) const override;
+    void append(const Append& entry) override;
+    LogHead head() const override { return m_head; }
+
+    /// Adds a run of the latency task to the log. Throws badInput for an empty operator, ServerAway.
+    void storeLatency(const OperatorLatency& run);
+
+    /// The image of a presentation that was due, or of a fabric for familiarisation. Throws workFailed for any other code.
+    ReleasedImage image(const protocols::SealedCode& code);
+
+    /// Whether answers reach the server now, and how many entries wait.
+    struct Link {
+        bool isUp = false;
+        std::size_t waiting = 0;
+        std::string station;
+        std::string fault;  ///< why the server cannot be reached, or why entries were set aside; empty where all is well
+        bool operator==(const Link&) const = default;
+    };
+    Link link() const;
+    /// Tells the server that this station is alive, and sends what waits once the server can be reached again. Waits for nothing,
+    /// but for the entries that it sends. Call it every few seconds.
+    void refresh();
+
+private:
+    using Json = nlohmann::json;
+    Json asked(const char* function, const QVariantList& arguments = {}) const;
+    Json overview() const;
+    QVariantList joining() const;
+    void connectNow();
+    void takeStudy(const Json& joined);
+    void takeClaim(const Json& claimed);
+    void claim(const std::string& participant, const std::string& kind);
+    void requireLink();
+    ServerAway away() const;
+    void loseLink(const std::string& why) const;
+    void send(const AnswerQueue::Entry& entry);
+    void sendWaiting();
+    void setAside(const AnswerQueue::Entry& first, const std::string& why);
+
+    StudyFolder m_folder;
+    WriteLock m_lock;
+    ServerNote m_note;
+    AnswerQueue m_queue;
+    mutable std::unique_ptr<ServerLink> m_link;  ///< null while the server cannot be reached
+    mutable std::string m_fault;
+    mutable std::chrono::steady_clock::time_point m_lostAt = {};
+    std::unique_ptr<ServerLink> m_attempt;  ///< to reach the server again
+    std::future<ServerReply> m_joining, m_alive;
+    StudyFacts m_facts;
+    std::vector<ProtocolVersion> m_versions;
+    mutable Json m_overview;
+    LogHead m_head;
+    std::string m_participant, m_kind;  ///< at work here; empty before
+    bool m_isClaimed = false;           ///< in this connection
+    int m_slot = 0;
+    SlotState m_slotState = SlotState::Free;
+    int m_protocolVersion = 1;
+    int m_eventCount = 0;  ///< of the participant, with those that wait
+    std::vector<protocols::BlindedTrial> m_trials;
+    std::vector<EventRecord> m_events;
+    std::map<protocols::SealedCode, ReleasedImage> m_images;
+};
+
+}  // namespace database

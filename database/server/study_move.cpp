@@ -1,0 +1,319 @@
+#include "database/server/study_move.h"
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "database/audit.h"
+#include "database/disk/server_note.h"
+#include "database/server/server_connection.h"
+#include "database/server/server_scripts.h"
+#include "database/server/table_rows.h"
+#include "database/station_key.h"
+#include "database/stored_texts.h"
+#include "database/study_creation.h"
+#include "database/study_rows.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/temporary_folder.h"
+#include "protocols/files/whole_file.h"
+#include "protocols/protocol_json.h"
+#include "protocols/records/sealed_stimulus.h"
+#include "protocols/secrets/sealing.h"
+
+namespace database {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int serverFormat = 1;
+
+bool hasStudy(const ServerConnection& server)
+{
+    return server
+               .value(QStringLiteral("SELECT COUNT(*) FROM pg_namespace WHERE nspname = ?"),
+                      {QStringLiteral("vis2hap_%1").arg(toQt(server.address().study))})
+               .toInt() > 0;
+}
+
+std::string stateOf(const ServerConnection& server)
+{
+    return fromQt(server.value(QStringLiteral("SELECT state FROM @schema@.server_study")));
+}
+
+void setState(const ServerConnection& server, const char* state)
+{
+    server.run(QStringLiteral("UPDATE @schema@.server_study SET state = ?"), {QString(QLatin1String(state))});
+}
+
+void dropStudy(const ServerConnection& server)
+{
+    server.run(QStringLiteral("DROP SCHEMA @schema@ CASCADE"));
+    try {
+        server.run(QStringLiteral("DROP ROLE IF EXISTS \"@prefix@_experimenter\", \"@prefix@_monitor\", \"@prefix@_analyst\""));
+    } catch (const protocols::Error&) {
+        // An owner without the right to make roles leaves them to the administrator; they have no rights any more.
+    }
+}
+
+LogHead headOf(const ServerConnection& server)
+{
+    QSqlQuery row = server.run(QStringLiteral("SELECT sequence, hash FROM @schema@.events ORDER BY sequence DESC LIMIT 1"));
+    return row.next() ? LogHead{row.value(0).toLongLong(), fromQt(row.value(1))} : LogHead{};
+}
+
+protocols::Error nameIsTaken(const ServerConnection& server)
+{
+    return protocols::badInput(
+        {"the server has a study of this name already", server.address().text, "a new name", "choose another study=NAME"});
+}
+
+/// What an interrupted move of the same study left is removed; any other study of this name is refused.
+void requireRoom(const ServerConnection& server, const StudyFacts& facts)
+{
+    if (!hasStudy(server)) return;
+    const bool isSame = fromQt(server.value(QStringLiteral("SELECT key_sha256 FROM @schema@.study"))) == facts.keySha256;
+    if (!isSame || stateOf(server) == "open") throw nameIsTaken(server);
+    dropStudy(server);
+}
+
+/// The questions of every phase by version of the protocol: what the server needs to know when a presentation is complete.
+std::string phaseQuestions(const StudyStore& store)
+{
+    nlohmann::ordered_json versions;
+    for (const ProtocolVersion& version : store.protocolVersions()) {
+        const auto protocol =
+            protocols::keptProtocolFromJson(version.json, store.folder().protocol().string(), store.facts().programVersion);
+        auto phases = nlohmann::ordered_json::array();
+        for (const protocols::Phase& phase : protocol.phases) {
+            auto& questions = phases.emplace_back(nlohmann::ordered_json::array());
+            for (const protocols::Question& question : phase.questions) questions.push_back(question.id.value);
+        }
+        versions[std::to_string(version.version)] = phases;
+    }
+    return versions.dump();
+}
+
+void sendImages(const StudyStore& store, const ServerConnection& server, const protocols::SecretKey& stationKey)
+{
+    for (const auto& [code, hash] : store.stimulusHashes()) {
+        const fs::path file = protocols::stimulusFile(store.folder().stimuli(), code);
+        const auto sealed = protocols::readIfPossible(file);
+        const auto image = sealed ? protocols::open(stationKey, *sealed, code.value) : std::nullopt;
+        if (!image)
+            throw protocols::workFailed({"the stimulus is missing or was altered", file.string(),
+                                         "the file from the making of the study", "restore it from a backup"});
+        const auto key = protocols::SecretKey::drawn();
+        server.run(
+            QStringLiteral("INSERT INTO @schema@.server_images(file_code, sealed, key) VALUES (?, ?, ?)"),
+            {toQt(code.value), QByteArray::fromStdString(protocols::seal(key, *image, releasedImageBound)), toQt(key.hex())});
+    }
+}
+
+/// Which image each presentation shows. In the file this is sealed with the station key, which never reaches the server.
+void sendOrder(const StudyStore& store, const ServerConnection& server, const protocols::SecretKey& stationKey)
+{
+    const auto send = [&](const char* table, const char* columns, const nlohmann::json& rows) {
+        server.run(QStringLiteral("INSERT INTO @schema@.%1(%2) SELECT %2 FROM json_populate_recordset(CAST(NULL AS "
+                                  "@schema@.%1), CAST(? AS json))")
+                       .arg(QLatin1String(table), QLatin1String(columns)),
+                   {toQt(rows.dump())});
+    };
+    for (const Slot& slot : store.slots()) {
+        auto rows = nlohmann::json::array();
+        for (const protocols::BlindedTrial& trial : store.trials(slot.number))
+            rows.push_back({{"slot", slot.number},
+                            {"number", trial.number.value},
+                            {"file_code", protocols::opened(trial.sealedCode, stationKey).value}});
+        send("server_trials", "slot, number, file_code", rows);
+    }
+    auto items = nlohmann::json::array();
+    for (const FamiliarisationItem& item : store.facts().familiarisation)
+        items.push_back({{"position", items.size() + 1}, {"file_code", protocols::opened(item.sealedCode, stationKey).value}});
+    send("server_familiarisation", "position, file_code", items);
+}
+
+void sendWhole(const StudyStore& store, const ServerConnection& server)
+{
+    const auto stationKey = readStationKey(store);
+    ServerTransaction transaction(server);
+    for (const char* script : {"tables", "functions"}) server.runScript(serverScript(script));
+    sendRows(SqliteConnection(store.folder().database(), SqliteConnection::Mode::Read), server);
+    server.run(QStringLiteral("INSERT INTO @schema@.server_study(id, state, program, format, phase_questions) "
+                              "VALUES (1, 'arriving', ?, ?, CAST(? AS jsonb))"),
+               {toQt(store.facts().programVersion), serverFormat, toQt(phaseQuestions(store))});
+    sendImages(store, server, stationKey);
+    sendOrder(store, server, stationKey);
+    transaction.commit();
+}
+
+void fetchInto(const ServerConnection& server, const StudyFolder& folder)
+{
+    makeDatabase(folder, [&](const SqliteConnection& file) {
+        ServerTransaction state(server, ServerTransaction::Kind::ReadOneState);
+        fetchRows(server, file);
+        state.commit();
+    });
+}
+
+void requireSame(const ServerConnection& server, const StudyFolder& folder)
+{
+    const protocols::TemporaryFolder again;
+    const StudyFolder copy{again.path()};
+    fetchInto(server, copy);
+    const SqliteConnection sent(folder.database(), SqliteConnection::Mode::Read);
+    const SqliteConnection arrived(copy.database(), SqliteConnection::Mode::Read);
+    if (hashOfAllRows(sent) != hashOfAllRows(arrived))
+        throw protocols::workFailed({"the server holds other rows than it was sent", server.address().text, "",
+                                     "the folder is unchanged; check the server's encoding (UTF8)"});
+}
+
+void removeDatabase(const StudyFolder& folder)
+{
+    for (const char* ending : {"", "-wal", "-shm"}) fs::remove(folder.database().string() + ending);
+}
+
+/// The last steps of a move to the server, which an interruption may have left undone.
+LogHead openOnServer(const StudyFolder& folder, const ServerConnection& server)
+{
+    removeDatabase(folder);
+    if (stateOf(server) == "arriving") setState(server, "open");
+    return headOf(server);
+}
+
+ServerNote ownersNote(const StudyFolder& folder)
+{
+    auto note = readServerNote(folder.folder);
+    if (!note)
+        throw protocols::badInput(
+            {"this study lies on no server", folder.folder.string(), "a folder with server.json", "check the path"});
+    if (!note->isOwner)
+        throw protocols::badInput({"this is the folder of a station, which holds neither keys nor answers",
+                                   folder.folder.string(), "the folder of the study's owner", "run the command there"});
+    return *note;
+}
+
+void requireNobodyAtWork(const ServerConnection& server)
+{
+    QSqlQuery row =
+        server.run(QStringLiteral("SELECT station, participant FROM @schema@.server_stations WHERE participant IS NOT NULL AND "
+                                  "last_seen > now() - interval '30 seconds' ORDER BY station"));
+    if (row.next())
+        throw protocols::workFailed({"station " + fromQt(row.value(0)) + " is at work with " + fromQt(row.value(1)),
+                                     server.address().text, "no session in progress", "end the session, then move the study"});
+}
+
+/// Fetches the study and checks it; the folder then has a sound study.db, or none.
+void bringBack(const ServerConnection& server, const StudyFolder& folder)
+{
+    requireNobodyAtWork(server);
+    setState(server, "leaving");
+    try {
+        fetchInto(server, folder);
+        const SqliteConnection file(folder.database(), SqliteConnection::Mode::Read);
+        const auto faults = faultsOfDatabase(file);
+        if (!faults.empty() || headIn(file) != headOf(server))
+            throw protocols::workFailed({"the study did not arrive whole: " + (faults.empty() ? "another head" : faults.front()),
+                                         folder.folder.string(), "", "the study is still on the server; see vis2hap verify"});
+    } catch (...) {
+        removeDatabase(folder);
+        setState(server, "open");
+        throw;
+    }
+}
+
+/// After a move that was interrupted between the arrival of the file and the end of the server's copy.
+void requireArrived(const ServerConnection& server, const StudyFolder& folder)
+{
+    const SqliteConnection file(folder.database(), SqliteConnection::Mode::Read);
+    if (stateOf(server) != "leaving" || headIn(file) != headOf(server))
+        throw protocols::workFailed({"a study.db stands in the folder, and the study is on the server", folder.folder.string(),
+                                     "a folder without study.db", "move that file elsewhere"});
+}
+
+void copyFilesBeside(const StudyFolder& folder, const StudyFolder& copy)
+{
+    for (const auto& entry : fs::directory_iterator(folder.folder)) {
+        const std::string name = entry.path().filename().string();
+        if (name.starts_with("study.db") || name == ".lock" || name.starts_with("queue.db") ||
+            entry.path() == serverNoteOf(folder.folder))
+            continue;
+        fs::copy(entry.path(), copy.folder / name, fs::copy_options::recursive | fs::copy_options::copy_symlinks);
+        fs::permissions(copy.folder / name,
+                        entry.is_directory() ? fs::perms::owner_all : fs::perms::owner_read | fs::perms::owner_write);
+    }
+}
+
+}  // namespace
+
+void requireFreeName(const ServerAddress& address)
+{
+    const ServerConnection server(address);
+    if (hasStudy(server)) throw nameIsTaken(server);
+}
+
+LogHead moveToServer(const StudyFolder& folder, const ServerAddress& address, const std::string& station)
+{
+    if (const auto note = readServerNote(folder.folder)) {
+        if (note->address != address.text)
+            throw protocols::badInput(
+                {"this study lies on a server already", note->address, "",
+                 "bring it back first: vis2hap study move " + note->address + " " + folder.folder.string()});
+        return openOnServer(folder, ServerConnection(address));
+    }
+    const ServerConnection server(address);
+    {
+        const StudyStore store(folder, StudyStore::Access::Write);
+        requireRoom(server, store.facts());
+        sendWhole(store, server);
+        requireSame(server, folder);
+        writeServerNote(folder.folder, {address.text, station, protocols::drawHex(32), true});
+    }
+    return openOnServer(folder, server);
+}
+
+LogHead moveToFolder(const ServerAddress& address, const StudyFolder& folder)
+{
+    const ServerNote note = ownersNote(folder);
+    const ServerConnection server(serverAddressFrom(note.address));
+    if (address.study != server.address().study || address.database != server.address().database)
+        throw protocols::badInput(
+            {"this folder belongs to another study", folder.folder.string(), note.address, "name the study's own folder"});
+    std::error_code ignored;
+    const bool hasArrived = fs::exists(folder.database(), ignored);
+    if (!hasArrived)
+        bringBack(server, folder);
+    else if (hasStudy(server))
+        requireArrived(server, folder);
+    if (hasStudy(server)) dropStudy(server);
+    fs::remove(serverNoteOf(folder.folder));
+    return headIn(SqliteConnection(folder.database(), SqliteConnection::Mode::Read));
+}
+
+StudyStore readStudy(const StudyFolder& folder)
+{
+    if (isServerAddress(folder.folder.string()))
+        throw protocols::badInput({"this command needs a folder, not an address", folder.folder.string(),
+                                   "the folder of the study's owner", "run it there; the folder leads to the server"});
+    if (!readServerNote(folder.folder)) return {folder, StudyStore::Access::Read};
+    const ServerNote note = ownersNote(folder);
+    auto copy = std::make_unique<protocols::TemporaryFolder>();
+    const StudyFolder copied{copy->path()};
+    copyFilesBeside(folder, copied);
+    fetchInto(ServerConnection(serverAddressFrom(note.address)), copied);
+    return StudyStore::ofCopy(std::move(copy), folder.folder);
+}
+
+std::optional<std::string> recordActOnServer(const StudyFolder& folder, Act act)
+{
+    if (act.wallTime.empty()) act.wallTime = wallTimeNow();
+    try {
+        const ServerConnection server(serverAddressFrom(ownersNote(folder).address));
+        (void)server.call("record_act", {toQt(act.kind), toQt(detailsOf(act)), toQt(act.wallTime)});
+        return std::nullopt;
+    } catch (const protocols::Error& fault) {
+        return fault.what();
+    }
+}
+
+}  // namespace database

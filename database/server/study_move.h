@@ -1,0 +1,33 @@
+// A study on its way between its folder and a server. Both ways end with a comparison of all rows, and a move that is interrupted
+// at any point is completed by the same call.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "database/evidence/acts.h"
+#include "database/server/server_address.h"
+#include "database/study_store.h"
+
+namespace database {
+
+/// Sends study.db and the images to the server, and leaves server.json in its place; keys, protocol and stimuli stay in the
+/// folder. `station`: the name of this folder among the study's stations. Throws badInput where the server has a study of this
+/// name, and for a folder that lies on a server already. Returns the head of the log.
+LogHead moveToServer(const StudyFolder& folder, const ServerAddress& address, const std::string& station);
+
+/// Throws badInput where the server has a study of this name, and the errors of ServerConnection: before a study is made for it.
+void requireFreeName(const ServerAddress& address);
+
+/// Brings the study back into its owner's folder and takes it off the server. Throws workFailed while a station is at work.
+LogHead moveToFolder(const ServerAddress& address, const StudyFolder& folder);
+
+/// The study as it stands now, wherever it lies. Of a study on a server this reads a copy of rows and files, which its owner's
+/// folder gives the right to.
+StudyStore readStudy(const StudyFolder& folder);
+
+/// Records what was done with the study in the server's chain of acts. Returns why it could not be recorded, or nothing.
+std::optional<std::string> recordActOnServer(const StudyFolder& folder, Act act);
+
+}  // namespace database

@@ -1,0 +1,142 @@
+#include "study/commands/server/server_work.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "database/server/server_rights.h"
+#include "database/server/server_roles.h"
+#include "database/server/station_store.h"
+#include "database/server/study_move.h"
+#include "protocols/files/errors.h"
+#include "protocols/secrets/secret_key.h"
+#include "study/session/operated_by.h"
+
+namespace study::commands {
+
+namespace {
+
+namespace fs = std::filesystem;
+using database::StudyFolder;
+
+std::string stationName(const std::string& given)
+{
+    const std::string host = session::operatedBy("", "").host;
+    return !given.empty() ? given : host.empty() ? "station" : host;
+}
+
+database::ServerAddress addressWithStudy(const std::string& text)
+{
+    auto address = database::serverAddressFrom(text);
+    if (address.study.empty())
+        throw protocols::badInput({"the address names no study", text, "?study=NAME at its end", "add the name"});
+    return address;
+}
+
+int toServer(const std::string& folder, const std::string& address, const std::string& station)
+{
+    const auto head = moveToServer(StudyFolder{folder}, addressWithStudy(address), stationName(station));
+    std::printf("%s: the answers are on the server now, every row compared\n", folder.c_str());
+    std::printf("  log head %s\n", textOf(head).c_str());
+    std::printf("  keys, protocol and images stay in the folder: keep it, and let nobody at a station read it\n");
+    std::printf("next: `vis2hap server roles '%s'` makes the roles of stations, monitors and analysts\n", address.c_str());
+    return 0;
+}
+
+int toFolder(const std::string& address, const std::string& folder)
+{
+    const auto head = moveToFolder(database::serverAddressFrom(address), StudyFolder{folder});
+    std::printf("%s: the study is back, and the server has no copy\n", folder.c_str());
+    std::printf("  log head %s\n", textOf(head).c_str());
+    return 0;
+}
+
+std::string listOf(const std::vector<std::string>& texts)
+{
+    std::string list;
+    for (const std::string& text : texts) list += (list.empty() ? "" : ", ") + text;
+    return list.empty() ? "none" : list;
+}
+
+}  // namespace
+
+int moveStudy(const std::string& from, const std::string& to, const std::string& station)
+{
+    if (database::isServerAddress(from) == database::isServerAddress(to))
+        throw protocols::badInput({"a study moves between a folder and a server", from + " to " + to,
+                                   "one folder and one address (postgresql://USER@HOST/DATABASE?study=NAME)", "name both"});
+    return database::isServerAddress(from) ? toFolder(from, to) : toServer(from, to, station);
+}
+
+int joinAsStation(const std::string& address, const std::string& given, const std::string& station)
+{
+    const database::JoinedStudy joined =
+        joinStudy(database::serverAddressFrom(address), given.empty() ? fs::path() : fs::path(given), stationName(station));
+    std::printf("%s: this is station %s of the study %s\n", joined.folder.c_str(), joined.station.c_str(), joined.name.c_str());
+    std::printf("next: `vis2hap %s` opens it\n", joined.folder.c_str());
+    return 0;
+}
+
+int grantRoles(const std::string& address, const std::vector<std::string>& grants)
+{
+    std::vector<std::pair<std::string, std::string>> logins;
+    for (const std::string& text : grants) {
+        const auto equals = text.find('=');
+        if (equals == std::string::npos)
+            throw protocols::badInput(
+                {"\"" + text + "\" gives no role", "--grant", "LOGIN=experimenter, =monitor or =analyst", "name both"});
+        logins.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+    }
+    for (const std::string& line : makeRoles(database::serverAddressFrom(address), logins)) std::printf("%s\n", line.c_str());
+    return 0;
+}
+
+int showServer(const std::string& address)
+{
+    const database::ServerProgress seen = progressOf(database::serverAddressFrom(address));
+    std::printf("places: %d free, %d started, %d finished; participants who withdrew: %d; answers: %d\n", seen.free, seen.started,
+                seen.finished, seen.withdrawn, seen.answers);
+    std::printf("log head %s\n", seen.head.c_str());
+    if (seen.stations.empty()) std::printf("no station has joined lately\n");
+    for (const auto& one : seen.stations)
+        std::printf("  %-20s %-12s %-10s entries that wait: %d, last sign of life %d s ago, by %s\n", one.station.c_str(),
+                    one.isLive ? "connected" : "away", one.participant.empty() ? "-" : one.participant.c_str(), one.waiting,
+                    one.lastSeenSeconds, one.login.c_str());
+    return 0;
+}
+
+int checkLogin(const std::string& address, const JsonTarget& target)
+{
+    const database::ServerRights rights = rightsOf(database::serverAddressFrom(address));
+    const bool isOperator = rights.learns.empty();
+    if (target) {
+        writeJson(target, {{"study", rights.study},
+                           {"login", rights.login},
+                           {"roles", rights.roles},
+                           {"may_call", rights.may},
+                           {"learns", rights.learns},
+                           {"refused", rights.refused}});
+    } else {
+        std::printf("login %s of the study %s\n", rights.login.c_str(), rights.study.c_str());
+        std::printf("  roles: %s\n  may call: %s\n", listOf(rights.roles).c_str(), listOf(rights.may).c_str());
+        for (const std::string& line : rights.refused) std::printf("  refused: %s\n", line.c_str());
+        for (const std::string& line : rights.learns) std::printf("  LEARNS: %s\n", line.c_str());
+        std::printf("%s\n",
+                    isOperator
+                        ? "nothing but its own present presentation: no table, no key, nothing ahead. Whoever keeps the images "
+                          "of the presentations can tell which of them were the same."
+                        : "more than a station may: give this login to nobody who runs sessions");
+    }
+    return static_cast<int>(isOperator ? protocols::ExitCode::Done : protocols::ExitCode::WorkFailed);
+}
+
+int moveNewStudy(const std::string& folder, const std::string& address) { return toServer(folder, address, {}); }
+
+std::string folderOfNewStudy(const std::string& address)
+{
+    const auto whole = addressWithStudy(address);
+    requireFreeName(whole);
+    return whole.study;
+}
+
+}  // namespace study::commands

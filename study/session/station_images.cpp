@@ -1,0 +1,28 @@
+#include "study/session/station_images.h"
+
+#include "protocols/files/errors.h"
+
+namespace study::session {
+
+namespace {
+
+constexpr std::size_t keptImages = 4;
+constexpr const char* source = "the server";
+
+}  // namespace
+
+const cv::Mat& StationImages::image(const protocols::SealedCode& code)
+{
+    if (const auto ready = m_ready.find(code); ready != m_ready.end()) return ready->second;
+    const database::ReleasedImage released = m_store.image(code);
+    cv::Mat opened = rendering::openedStimulus(protocols::SecretKey::ofHex(released.key, source), released.sealed,
+                                               database::releasedImageBound, source);
+    if (opened.empty())
+        throw protocols::workFailed({"the image of this presentation was altered", source, "", "tell the owner of the study"});
+    if (m_ready.size() >= keptImages) m_ready.clear();
+    return m_ready[code] = std::move(opened);
+}
+
+void StationImages::requireImage(const protocols::SealedCode& code) const { (void)m_store.image(code); }
+
+}  // namespace study::session

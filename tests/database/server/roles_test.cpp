@@ -1,0 +1,284 @@
+// Blinding by rights: what an experimenter, a monitor and an analyst can learn from a study on a server, tried as each of them.
+#include <QtTest>
+#include <nlohmann/json.hpp>
+
+#include "database/server/server_connection.h"
+#include "database/server/server_rights.h"
+#include "database/server/server_roles.h"
+#include "database/server/study_move.h"
+#include "tests/support/error_text.h"
+#include "tests/support/server/private_server.h"
+#include "tests/support/server/server_session.h"
+#include "tests/support/study_builder.h"
+
+using namespace tests::support;
+using database::ServerConnection;
+using database::StudyFolder;
+using database::StudyStore;
+
+namespace {
+
+const QString token = QString(64, QLatin1Char('a'));
+
+bool isAmong(const std::vector<std::string>& texts, const char* wanted)
+{
+    return std::find(texts.begin(), texts.end(), wanted) != texts.end();
+}
+
+/// An entry as a station sends it, for the function store().
+nlohmann::json entry(const std::string& participant, int before, const std::string& kind)
+{
+    return {{"id", QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString()},
+            {"after", before},
+            {"event",
+             {{"participant", participant},
+              {"sitting", 1},
+              {"kind", kind},
+              {"payload", "{}"},
+              {"at_ns", 1},
+              {"wall_time", "2026-01-01T00:00:00Z"}}},
+            {"answers", nlohmann::json::array()},
+            {"finger", nullptr},
+            {"voids", nullptr},
+            {"note", nullptr},
+            {"state", nullptr},
+            {"facts", nlohmann::json::array()},
+            {"stored_at", 2}};
+}
+
+}  // namespace
+
+class RolesTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase();
+    void anExperimenterLearnsNothing();
+    void anExperimenterRunsASession();
+    void noTableCanBeReadOrWritten_data();
+    void noTableCanBeReadOrWritten();
+    void nothingIsStoredForAnybodyElse();
+    void textsAreNeverStatements_data();
+    void textsAreNeverStatements();
+    void aMonitorSeesProgressAndStationsOnly();
+    void anAnalystReadsTheRowsButNoKeys();
+    void theOwnerIsToldWhatTheLoginLearns();
+    void wrongGrantsAreOneLine();
+
+private:
+    database::ServerAddress as(const char* login) const { return database::serverAddressFrom(m_server->address("roles", login)); }
+    QTemporaryDir m_folder;
+    StudyFolder m_owner;
+    std::unique_ptr<PrivateServer> m_server;
+};
+
+void RolesTest::initTestCase()
+{
+    if (const QString why = PrivateServer::whyMissing(); !why.isEmpty()) QSKIP(qPrintable(why));
+    m_server = std::make_unique<PrivateServer>();
+    m_owner = buildStudy(m_folder.filePath("owner").toStdString(), {.participants = 20});
+    moveToServer(m_owner, as("owner"), "owner");
+    {
+        const ServerConnection server(as("owner"));
+        for (const char* login : {"anna", "bert", "moni", "karl", "eve"}) server.run(QString("CREATE ROLE %1 LOGIN").arg(login));
+    }
+    const auto lines =
+        makeRoles(as("owner"), {{"anna", "experimenter"}, {"bert", "experimenter"}, {"moni", "monitor"}, {"karl", "analyst"}});
+    QCOMPARE(lines.size(), std::size_t{3});
+    QVERIFY(lines[0].ends_with("experimenter: anna, bert"));
+    QCOMPARE(makeRoles(as("owner"), {}), lines);
+}
+
+void RolesTest::anExperimenterLearnsNothing()
+{
+    const auto rights = rightsOf(as("anna"));
+    QCOMPARE(rights.roles, std::vector<std::string>{"experimenter"});
+    QCOMPARE(rights.learns, std::vector<std::string>());
+    QVERIFY(rights.refused.size() >= 6);
+    QVERIFY(isAmong(rights.may, "store") && isAmong(rights.may, "presentation"));
+    QVERIFY(!isAmong(rights.may, "record_act"));
+    const QString stranger = errorOf([&] { rightsOf(as("eve")); });
+    QVERIFY2(stranger.contains("no study roles"), qPrintable(stranger));
+}
+
+void RolesTest::anExperimenterRunsASession()
+{
+    const auto folder = m_folder.filePath("anna").toStdString();
+    joinStudy(as("anna"), folder, "left");
+    {
+        ServerSession session(StudyFolder{folder}, "P01");
+        session.playToEnd();
+    }
+    QCOMPARE(readStudy(m_owner).faults(), std::vector<std::string>());
+    for (const auto& file : std::filesystem::directory_iterator(folder)) {
+        const std::string name = file.path().filename().string();
+        QVERIFY2(name == "server.json" || name == "protocol.json" || name == ".lock" || name.starts_with("queue.db"),
+                 name.c_str());
+    }
+    const QString report = errorOf([&] { database::readStudy(StudyFolder{folder}); });
+    QVERIFY2(report.contains("folder of a station"), qPrintable(report));
+}
+
+void RolesTest::noTableCanBeReadOrWritten_data()
+{
+    QTest::addColumn<QString>("login");
+    QTest::addColumn<QString>("statement");
+    const char* tables[] = {"study",
+                            "fabrics",
+                            "stimuli",
+                            "trials",
+                            "participants",
+                            "events",
+                            "responses",
+                            "voids",
+                            "notes",
+                            "finger_samples",
+                            "swatches",
+                            "familiarisation",
+                            "erasures",
+                            "acts",
+                            "participant_facts",
+                            "server_study",
+                            "server_images",
+                            "server_trials",
+                            "server_releases",
+                            "server_stations",
+                            "server_received",
+                            "slots",
+                            "unblindings",
+                            "protocol_versions",
+                            "server_familiarisation"};
+    for (const char* login : {"anna", "moni", "eve"})
+        for (const char* table : tables)
+            for (const char* statement : {"SELECT count(*) FROM @schema@.%1", "DELETE FROM @schema@.%1",
+                                          "COPY @schema@.%1 TO STDOUT", "CREATE TABLE @schema@.%1_copy(x int)"})
+                QTest::addRow("%s %.6s %s", login, statement, table) << login << QString(statement).arg(table);
+    for (const char* statement :
+         {"SELECT @schema@.server_salt()", "SELECT @schema@.finish_arrival()", "SELECT @schema@.begin_leaving()",
+          "SELECT @schema@.server_append('', 0, 'unblinded', '{}', 0, '')", "SET ROLE owner", "SET SESSION AUTHORIZATION owner",
+          "SELECT pg_read_file('postgresql.conf')", "SELECT lo_import('/etc/passwd')",
+          "ALTER TABLE @schema@.events DISABLE TRIGGER ALL", "DROP SCHEMA @schema@ CASCADE",
+          "CREATE FUNCTION @schema@.f() RETURNS int LANGUAGE sql AS 'SELECT 1'"})
+        QTest::addRow("anna %.30s", statement) << "anna" << statement;
+}
+
+void RolesTest::noTableCanBeReadOrWritten()
+{
+    QFETCH(QString, login);
+    QFETCH(QString, statement);
+    ServerConnection server(as(login.toUtf8().constData()));
+    const QString refusal = errorOf([&] { server.run(statement); });
+    QVERIFY2(!refusal.isEmpty(), qPrintable(statement));
+}
+
+void RolesTest::nothingIsStoredForAnybodyElse()
+{
+    const ServerConnection anna(as("anna")), bert(as("bert"));
+    anna.call("join_study", {"one", token, "test"});
+    bert.call("join_study", {"two", QString(64, QLatin1Char('b')), "test"});
+    anna.call("claim", {"P10", "human"});
+    bert.call("claim", {"P11", "human"});
+    const auto send = [](const ServerConnection& server, const nlohmann::json& json) {
+        return errorOf([&] { server.call("store", {QString::fromStdString(json.dump())}); });
+    };
+    QVERIFY(send(bert, entry("P10", 0, "begun")).contains("not claimed"));
+    QVERIFY(send(bert, entry("P11", 0, "unblinded")).contains("kind"));
+    QVERIFY(send(bert, entry("P11", 7, "begun")).contains("another station went on"));
+    const QString scripted = errorOf([&] { bert.call("claim", {"P12", "scripted"}); });
+    QVERIFY2(scripted.contains("only the owner"), qPrintable(scripted));
+    const QString taken = errorOf([&] { bert.call("claim", {"P10", "human"}); });
+    QVERIFY2(taken.contains("is at station one"), qPrintable(taken));
+    auto forged = entry("P11", 0, "answered");
+    forged["answers"].push_back({{"trial", 3},
+                                 {"question", "Q1"},
+                                 {"presentation_code", "AAA"},
+                                 {"alternatives", "[\"F01\"]"},
+                                 {"choice", "F01"},
+                                 {"rating_tenths", nullptr},
+                                 {"ready_at", 1},
+                                 {"touched_at", nullptr},
+                                 {"touched_by", nullptr},
+                                 {"touch_ended_at", nullptr},
+                                 {"answer_begun_at", nullptr},
+                                 {"answer_begun_by", nullptr},
+                                 {"answered_at", 2},
+                                 {"entries", nullptr},
+                                 {"is_correction", false},
+                                 {"note", ""}});
+    QVERIFY(send(bert, forged).contains("was not released"));
+    for (const int number : {2, 3, 6, 0, -1, 2147483647})
+        QVERIFY(errorOf([&] { bert.run("SELECT * FROM @schema@.presentation(?)", {number}); }).contains("not due"));
+    bert.run("SELECT * FROM @schema@.presentation(?)", {1});
+    QVERIFY(errorOf([&] { bert.run("SELECT * FROM @schema@.presentation(?)", {2}); }).contains("not due"));
+    QCOMPARE(send(bert, entry("P11", 0, "begun")), QString());
+    QCOMPARE(readStudy(m_owner).faults(), std::vector<std::string>());
+}
+
+void RolesTest::textsAreNeverStatements_data()
+{
+    QTest::addColumn<QString>("text");
+    QTest::newRow("quote") << "x'); DROP SCHEMA public; --";
+    QTest::newRow("dollar") << "$$; SELECT 1; $$";
+    QTest::newRow("backslash") << "\\'; DELETE FROM events; --";
+    QTest::newRow("format") << "%I %s %1$s";
+    QTest::newRow("placeholder") << "? :v1 $1";
+}
+
+void RolesTest::textsAreNeverStatements()
+{
+    QFETCH(QString, text);
+    const ServerConnection server(as("anna"));
+    server.call("join_study", {"injector", token, text});
+    (void)errorOf([&] { server.call("join_study", {text, token, "test"}); });
+    (void)errorOf([&] { server.call("claim", {text, text}); });
+    (void)errorOf([&] { server.call("claim", {text, "human"}); });
+    auto json = entry(text.toStdString(), 0, text.toStdString());
+    (void)errorOf([&] { server.call("store", {QString::fromStdString(json.dump())}); });
+    QCOMPARE(readStudy(m_owner).faults(), std::vector<std::string>());
+}
+
+void RolesTest::aMonitorSeesProgressAndStationsOnly()
+{
+    const ServerConnection anna(as("anna"));
+    anna.call("join_study", {"seen", token, "test"});
+    anna.call("claim", {"P15", "human"});
+    anna.call("sign_of_life", {3});
+    const auto progress = progressOf(as("moni"));
+    const auto seen =
+        std::find_if(progress.stations.begin(), progress.stations.end(), [](const auto& one) { return one.station == "seen"; });
+    QVERIFY(seen != progress.stations.end());
+    QCOMPARE(seen->participant, std::string("P15"));
+    QCOMPARE(seen->waiting, 3);
+    QVERIFY(seen->isLive && seen->lastSeenSeconds < 30);
+    QCOMPARE(progress.free + progress.started + progress.finished, 20);
+    QCOMPARE(rightsOf(as("moni")).may, std::vector<std::string>{"progress"});
+    QCOMPARE(rightsOf(as("moni")).learns, std::vector<std::string>());
+    QVERIFY(errorOf([&] { progressOf(as("anna")); }).contains("may not do this"));
+}
+
+void RolesTest::anAnalystReadsTheRowsButNoKeys()
+{
+    const ServerConnection server(as("karl"));
+    QVERIFY(server.value("SELECT count(*) FROM @schema@.responses").toInt() > 0);
+    for (const char* table : {"participant_facts", "server_images", "server_trials", "server_releases"})
+        QVERIFY(errorOf([&] { server.run(QString("SELECT * FROM @schema@.%1").arg(table)); }).contains("may not do this"));
+    QVERIFY(errorOf([&] { server.run("UPDATE @schema@.responses SET choice = 'F01'"); }).contains("may not do this"));
+}
+
+void RolesTest::theOwnerIsToldWhatTheLoginLearns()
+{
+    const auto rights = rightsOf(as("owner"));
+    QVERIFY(isAmong(rights.roles, "owner"));
+    QVERIFY(isAmong(rights.learns, "SELECT on the table server_trials"));
+    QVERIFY(isAmong(rights.learns, "everything: the login is a superuser"));
+}
+
+void RolesTest::wrongGrantsAreOneLine()
+{
+    QVERIFY(errorOf([&] { makeRoles(as("owner"), {{"nobody", "monitor"}}); }).contains("knows no login"));
+    QVERIFY(errorOf([&] { makeRoles(as("owner"), {{"anna", "boss"}}); }).contains("no role \"boss\""));
+    const QString refusal = errorOf([&] { makeRoles(as("anna"), {}); });
+    QVERIFY2(refusal.contains("may not do this") || refusal.contains("cannot make the groups"), qPrintable(refusal));
+}
+
+QTEST_GUILESS_MAIN(RolesTest)
+#include "roles_test.moc"

@@ -1,0 +1,212 @@
+// A study moves to a server and back: nothing is lost, nothing is half-made, and every wrong address is one clear line.
+#include <QtTest>
+
+#include "database/disk/server_note.h"
+#include "database/server/server_connection.h"
+#include "database/server/study_move.h"
+#include "database/study_store.h"
+#include "tests/support/error_text.h"
+#include "tests/support/played_session.h"
+#include "tests/support/server/private_server.h"
+#include "tests/support/whole_protocol.h"
+
+using namespace tests::support;
+using namespace study::session;
+using database::ServerConnection;
+using database::StudyFolder;
+using database::StudyStore;
+
+namespace {
+
+/// Answers the question at hand and corrects the answer at once.
+void correctOne(SessionHands& session)
+{
+    session.stepUntil("Presenting");
+    const View asked = session.driver->view();
+    session.send(Answered{responseTo(asked)});
+    session.send(Corrected{asked.question->id, responseTo(asked), "misheard"});
+}
+
+/// Everything that a study's log can hold: two participants, a void, a correction, notes, a withdrawal and an erasure.
+StudyFolder livedStudy(const std::filesystem::path& folder)
+{
+    const StudyFolder study = buildStudy(folder, wholeStudy());
+    {
+        OpenSession session(study, "P01");
+        session.playUntilAnswers(5);
+        session.send(Noted{"\xe5\xb8\x83 is \"soft\"\nand =1+1", true});
+        session.stepUntil("Presenting");
+        session.send(Voided{"the piece fell"});
+        session.playUntilAnswers(9);
+        correctOne(session);
+    }
+    {
+        OpenSession session(study, "P02");
+        session.playUntilAnswers(4);
+        session.send(WithdrawnEvent{"no time"});
+    }
+    {
+        OpenSession session(study, "P03");
+        session.playUntilAnswers(6);
+    }
+    StudyStore store(study, StudyStore::Access::Write);
+    store.erase({protocols::ParticipantId("P03"), true, "Ada", "asked for it", {}});
+    return study;
+}
+
+}  // namespace
+
+class ServerMoveTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase();
+    void aStudyComesBackAsItWas();
+    void readersSeeTheStudyWhileItIsOnTheServer();
+    void anInterruptedMoveIsCompleted();
+    void aSecondStudyOfTheNameIsRefused();
+    void wrongAddressesAreOneLine_data();
+    void wrongAddressesAreOneLine();
+    void anAlteredRowOnTheServerIsFound();
+
+private:
+    StudyFolder folder(const char* name) const { return {m_folder.filePath(name).toStdString()}; }
+    QTemporaryDir m_folder;
+    std::unique_ptr<PrivateServer> m_server;
+};
+
+void ServerMoveTest::initTestCase()
+{
+    if (const QString why = PrivateServer::whyMissing(); !why.isEmpty()) QSKIP(qPrintable(why));
+    m_server = std::make_unique<PrivateServer>();
+}
+
+void ServerMoveTest::aStudyComesBackAsItWas()
+{
+    const StudyFolder study = livedStudy(folder("lived").folder);
+    const auto before = readStudy(study).head();
+    const auto lines = linesOf(readStudy(study));
+    const auto address = database::serverAddressFrom(m_server->address("lived"));
+    QCOMPARE(moveToServer(study, address, "owner"), before);
+    QVERIFY(!std::filesystem::exists(study.database()));
+    QVERIFY(std::filesystem::exists(database::serverNoteOf(study.folder)));
+    QCOMPARE(moveToFolder(address, study), before);
+    QVERIFY(!std::filesystem::exists(database::serverNoteOf(study.folder)));
+    const StudyStore store = readStudy(study);
+    QCOMPARE(store.faults(), std::vector<std::string>());
+    QCOMPARE(linesOf(store), lines);
+    QCOMPARE(store.head(), before);
+    QVERIFY(ServerConnection(address).studies().isEmpty());
+}
+
+void ServerMoveTest::readersSeeTheStudyWhileItIsOnTheServer()
+{
+    const StudyFolder study = livedStudy(folder("read").folder);
+    const auto lines = linesOf(readStudy(study));
+    moveToServer(study, database::serverAddressFrom(m_server->address("read")), "owner");
+    const StudyStore store = readStudy(study);
+    QCOMPARE(linesOf(store), lines);
+    QCOMPARE(store.faults(), std::vector<std::string>());
+    QCOMPARE(store.stimulusHashes().size(), std::size_t{8});
+    const QString refusal = errorOf([&] { StudyStore(study, StudyStore::Access::Write); });
+    QVERIFY2(refusal.contains("lies on a server") && refusal.contains("study move"), qPrintable(refusal));
+}
+
+void ServerMoveTest::anInterruptedMoveIsCompleted()
+{
+    const StudyFolder study = livedStudy(folder("broken").folder);
+    const auto copy = folder("broken-copy");
+    std::filesystem::copy(study.folder, copy.folder, std::filesystem::copy_options::recursive);
+    const auto address = database::serverAddressFrom(m_server->address("broken"));
+    const auto head = moveToServer(study, address, "owner");
+
+    // The program ended before the database was removed and before the study was opened on the server.
+    std::filesystem::copy(copy.database(), study.database());
+    ServerConnection(address).run("UPDATE @schema@.server_study SET state = 'arriving'");
+    QCOMPARE(moveToServer(study, address, "owner"), head);
+    QVERIFY(!std::filesystem::exists(study.database()));
+    QCOMPARE(ServerConnection(address).value("SELECT state FROM @schema@.server_study").toString(), QString("open"));
+
+    // It ended before the note was written: the folder is whole, and the next move begins anew.
+    std::filesystem::remove(database::serverNoteOf(study.folder));
+    std::filesystem::copy(copy.database(), study.database());
+    ServerConnection(address).run("UPDATE @schema@.server_study SET state = 'arriving'");
+    QCOMPARE(moveToServer(study, address, "owner"), head);
+
+    // On the way back it ended after the arrival, and once more after the server's copy was gone.
+    ServerConnection(address).run("UPDATE @schema@.server_study SET state = 'leaving'");
+    std::filesystem::copy(copy.database(), study.database());
+    const auto note = database::readServerNote(study.folder).value();
+    QCOMPARE(moveToFolder(address, study), head);
+    database::writeServerNote(study.folder, note);
+    QCOMPARE(moveToFolder(address, study), head);
+    QCOMPARE(readStudy(study).faults(), std::vector<std::string>());
+}
+
+void ServerMoveTest::aSecondStudyOfTheNameIsRefused()
+{
+    const StudyFolder first = buildStudy(folder("first").folder), second = buildStudy(folder("second").folder, {.keySeed = 9});
+    const auto address = database::serverAddressFrom(m_server->address("same"));
+    moveToServer(first, address, "owner");
+    const QString refusal = errorOf([&] { moveToServer(second, address, "owner"); });
+    QVERIFY2(refusal.contains("has a study of this name already"), qPrintable(refusal));
+    QVERIFY(std::filesystem::exists(second.database()));
+    QVERIFY(!std::filesystem::exists(database::serverNoteOf(second.folder)));
+    const QString wrong = errorOf([&] { moveToFolder(database::serverAddressFrom(m_server->address("other")), first); });
+    QVERIFY2(wrong.contains("belongs to another study"), qPrintable(wrong));
+}
+
+void ServerMoveTest::wrongAddressesAreOneLine_data()
+{
+    QTest::addColumn<QString>("address");
+    QTest::addColumn<QString>("expected");
+    const QString port = QString::number(m_server ? m_server->port() : 1);
+    QTest::newRow("nobody answers") << "postgresql://owner@127.0.0.1:1/lab?study=a"
+                                    << "cannot be reached";
+    QTest::newRow("unknown user") << "postgresql://nobody@127.0.0.1:" + port + "/lab?study=a"
+                                  << "refused this login";
+    QTest::newRow("unknown database") << "postgresql://owner@127.0.0.1:" + port + "/none?study=a"
+                                      << "refused this login";
+    QTest::newRow("a password") << "postgresql://owner:secret@127.0.0.1/lab?study=a"
+                                << "holds a password";
+    QTest::newRow("no database") << "postgresql://owner@127.0.0.1?study=a"
+                                 << "names no database";
+    QTest::newRow("a study with a quote") << "postgresql://owner@127.0.0.1/lab?study=a%22b"
+                                          << "cannot name a study";
+    QTest::newRow("a capital letter") << "postgresql://owner@127.0.0.1/lab?study=Pilot"
+                                      << "cannot name a study";
+    QTest::newRow("another scheme") << "mysql://owner@127.0.0.1/lab?study=a"
+                                    << "no address of a server";
+}
+
+void ServerMoveTest::wrongAddressesAreOneLine()
+{
+    QFETCH(QString, address);
+    QFETCH(QString, expected);
+    static const StudyFolder study = buildStudy(folder("kept").folder);
+    const QString refusal = errorOf([&] { moveToServer(study, database::serverAddressFrom(address.toStdString()), "owner"); });
+    QVERIFY2(refusal.contains(expected), qPrintable(refusal));
+    QVERIFY2(!refusal.contains("secret") && !refusal.contains('\n'), qPrintable(refusal));
+    QVERIFY(!std::filesystem::exists(database::serverNoteOf(study.folder)));
+    QCOMPARE(readStudy(study).faults(), std::vector<std::string>());
+}
+
+/// Who keeps the server can write anything there; the chain tells it when the study comes back, and by every verify.
+void ServerMoveTest::anAlteredRowOnTheServerIsFound()
+{
+    const StudyFolder study = livedStudy(folder("altered").folder);
+    const auto address = database::serverAddressFrom(m_server->address("altered"));
+    moveToServer(study, address, "owner");
+    {
+        const ServerConnection server(address);
+        server.run("ALTER TABLE @schema@.responses DISABLE TRIGGER ALL");
+        server.run("UPDATE @schema@.responses SET choice = 'F01' WHERE choice IN ('F02', 'F03')");
+    }
+    QVERIFY(!readStudy(study).faults().empty());
+    const QString refusal = errorOf([&] { moveToFolder(address, study); });
+    QVERIFY2(refusal.contains("did not arrive whole"), qPrintable(refusal));
+    QVERIFY(!std::filesystem::exists(study.database()));
+    QCOMPARE(ServerConnection(address).value("SELECT state FROM @schema@.server_study").toString(), QString("open"));
+}
+
+QTEST_GUILESS_MAIN(ServerMoveTest)
+#include "server_move_test.moc"

@@ -1,0 +1,20 @@
+// A session of a participant at a station of a study on a server.
+#pragma once
+
+#include "database/server/station_store.h"
+#include "study/session/station_images.h"
+#include "tests/support/played_session.h"
+
+namespace tests::support {
+
+struct ServerSession : SessionHands {
+    /// `folder`: of a station, or of the study's owner.
+    ServerSession(const database::StudyFolder& folder, const std::string& participant,
+                  database::ParticipantKind kind = database::ParticipantKind::Human);
+    ~ServerSession() { driver.reset(); }
+
+    database::StationStore store;
+    study::session::StationImages images;
+};
+
+}  // namespace tests::support

@@ -393,7 +393,7 @@ void MainWindow::showServerLink()
     else if (!link->fault.empty())
         m_serverBar->showFault(inOwnLanguage(link->fault.c_str()));
     else
-        m_serverBar->showHint(tr("Station %1: every answer is on the server.").arg(station));
+        m_serverBar->showDone(tr("Station %1: every answer is on the server.").arg(station));
 }
 
 void MainWindow::closeStudy()

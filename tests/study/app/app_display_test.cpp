@@ -154,15 +154,16 @@ void AppDisplayTest::deadDriverPausesTheSessionAndLosesNothing()
     QVERIFY2(messageIn(shown).contains("while an image was felt") && messageIn(shown).contains("no answer is lost") &&
                  messageIn(shown).contains("press Enter"),
              qPrintable(messageIn(shown)));
-    QCOMPARE(shown.window.study()->store().answers().size(), static_cast<std::size_t>(answers));
+    QCOMPARE(dynamic_cast<database::StudyStore&>(shown.window.study()->store()).answers().size(),
+             static_cast<std::size_t>(answers));
     QCOMPARE(tests::displayedIn(displayFolder()), 0);  // the driver was restarted and shows nothing
     shown.gui.pressKey(Qt::Key_Return);
     stepTo<Presenting>(shown);
     QCOMPARE(std::get<Presenting>(shown.gui.view().state.stage).index, trial);
     QVERIFY(tests::displayedIn(displayFolder()) > 0);
     stepTo<Finished>(shown);
-    QCOMPARE(static_cast<int>(shown.window.study()->store().answers().size()), 24);
-    QVERIFY(shown.window.study()->store().faults().empty());
+    QCOMPARE(static_cast<int>(dynamic_cast<database::StudyStore&>(shown.window.study()->store()).answers().size()), 24);
+    QVERIFY(dynamic_cast<database::StudyStore&>(shown.window.study()->store()).faults().empty());
 }
 
 void AppDisplayTest::messageForADeadDriverNamesTheNextStep()

@@ -209,7 +209,7 @@ void AppFaultsTest::steppedWallClockChangesNoResponseTime()
     QCOMPARE(open.widget<QLabel>("sittingFact").text(), sitting);
     QVERIFY(timeLeft.startsWith("About"));
     open.playTo("OnBreak");
-    QVERIFY(open.window().study()->store().faults().empty());
+    QVERIFY(dynamic_cast<database::StudyStore&>(open.window().study()->store()).faults().empty());
 }
 
 QTEST_MAIN(AppFaultsTest)

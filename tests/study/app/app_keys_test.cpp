@@ -312,7 +312,7 @@ private Q_SLOTS:
         pressKey(open, Qt::Key_Escape);
         QVERIFY(!page.isRunning());
         QVERIFY(open.message("latencyMessage").contains("Nothing is stored"));
-        QVERIFY(database::operatorLatenciesOf(open.window().study()->store()).empty());
+        QVERIFY(database::operatorLatenciesOf(dynamic_cast<database::StudyStore&>(open.window().study()->store())).empty());
 
         open.widget<QPushButton>("latencyFlashButton").click();
         int taps = 0;
@@ -324,7 +324,7 @@ private Q_SLOTS:
             pressKey(open, Qt::Key_Space);
             ++taps;
         }
-        const auto runs = database::operatorLatenciesOf(open.window().study()->store());
+        const auto runs = database::operatorLatenciesOf(dynamic_cast<database::StudyStore&>(open.window().study()->store()));
         QCOMPARE(runs.size(), std::size_t(1));
         QCOMPARE(runs[0].operatorName, std::string("Ada"));
         QCOMPARE(runs[0].signal, std::string("flash"));
@@ -334,7 +334,7 @@ private Q_SLOTS:
         pressKey(open, Qt::Key_Escape);
         pressKey(open, Qt::Key_Escape);
         QCOMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
-        QVERIFY(open.window().study()->store().faults().empty());
+        QVERIFY(dynamic_cast<database::StudyStore&>(open.window().study()->store()).faults().empty());
     }
 };
 

@@ -106,7 +106,7 @@ void AppParticipantTest::aParticipantAgreesAnswersAndLearnsTheScaleOnATablet()
     QVERIFY(session.shown().contains("blindfold"));
     session.open.playToEnd();
     QVERIFY(session.shown().contains("The session is over."));
-    const auto& store = session.open.window().study()->store();
+    const auto& store = dynamic_cast<const database::StudyStore&>(session.open.window().study()->store());
     QCOMPARE(static_cast<int>(store.answers().size()), tests::support::answersOf({}));
     int byParticipant = 0;
     for (const auto& event : store.events(ParticipantId("P01")))

@@ -41,11 +41,6 @@ std::string stateOf(const ServerConnection& server)
     return fromQt(server.value(QStringLiteral("SELECT state FROM @schema@.server_study")));
 }
 
-void setState(const ServerConnection& server, const char* state)
-{
-    server.run(QStringLiteral("UPDATE @schema@.server_study SET state = ?"), {QString(QLatin1String(state))});
-}
-
 void dropStudy(const ServerConnection& server)
 {
     server.run(QStringLiteral("DROP SCHEMA @schema@ CASCADE"));
@@ -139,8 +134,7 @@ void sendWhole(const StudyStore& store, const ServerConnection& server)
     ServerTransaction transaction(server);
     for (const char* script : {"tables", "functions"}) server.runScript(serverScript(script));
     sendRows(SqliteConnection(store.folder().database(), SqliteConnection::Mode::Read), server);
-    server.run(QStringLiteral("INSERT INTO @schema@.server_study(id, state, program, format, phase_questions) "
-                              "VALUES (1, 'arriving', ?, ?, CAST(? AS jsonb))"),
+    server.run(QStringLiteral("SELECT @schema@.begin_arrival(?, ?, CAST(? AS jsonb))"),
                {toQt(store.facts().programVersion), serverFormat, toQt(phaseQuestions(store))});
     sendImages(store, server, stationKey);
     sendOrder(store, server, stationKey);
@@ -177,7 +171,7 @@ void removeDatabase(const StudyFolder& folder)
 LogHead openOnServer(const StudyFolder& folder, const ServerConnection& server)
 {
     removeDatabase(folder);
-    if (stateOf(server) == "arriving") setState(server, "open");
+    if (stateOf(server) == "arriving") server.run(QStringLiteral("SELECT @schema@.finish_arrival()"));
     return headOf(server);
 }
 
@@ -193,21 +187,10 @@ ServerNote ownersNote(const StudyFolder& folder)
     return *note;
 }
 
-void requireNobodyAtWork(const ServerConnection& server)
-{
-    QSqlQuery row =
-        server.run(QStringLiteral("SELECT station, participant FROM @schema@.server_stations WHERE participant IS NOT NULL AND "
-                                  "last_seen > now() - interval '30 seconds' ORDER BY station"));
-    if (row.next())
-        throw protocols::workFailed({"station " + fromQt(row.value(0)) + " is at work with " + fromQt(row.value(1)),
-                                     server.address().text, "no session in progress", "end the session, then move the study"});
-}
-
 /// Fetches the study and checks it; the folder then has a sound study.db, or none.
 void bringBack(const ServerConnection& server, const StudyFolder& folder)
 {
-    requireNobodyAtWork(server);
-    setState(server, "leaving");
+    server.run(QStringLiteral("SELECT @schema@.begin_leaving()"));
     try {
         fetchInto(server, folder);
         const SqliteConnection file(folder.database(), SqliteConnection::Mode::Read);
@@ -217,7 +200,7 @@ void bringBack(const ServerConnection& server, const StudyFolder& folder)
                                          folder.folder.string(), "", "the study is still on the server; see vis2hap verify"});
     } catch (...) {
         removeDatabase(folder);
-        setState(server, "open");
+        server.run(QStringLiteral("SELECT @schema@.cancel_leaving()"));
         throw;
     }
 }

@@ -132,6 +132,8 @@ void StationsTest::aStationGoesOnWhereAnotherWasLost()
         joinStudy(database::serverAddressFrom(m_server->address("lost")), twin, "left");
     });
     QVERIFY2(sameName.contains("another connection has joined as station left"), qPrintable(sameName));
+    const QString busy = errorOf([&] { moveToFolder(database::serverAddressFrom(m_server->address("lost")), owner); });
+    QVERIFY2(busy.contains("stations are in sessions: left"), qPrintable(busy));
     lost.reset();
     ServerSession found(right, "P01");
     found.playToEnd();

@@ -50,7 +50,7 @@ ServerRefusal refusalOfRule(const QString& code, const QStringList& parts, const
     return {exitCode, {partAt(parts, 0), where, partAt(parts, 1), partAt(parts, 2)}, code.toStdString()};
 }
 
-/// "?" outside quotes as "$1", "$2": QPSQL would rewrite a text that holds another question mark.
+/// "?" outside quotes as ":v1", ":v2": QPSQL would rewrite a text that holds another question mark.
 QString withNumbers(const QString& sql)
 {
     QString numbered;

@@ -25,6 +25,9 @@ constexpr std::size_t keptImages = 4;
 constexpr const char* familiarisationPrefix = "familiarisation:";
 constexpr const char* joinAgain = "VH205";  ///< this connection has no claim on the participant: the server began anew
 
+/// Whether the server may take the same entry later: it is busy, or the study is being moved.
+bool passes(const ServerRefusal& refusal) { return refusal.rule() == "VH206" || refusal.rule().starts_with("VH3"); }
+
 ServerNote noteOf(const StudyFolder& folder)
 {
     if (auto note = readServerNote(folder.folder)) return *note;
@@ -363,6 +366,10 @@ void StationStore::sendWaiting()
             loseLink(fault.what());
             throw;
         } catch (const ServerRefusal& refusal) {
+            if (passes(refusal)) {
+                loseLink(refusal.what());
+                throw;
+            }
             setAside(*entry, refusal.what());
         }
     }

@@ -64,6 +64,7 @@ private Q_SLOTS:
     void theServersDeathLosesNothing();
     void aHundredClaimsTakeAHundredPlaces();
     void whatWaitedTooLongIsKeptAside();
+    void answersWaitWhileTheStudyIsBeingMoved();
     void nothingAheadIsGivenOut();
     void sixteenStationsAtOnce();
 
@@ -308,6 +309,30 @@ void StationsTest::whatWaitedTooLongIsKeptAside()
     QVERIFY2(fault.contains("P01") && fault.contains("not-sent-P01"), qPrintable(fault));
     QCOMPARE(rowsOf(owner).answerCount(), std::size_t{24});
     QCOMPARE(rowsOf(owner).faults(), std::vector<std::string>());
+}
+
+void StationsTest::answersWaitWhileTheStudyIsBeingMoved()
+{
+    const StudyFolder owner = studyOnServer("moving");
+    CutNetwork network(m_server->port());
+    const StudyFolder place = station("moving", "left", network.port());
+    {
+        ServerSession session(place, "P01");
+        session.stepUntil("Presenting");
+        network.cut();
+        (void)errorOf([&] { session.step(); });
+        QVERIFY(session.store.link().waiting > 0);
+    }
+    network.mend();
+    const auto address = database::serverAddressFrom(m_server->address("moving"));
+    ServerConnection(address).run("UPDATE @schema@.server_study SET state = 'leaving'");
+    const QString refusal = errorOf([&] { const StationStore store(place); });
+    QVERIFY2(refusal.contains("the study is being moved"), qPrintable(refusal));
+    ServerConnection(address).run("UPDATE @schema@.server_study SET state = 'open'");
+    const StationStore store(place);
+    QCOMPARE(store.link().waiting, std::size_t{0});
+    QVERIFY2(store.link().fault.empty(), store.link().fault.c_str());
+    QCOMPARE(rowsOf(owner).answerCount(), std::size_t{1});
 }
 
 void StationsTest::nothingAheadIsGivenOut()

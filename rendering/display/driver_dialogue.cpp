@@ -29,6 +29,7 @@ bool DriverDialogue::isOpen()
     m_open.clear();
     m_replies.clear();
     showing.reset();
+    m_felt.reset();
     m_link = std::make_unique<DriverLink>(m_address, steady_clock::now() + m_patience.reply);
     const std::int64_t id = ++m_id;
     m_open.insert(id);
@@ -54,7 +55,7 @@ void DriverDialogue::take(const std::string& line)
     std::string unexpected;
     if (!message)
         unexpected = "sent a line that is not a message: " + line.substr(0, 60);
-    else if (message->kind == MessageKind::Touched && showing != message->id)
+    else if (message->kind == MessageKind::Touched && showing != message->id && m_felt != message->id)
         unexpected = "reported a touch of image " + std::to_string(message->id) + ", which is not shown";
     else if (message->kind == MessageKind::Touched)
         m_isTouched = true;
@@ -63,8 +64,11 @@ void DriverDialogue::take(const std::string& line)
     } else if (m_open.erase(message->id) == 0)
         unexpected = "answered " + inWords(message) + " to request " + std::to_string(message->id) +
                      ", which was not sent or was already answered";
-    else
+    else {
+        if (message->kind == MessageKind::Shown) m_felt = message->id;
+        if (message->kind == MessageKind::Cleared) m_felt.reset();
         m_replies.push_back(*message);
+    }
     if (m_unexpected.empty()) m_unexpected = unexpected;
 }
 

@@ -34,7 +34,8 @@ public:
     std::optional<DriverMessage> ask(const std::string& line, std::string_view bytes = {});
     bool hasOtherReplies() const { return !m_replies.empty(); }
 
-    /// Image whose touches the driver may report.
+    /// Requested image. The driver may report its touches, and those of the image before until it replies: a finger can come
+    /// down while the request is on its way.
     std::optional<std::int64_t> showing;
     bool isTouched() const { return m_isTouched; }
     void awaitTouch(Instant deadline);
@@ -60,6 +61,7 @@ private:
     std::int64_t m_id = 100;
     std::set<std::int64_t> m_open;         ///< requests without a reply
     std::vector<DriverMessage> m_replies;  ///< replies that no request has taken yet
+    std::optional<std::int64_t> m_felt;    ///< image of the last reply `shown`, until a reply `cleared`
     bool m_isTouched = false;
     std::string m_opening, m_unexpected;
 };

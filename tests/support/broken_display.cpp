@@ -8,6 +8,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 namespace {
 
@@ -81,8 +82,9 @@ void show(const Json& request)
     if (is("refuses images")) return reply("failed", request["id"], {{"why", "no amplifier"}});
     if (is("answers an old id")) return reply("shown", 1);
     if (is("late first reply") && images == 1) return reply("shown", 0);
-    showing = request["id"];
+    const Json before = std::exchange(showing, request["id"]);
     reply("shown", showing);
+    if (is("touched before") && !before.is_null()) reply("touched", before);
     if (is("fingers of nonsense")) {
         for (const char* values : {R"("x_mm":1e999)", R"("x_mm":NaN)", R"("x_mm":"12")", R"("x_mm":1e300,"y_mm":2)",
                                    R"("force_n":-1e9)", R"("y_mm":[1])", R"("force_n":true)"})

@@ -74,6 +74,8 @@ private Q_SLOTS:
         QTest::newRow("plain") << QStringList{};
         QTest::newRow("slow") << QStringList{"--delay", "20"};
         QTest::newRow("touched") << QStringList{"--touch-after", "30"};
+        // Each touch is reported while the next request is on its way.
+        QTest::newRow("touched at once") << QStringList{"--touch-after", "0"};
     }
     void referenceDriverMeetsEveryDemand()
     {
@@ -82,7 +84,7 @@ private Q_SLOTS:
         DisplayCheckOptions options;
         options.touchWithin = arguments.contains("--touch-after") ? 2s : 0s;
         const auto check =
-            checked("exec:" + reference() + " " + folder.toStdString() + " " + arguments.join(" ").toStdString(), options);
+            checked("exec:" + reference() + " '" + folder.toStdString() + "' " + arguments.join(" ").toStdString(), options);
         QVERIFY2(check.faults() == 0, qPrintable(faultsOf(check)));
         QCOMPARE(check.demands.size(), std::size_t(arguments.contains("--touch-after") ? 17 : 16));
         QCOMPARE(check.name, std::string("reference display"));
@@ -119,6 +121,8 @@ private Q_SLOTS:
                                        << "already answered";
         QTest::newRow("touched elsewhere") << "sends only messages"
                                            << "image 999999";
+        QTest::newRow("touched before") << "sends only messages"
+                                        << "which is not shown";
         QTest::newRow("echoes the schema") << "newer schema"
                                            << "display/99";
         QTest::newRow("shows at the start") << "nothing after hello"

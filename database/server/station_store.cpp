@@ -244,6 +244,7 @@ protocols::ParticipantId StationStore::nextParticipantId() const
 void StationStore::claim(const std::string& participant, const std::string& kind)
 {
     const Json claimed = asked("claim", {toQt(participant), toQt(kind)});
+    if (m_participant != participant) m_events.clear();
     m_participant = participant;
     m_kind = kind;
     takeClaim(claimed);
@@ -265,13 +266,14 @@ void StationStore::takeClaim(const Json& claimed)
             m_facts.swatches.back()[protocols::FabricId(fabric)] = code.get<std::string>();
         m_trials.clear();
         for (const Json& trial : claimed.at("trials")) m_trials.push_back(trialIn(trial));
-        m_events.clear();
+        std::vector<EventRecord> events;
         for (const Json& event : claimed.at("events"))
-            m_events.push_back({event.at("sequence").get<std::int64_t>(), protocols::ParticipantId(m_participant),
-                                event.at("sitting").get<int>(), event.at("kind").get<std::string>(),
-                                event.at("payload").get<std::string>(), event.at("at_ns").get<std::int64_t>(),
-                                event.at("wall_time").get<std::string>()});
-        m_eventCount = static_cast<int>(m_events.size());
+            events.push_back({event.at("sequence").get<std::int64_t>(), protocols::ParticipantId(m_participant),
+                              event.at("sitting").get<int>(), event.at("kind").get<std::string>(),
+                              event.at("payload").get<std::string>(), event.at("at_ns").get<std::int64_t>(),
+                              event.at("wall_time").get<std::string>()});
+        // Entries that wait belong to the log, though the server does not know them yet.
+        if (m_queue.size() == 0 || m_events.size() < events.size()) m_events = std::move(events);
         m_isClaimed = true;
         m_head = headIn(claimed);
     });
@@ -329,19 +331,23 @@ ReleasedImage StationStore::image(const protocols::SealedCode& code)
     return m_images.at(code);
 }
 
-void StationStore::send(const AnswerQueue::Entry& entry)
+std::int64_t StationStore::send(const AnswerQueue::Entry& entry)
 {
     const ServerReply reply = m_link->call("store", {toQt(entry.json)}, storing);
     m_head = reading(m_note.address, [&] { return headIn(reply.json); });
+    return reading(m_note.address, [&] { return reply.json.at("event").get<std::int64_t>(); });
 }
 
 void StationStore::append(const Append& entry)
 {
-    const AnswerQueue::Entry waiting{0, entry.event.participant.value, m_kind, entryJson(entry, m_eventCount)};
+    const AnswerQueue::Entry waiting{0, entry.event.participant.value, m_kind,
+                                     entryJson(entry, static_cast<int>(m_events.size()))};
+    EventRecord event = entry.event;
+    event.sequence = 0;
     if (m_link && m_queue.size() == 0) {
         try {
-            send(waiting);
-            ++m_eventCount;
+            event.sequence = send(waiting);
+            m_events.push_back(std::move(event));
             return;
         } catch (const ServerAway& fault) {
             loseLink(fault.what());
@@ -351,7 +357,7 @@ void StationStore::append(const Append& entry)
         }
     }
     m_queue.put(waiting);
-    ++m_eventCount;
+    m_events.push_back(std::move(event));
 }
 
 /// Every entry is sent under a claim on its participant. An entry that the server refuses must not keep back those of others.

@@ -71,7 +71,8 @@ private:
     void requireLink();
     ServerAway away() const;
     void loseLink(const std::string& why) const;
-    void send(const AnswerQueue::Entry& entry);
+    /// Returns the number of the entry in the log.
+    std::int64_t send(const AnswerQueue::Entry& entry);
     void sendWaiting();
     void setAside(const AnswerQueue::Entry& first, const std::string& why);
 
@@ -93,9 +94,8 @@ private:
     int m_slot = 0;
     SlotState m_slotState = SlotState::Free;
     int m_protocolVersion = 1;
-    int m_eventCount = 0;  ///< of the participant, with those that wait
     std::vector<protocols::BlindedTrial> m_trials;
-    std::vector<EventRecord> m_events;
+    std::vector<EventRecord> m_events;  ///< of the participant, with those that wait; these have the sequence 0
     std::map<protocols::SealedCode, ReleasedImage> m_images;
 };
 

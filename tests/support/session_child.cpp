@@ -9,7 +9,7 @@
 #include <string>
 
 #include "protocols/files/errors.h"
-#include "tests/support/played_session.h"
+#include "tests/support/server/engine_session.h"
 
 using namespace tests::support;
 
@@ -25,7 +25,7 @@ void print(const std::string& line)
 
 void play(const database::StudyFolder& folder, const std::string& participant)
 {
-    OpenSession session(folder, participant);
+    EngineSession session(folder, participant);
     int printed = session.driver->state().answersStored;
     print("open " + std::to_string(printed));
     while (session.step())

@@ -60,6 +60,7 @@ private Q_SLOTS:
     void aSessionStoresTheRowsOfAFolder();
     void aStationGoesOnWhereAnotherWasLost();
     void aCutNetworkLosesAndDoublesNothing();
+    void aCutWhileWaitingEntriesAreSentLosesNothing();
     void aSilentNetworkStopsNobodyForLong();
     void theServersDeathLosesNothing();
     void aHundredClaimsTakeAHundredPlaces();
@@ -200,6 +201,47 @@ void StationsTest::aCutNetworkLosesAndDoublesNothing()
         QVERIFY(event.atNs > last);
         last = event.atNs;
     }
+}
+
+/// The network is cut again while many entries are on their way, and the operator goes on.
+void StationsTest::aCutWhileWaitingEntriesAreSentLosesNothing()
+{
+    constexpr int notes = 150;
+    const StudyFolder owner = studyOnServer("again");
+    CutNetwork network(m_server->port());
+    ServerSession session(station("again", "left", network.port()), "P01");
+    session.stepUntil("Presenting");
+    int noted = 0;
+    const auto note = [&] { session.send(Noted{"note " + std::to_string(++noted), false}); };
+    network.cut();
+    for (int i = 0; i < notes; ++i) note();
+    QCOMPARE(session.store.link().waiting, std::size_t{notes});
+    network.mend();
+    std::thread cutter([&] {
+        const ServerConnection server(database::serverAddressFrom(m_server->address("again")));
+        const auto arrived = [&] { return server.value("SELECT count(*) FROM @schema@.server_received").toInt(); };
+        for (const int before = arrived(); arrived() < before + 5;) QThread::msleep(2);
+        network.cut();
+    });
+    QTRY_VERIFY_WITH_TIMEOUT((session.store.refresh(), session.store.link().waiting < notes && !session.store.link().isUp),
+                             20000);
+    cutter.join();
+    QVERIFY(session.store.link().waiting > 0);
+    note();
+    note();
+    network.mend();
+    waitForServer(session);
+    QVERIFY2(session.store.link().fault.empty(), session.store.link().fault.c_str());
+    QCOMPARE(session.store.events(protocols::ParticipantId("P01")).size(),
+             rowsOf(owner).events(protocols::ParticipantId("P01")).size());
+    std::vector<std::string> expected, found;
+    for (int i = 1; i <= noted; ++i) expected.push_back("note " + std::to_string(i));
+    for (const auto& event : rowsOf(owner).events(protocols::ParticipantId("P01")))
+        if (event.kind == "noted") found.push_back(nlohmann::json::parse(event.payloadJson).at("text").get<std::string>());
+    QCOMPARE(found, expected);
+    session.playToEnd();
+    QCOMPARE(rowsOf(owner).answerCount(), std::size_t{24});
+    QCOMPARE(rowsOf(owner).faults(), std::vector<std::string>());
 }
 
 void StationsTest::aSilentNetworkStopsNobodyForLong()

@@ -9,8 +9,7 @@
 #include "protocols/files/whole_file.h"
 #include "study/players/script.h"
 #include "study/players/scripted_participant.h"
-#include "tests/support/played_session.h"
-#include "tests/support/study_builder.h"
+#include "tests/support/server/engine_session.h"
 
 using namespace study::session;
 using namespace tests::support;
@@ -39,7 +38,7 @@ std::vector<std::string> rowsOf(const database::StudyStore& store)
 }
 
 /// A session with everything that an operator may do.
-void playEventfully(OpenSession& session)
+void playEventfully(EngineSession& session)
 {
     session.playUntilAnswers(1);
     session.send(Noted{"sneezed", false});
@@ -68,13 +67,13 @@ std::string scriptOf(const database::StudyStore& store, const std::filesystem::p
     return protocols::readWholeFile(out / "S01.json");
 }
 
-void replay(const std::string& text, OpenSession& session)
+void replay(const std::string& text, EngineSession& session)
 {
-    const auto& plan = session.driver->plan();
+    const auto plan = readPlan(session.rows(), ParticipantId("S01"));  // a server gives no trial ahead
     const auto script = study::players::scriptFromJson(text, "exported", plan.protocol);
     study::players::DriverHands hands(*session.driver);
     const study::players::ScriptedTrials trials{
-        plan.trials, readAllocationKeyForTestDriver(session.store, database::ParticipantKind::Scripted, {}), plan.protocol,
+        plan.trials, readAllocationKeyForTestDriver(session.rows(), database::ParticipantKind::Scripted, {}), plan.protocol,
         plan.fabricNames};
     study::players::playScript(script, trials, {}, hands, session.clock);
 }
@@ -86,9 +85,16 @@ class SessionScriptTest : public QObject {
     QTemporaryDir m_place;
     int m_studies = 0;
 
+    EngineUnderTest m_engine;
+
     std::filesystem::path newPath() { return m_place.filePath(QString("place%1").arg(++m_studies)).toStdString(); }
 
 private Q_SLOTS:
+    void initTestCase()
+    {
+        if (const QString why = EngineUnderTest::whyMissing(); !why.isEmpty()) QSKIP(qPrintable(why));
+    }
+
     void aRecordedSessionReplaysToTheSameRows_data()
     {
         QTest::addColumn<bool>("unblinded");
@@ -103,16 +109,18 @@ private Q_SLOTS:
         QFETCH(bool, unblinded);
         QFETCH(double, deadTimeSeconds);
         const StudyRecipe recipe{.deadTimeSeconds = deadTimeSeconds};
-        OpenSession recorded(buildStudy(newPath(), recipe), "S01");
+        EngineSession recorded(m_engine.study(newPath(), recipe), "S01");
         playEventfully(recorded);
-        if (unblinded) unblind(recorded.store, {"Ada", "it is over", "2026-01-01T00:00:00Z"}, {});
+        if (unblinded && EngineUnderTest::isServer()) QSKIP("a study is unblinded in its folder");
+        if (unblinded)
+            unblind(dynamic_cast<database::StudyStore&>(*recorded.store), {"Ada", "it is over", "2026-01-01T00:00:00Z"}, {});
         const auto out = newPath();
         std::filesystem::create_directory(out);
-        const std::string text = scriptOf(recorded.store, out);
+        const std::string text = scriptOf(recorded.rows(), out);
         QCOMPARE(text.find("v_grey") != std::string::npos, unblinded);
-        OpenSession twin(buildStudy(newPath(), recipe), "S01");
+        EngineSession twin(m_engine.study(newPath(), recipe), "S01");
         replay(text, twin);
-        const auto rows = rowsOf(recorded.store), again = rowsOf(twin.store);
+        const auto rows = rowsOf(recorded.rows()), again = rowsOf(twin.rows());
         QVERIFY(rows.size() > 24u);
         for (std::size_t i = 0; i < std::min(rows.size(), again.size()); ++i) QCOMPARE(again[i], rows[i]);
         QCOMPARE(again.size(), rows.size());
@@ -144,13 +152,13 @@ private Q_SLOTS:
     {
         QFETCH(QString, event);
         QFETCH(QString, fault);
-        OpenSession recorded(buildStudy(newPath()), "S01");
+        EngineSession recorded(m_engine.study(newPath()), "S01");
         recorded.playToEnd();
         const auto out = newPath();
         std::filesystem::create_directory(out);
-        auto script = nlohmann::ordered_json::parse(scriptOf(recorded.store, out));
+        auto script = nlohmann::ordered_json::parse(scriptOf(recorded.rows(), out));
         script["events"] = {nlohmann::ordered_json::parse(event.toStdString())};
-        OpenSession twin(buildStudy(newPath()), "S01");
+        EngineSession twin(m_engine.study(newPath()), "S01");
         QString said;
         try {
             replay(script.dump(), twin);

@@ -10,9 +10,7 @@
 #include "database/evidence/clear_log.h"
 #include "database/evidence/finger_records.h"
 #include "protocols/files/errors.h"
-#include "tests/support/played_session.h"
-#include "tests/support/raw_sqlite.h"
-#include "tests/support/study_builder.h"
+#include "tests/support/server/engine_session.h"
 
 using namespace study::session;
 using namespace tests::support;
@@ -51,20 +49,29 @@ int count(const std::vector<CurrentAnswer>& answers, bool voided)
 class DriverTest : public QObject {
     Q_OBJECT
     QTemporaryDir m_place;
+    EngineUnderTest m_engine;
     int m_studies = 0;
 
-    database::StudyFolder newStudy() { return buildStudy(m_place.filePath(QString("study%1").arg(++m_studies)).toStdString()); }
+    database::StudyFolder newStudy()
+    {
+        return m_engine.study(m_place.filePath(QString("study%1").arg(++m_studies)).toStdString());
+    }
 
 private Q_SLOTS:
+    void initTestCase()
+    {
+        if (const QString why = EngineUnderTest::whyMissing(); !why.isEmpty()) QSKIP(qPrintable(why));
+    }
+
     void aWholeSessionIsStoredAndFinishesItsSlot()
     {
-        OpenSession session(newStudy(), "S01");
+        EngineSession session(newStudy(), "S01");
         session.playToEnd();
-        const auto answers = session.store.answers();
+        const auto answers = session.rows().answers();
         QCOMPARE(answers.size(), 6u + 18u);
-        QCOMPARE(session.store.slots()[0].state, SlotState::Finished);
-        QCOMPARE(session.driver->view().logHead, shortTextOf(session.store.head()));
-        QCOMPARE(session.store.slots()[1].state, SlotState::Free);
+        QCOMPARE(session.store->slots()[0].state, SlotState::Finished);
+        QCOMPARE(session.driver->view().logHead, shortTextOf(session.store->head()));
+        QCOMPARE(session.store->slots()[1].state, SlotState::Free);
         QCOMPARE(answers.front().seconds, 2.5);
         QCOMPARE(answers.front().record.readyAtNs + 1250000000, *answers.front().record.touchedAtNs);
         const CurrentAnswer& third = answers[8];
@@ -72,18 +79,18 @@ private Q_SLOTS:
         QVERIFY(!third.record.touchedAtNs);
         QCOMPARE(third.record.readyAtNs, answers[7].record.answeredAtNs);
         QCOMPARE(third.seconds, 3.75);
-        QVERIFY(session.store.faults().empty());
+        QVERIFY(session.rows().faults().empty());
     }
 
     void theTimesOfAnAnswerAreItsOwn()
     {
-        OpenSession session(newStudy(), "S01");
+        EngineSession session(newStudy(), "S01");
         session.stepUntil("Presenting");
         const auto answer = [&](const AnswerStamps& stamps) {
             session.clock.advanceSeconds(6);
             session.send(
                 Answered{std::get<Answered>(*nextEvent(session.driver->view(), session.driver->plan())).response, stamps});
-            return session.store.answers().back();
+            return session.rows().answers().back();
         };
         constexpr std::int64_t second = 1000000000;
         session.clock.advanceSeconds(1);
@@ -96,7 +103,7 @@ private Q_SLOTS:
 
         const protocols::QuestionId question = stored.record.question;  // a correction keeps every time of the answer
         session.send(Corrected{question, session.driver->plan().trials[0].alternatives[0], "misheard"});
-        const auto corrected = database::answersGivenBy(session.store, protocols::ParticipantId("S01")).back();
+        const auto corrected = database::answersGivenBy(session.rows(), protocols::ParticipantId("S01")).back();
         QVERIFY(corrected.record.isCorrection);
         QCOMPARE(corrected.responseSeconds, std::optional(2.0));
         QCOMPARE(corrected.record.touchEndedAtNs, stored.record.touchEndedAtNs);
@@ -119,16 +126,16 @@ private Q_SLOTS:
         session.stepUntil("Presenting");
         stored = answer({.begunAgoNs = 1000 * second, .touchEndedAgoNs = 1000 * second});  // ages from outside may be anything
         QCOMPARE(*stored.record.answerBegunAtNs, stored.record.readyAtNs);
-        QVERIFY(session.store.faults().empty());
+        QVERIFY(session.rows().faults().empty());
     }
 
     void theDisplayShowsEachTrialsOwnStimulusAndIsClearBetween()
     {
-        OpenSession session(newStudy(), "S01");
+        EngineSession session(newStudy(), "S01");
         session.playToEnd();
         std::vector<std::string> expected{"clear", "clear"};  // at the start of the sitting, and for familiarisation
         for (const auto& trial : session.driver->plan().trials) {
-            const int value = session.bank.image(trial.sealedCode).at<unsigned char>(0, 0);
+            const int value = session.images->image(trial.sealedCode).at<unsigned char>(0, 0);
             expected.push_back("show " + std::to_string(value));
             expected.push_back("clear");
         }
@@ -137,7 +144,7 @@ private Q_SLOTS:
 
     void theViewCarriesTheTrialAndNoKey()
     {
-        OpenSession session(newStudy(), "S01");
+        EngineSession session(newStudy(), "S01");
         QVERIFY(session.driver->view().code.empty());
         session.stepUntil("PlacingTray");
         View view = session.driver->view();
@@ -174,53 +181,52 @@ private Q_SLOTS:
     void aSessionGoesOnWhereTheLastOneStopped()
     {
         const auto whole = newStudy();
-        OpenSession uninterrupted(whole, "S01");
+        EngineSession uninterrupted(whole, "S01");
         uninterrupted.playToEnd();
         const auto folder = newStudy();
         for (int answers = 1; answers <= 24; ++answers) {
-            OpenSession session(folder, "S01");
+            EngineSession session(folder, "S01");
             QCOMPARE(session.driver->state().sitting, answers);
             QCOMPARE(session.driver->state().answersStored, answers - 1);
             session.playUntilAnswers(answers);
         }
-        OpenSession session(folder, "S01");
+        EngineSession session(folder, "S01");
         QCOMPARE(session.display.calls, std::vector<std::string>{"clear"});
         QCOMPARE(nameOf(session.driver->state()), std::string("Debriefing"));
         QVERIFY(session.step());
         QVERIFY(!session.step());
-        QCOMPARE(withoutTimes(session.store.answers()), withoutTimes(uninterrupted.store.answers()));
+        QCOMPARE(withoutTimes(session.rows().answers()), withoutTimes(uninterrupted.rows().answers()));
     }
 
     void aRefusedEventIsNotStored()
     {
-        OpenSession session(newStudy(), "S01");
+        EngineSession session(newStudy(), "S01");
         session.stepUntil("Presenting");
-        const auto events = session.store.events(ParticipantId("S01")).size();
+        const auto events = session.store->events(ParticipantId("S01")).size();
         const auto refusal = session.driver->send(Answered{protocols::FabricId("F99")});
         QVERIFY(refusal && refusal->reason.find("is not on the tray") != std::string::npos);
-        QCOMPARE(session.store.events(ParticipantId("S01")).size(), events);
-        QVERIFY(session.store.answers().empty());
+        QCOMPARE(session.store->events(ParticipantId("S01")).size(), events);
+        QVERIFY(session.rows().answers().empty());
     }
 
     void aCorrectionKeepsTheOldValueInTheLog()
     {
         const auto folder = newStudy();
-        OpenSession session(folder, "S01");
+        EngineSession session(folder, "S01");
         session.playUntilAnswers(9);
-        const CurrentAnswer before = session.store.answers()[7];
+        const CurrentAnswer before = session.rows().answers()[7];
         session.clock.advanceSeconds(60);
         session.send(Corrected{QuestionId("Q3"), Tenths{54}, "misheard"});
-        const CurrentAnswer now = session.store.answers()[7];
+        const CurrentAnswer now = session.rows().answers()[7];
         QCOMPARE(now.record.question.value, std::string("Q3"));
         QCOMPARE(now.record.rating->value, 54);
         QCOMPARE(now.corrections, 1);
         QCOMPARE(now.record.note, std::string("misheard"));
         QCOMPARE(now.seconds, before.seconds);
         QVERIFY(now.storedAtNs > before.storedAtNs);
-        QCOMPARE(RawSqlite(folder.database())
-                     .rows("SELECT rating_tenths FROM responses WHERE trial = 7 AND question = 'Q3' ORDER BY id"),
+        QCOMPARE(rowsFound(folder, "SELECT rating_tenths FROM responses WHERE trial = 7 AND question = 'Q3' ORDER BY id"),
                  (std::vector<std::string>{std::to_string(before.record.rating->value), "54"}));
-        QCOMPARE(RawSqlite(folder.database()).rows("SELECT rating FROM answers WHERE trial = 7 AND question = 'Q3'"),
+        QCOMPARE(rowsFound(folder, "SELECT rating FROM answers WHERE trial = 7 AND question = 'Q3'"),
                  std::vector<std::string>{"5.4"});
     }
 
@@ -228,14 +234,14 @@ private Q_SLOTS:
     {
         const auto folder = newStudy();
         {
-            OpenSession session(folder, "S01");
+            EngineSession session(folder, "S01");
             session.playUntilAnswers(2);
             session.send(Voided{"wrong swatch"});
             QCOMPARE(session.driver->view().presentations, 13);
         }
-        OpenSession session(folder, "S01");
+        EngineSession session(folder, "S01");
         session.playToEnd();
-        const auto answers = session.store.answers();
+        const auto answers = session.rows().answers();
         QCOMPARE(count(answers, true), 1);
         QCOMPARE(count(answers, false), 24);
         const CurrentAnswer& first = answers[1];
@@ -246,18 +252,18 @@ private Q_SLOTS:
         QCOMPARE(second.attempt, 2);
         QCOMPARE(first.record.note, std::string("wrong swatch"));
         QCOMPARE(second.record.note, std::string());
-        QVERIFY(session.store.faults().empty());
+        QVERIFY(session.rows().faults().empty());
     }
 
     void aNoteIsFoundAtItsTrial()
     {
-        OpenSession session(newStudy(), "S01");
+        EngineSession session(newStudy(), "S01");
         session.playUntilAnswers(3);
         session.send(Noted{"sneezed"});
         session.stepUntil("Presenting");
         session.send(Noted{"a phone rang"});
         session.playUntilAnswers(5);
-        const auto answers = session.store.answers();
+        const auto answers = session.rows().answers();
         QCOMPARE(answers[1].record.note, std::string());
         QCOMPARE(answers[2].record.note, std::string("sneezed"));
         QCOMPARE(answers[3].record.note, std::string("a phone rang"));
@@ -266,12 +272,12 @@ private Q_SLOTS:
 
     void aTextWithANulIsRefusedAndNothingIsStored()
     {
-        OpenSession session(newStudy(), "S01");
+        EngineSession session(newStudy(), "S01");
         session.playUntilAnswers(1);
-        const auto events = session.store.events(ParticipantId("S01")).size();
+        const auto events = session.store->events(ParticipantId("S01")).size();
         const auto refusal = session.driver->send(Noted{std::string("soft\0ware", 9)});
         QVERIFY(refusal && refusal->reason.find("NUL") != std::string::npos);
-        QCOMPARE(session.store.events(ParticipantId("S01")).size(), events);
+        QCOMPARE(session.store->events(ParticipantId("S01")).size(), events);
         QVERIFY(!session.driver->send(Noted{"the six characters \\u0000 are a text"}));
         QVERIFY(!session.driver->send(Noted{"a backslash \\"}));
     }
@@ -279,7 +285,7 @@ private Q_SLOTS:
     void aDisplayThatFailsPausesTheSessionAndLosesNothing()
     {
         const auto folder = newStudy();
-        OpenSession session(folder, "S01");
+        EngineSession session(folder, "S01");
         session.playUntilAnswers(2);
         session.display.fault = "cable out";
         try {
@@ -289,43 +295,44 @@ private Q_SLOTS:
             QVERIFY(QString(fault.what()).contains("cable out"));
         }
         QCOMPARE(nameOf(session.driver->state()), std::string("PlacingTray (paused)"));
-        QCOMPARE(session.store.events(ParticipantId("S01")).back().kind, std::string("paused"));
+        QCOMPARE(session.store->events(ParticipantId("S01")).back().kind, std::string("paused"));
         session.display.fault.clear();
         session.playToEnd();
-        QCOMPARE(session.store.answers().size(), 24u);
+        QCOMPARE(session.rows().answers().size(), 24u);
     }
 
     void aMissingStimulusIsToldBeforeTheSession()
     {
+        if (EngineUnderTest::isServer()) QSKIP("a server holds the images in its tables");
         const auto folder = newStudy();
         const auto file = std::filesystem::directory_iterator(folder.stimuli())->path();
         std::filesystem::rename(file, folder.folder / "aside");
-        QVERIFY_EXCEPTION_THROWN(OpenSession(folder, "S01"), protocols::Error);
+        QVERIFY_EXCEPTION_THROWN(EngineSession(folder, "S01"), protocols::Error);
         std::filesystem::rename(folder.folder / "aside", file);
-        OpenSession session(folder, "S01");
+        EngineSession session(folder, "S01");
         std::filesystem::remove(file);  // all files are read when the session opens
         session.playToEnd();
-        QCOMPARE(session.store.answers().size(), 24u);
+        QCOMPARE(session.rows().answers().size(), 24u);
     }
 
     void whoWithdrawsLeavesTheirAnswersAndTheSession()
     {
         const auto folder = newStudy();
         {
-            OpenSession session(folder, "P01", database::ParticipantKind::Human);
+            EngineSession session(folder, "P01", database::ParticipantKind::Human);
             session.playUntilAnswers(3);
             session.send(WithdrawnEvent{"unwell"});
-            QCOMPARE(session.store.slots()[0].state, SlotState::Free);
-            QCOMPARE(session.store.enrolments()[0].state, SlotState::Withdrawn);
+            QCOMPARE(session.store->slots()[0].state, SlotState::Free);
+            QCOMPARE(session.store->enrolments()[0].state, SlotState::Withdrawn);
         }
-        OpenSession session(folder, "P01", database::ParticipantKind::Human);
+        EngineSession session(folder, "P01", database::ParticipantKind::Human);
         QVERIFY(!session.step());
-        QCOMPARE(session.store.answers().size(), 3u);
+        QCOMPARE(session.rows().answers().size(), 3u);
     }
 
     void aPresentationGivenAgainHasAnotherCode()
     {
-        OpenSession session(newStudy(), "S01");
+        EngineSession session(newStudy(), "S01");
         session.stepUntil("Presenting");
         const protocols::PresentationCode first = session.driver->view().code;
         session.send(Voided{"noise"});
@@ -342,53 +349,54 @@ private Q_SLOTS:
 
     void aChangedProtocolIsRefusedUntilItIsTakenOver()
     {
+        if (EngineUnderTest::isServer()) QSKIP("a study is amended in its folder");
         const auto folder = newStudy();
-        OpenSession(folder, "S01").playUntilAnswers(2);
+        EngineSession(folder, "S01").playUntilAnswers(2);
         StudyRecipe recipe;
         recipe.breakAfter = 3;
         const std::string changed = protocolText(recipe);
         std::ofstream(folder.protocol(), std::ios::binary) << changed;
         try {
-            OpenSession session(folder, "S01");
+            EngineSession session(folder, "S01");
             QFAIL("the session continued with a changed protocol");
         } catch (const protocols::Error& fault) {
             QCOMPARE(fault.exitCode(), protocols::ExitCode::BadInput);
             QVERIFY2(QString(fault.what()).contains("study amend"), fault.what());
         }
         database::StudyStore(folder, database::StudyStore::Access::Write).takeProtocol(changed, "Ada", "shorter blocks");
-        QCOMPARE(OpenSession(folder, "S01").driver->plan().protocol.breakAfterPresentations, 4);
-        QCOMPARE(OpenSession(folder, "S02").driver->plan().protocol.breakAfterPresentations, 3);
+        QCOMPARE(EngineSession(folder, "S01").driver->plan().protocol.breakAfterPresentations, 4);
+        QCOMPARE(EngineSession(folder, "S02").driver->plan().protocol.breakAfterPresentations, 3);
     }
 
     void factsAndDebriefingLieOutsideTheLog()
     {
         const auto folder = newStudy();
         {
-            OpenSession session(folder, "S01");
+            EngineSession session(folder, "S01");
             session.stepUntil("Debriefing");
             session.send(Debriefed{"cold hands"});
-            QCOMPARE(session.store.personalFacts().at(ParticipantId("S01")).at(debriefingFact), std::string("cold hands"));
+            QCOMPARE(session.rows().personalFacts().at(ParticipantId("S01")).at(debriefingFact), std::string("cold hands"));
         }
-        QCOMPARE(RawSqlite(folder.database()).rows("SELECT COUNT(*) FROM events WHERE payload LIKE '%cold hands%'"),
+        QCOMPARE(rowsFound(folder, "SELECT COUNT(*) FROM events WHERE payload LIKE '%cold hands%'"),
                  std::vector<std::string>{"0"});
     }
 
     void aFlagIsFoundWithItsPresentation()
     {
-        OpenSession session(newStudy(), "S01");
+        EngineSession session(newStudy(), "S01");
         QVERIFY(session.driver->send(Noted{"", true}).has_value());
         session.playUntilAnswers(3);
         session.send(Noted{"odd", true});
-        const auto flags = session.store.flags();
+        const auto flags = session.rows().flags();
         QCOMPARE(flags.size(), 1u);
         QCOMPARE(flags[0].trial.value, 3);
         QCOMPARE(flags[0].text, std::string("odd"));
-        QVERIFY(session.store.faults().empty());
+        QVERIFY(session.rows().faults().empty());
     }
 
     void theTimeLeftFollowsTheParticipantsOwnPace()
     {
-        OpenSession session(newStudy(), "S01");
+        EngineSession session(newStudy(), "S01");
         session.playUntilAnswers(4);
         QCOMPARE(session.driver->view().minutesLeft, 8 * 30.0 / 60);
         session.playUntilAnswers(6);
@@ -417,14 +425,10 @@ private Q_SLOTS:
     void aLogThatDoesNotHoldTogetherIsRefused()
     {
         const auto folder = newStudy();
-        OpenSession(folder, "S01").playUntilAnswers(2);
-        {
-            RawSqlite raw(folder.database());
-            raw.dropTriggers();
-            QCOMPARE(raw.run("UPDATE events SET kind = 'touched', payload = '{}' WHERE kind = 'tray_ready'"), std::string());
-        }
+        EngineSession(folder, "S01").playUntilAnswers(2);
+        m_engine.meddle(folder, "events", "SET kind = 'touched', payload = '{}' WHERE kind = 'tray_ready'");
         try {
-            OpenSession session(folder, "S01");
+            EngineSession session(folder, "S01");
             QFAIL("a broken log cannot be resumed");
         } catch (const protocols::Error& fault) {
             QCOMPARE(fault.exitCode(), protocols::ExitCode::WorkFailed);
@@ -434,14 +438,14 @@ private Q_SLOTS:
 
     void theFingerIsStoredWithTheNextAnswer()
     {
-        OpenSession session(newStudy(), "S01");
+        EngineSession session(newStudy(), "S01");
         const auto move = [&](double seconds, double xMm) {
             session.clock.advanceSeconds(seconds);
             session.driver->addFinger({std::chrono::milliseconds(2), xMm, 20.0, 0.5});
         };
         const auto recordsNow = [&] {
             std::vector<database::FingerRecord> records;
-            database::eachFingerRecord(session.store, {}, [&](const auto& record) { records.push_back(record); });
+            database::eachFingerRecord(session.rows(), {}, [&](const auto& record) { records.push_back(record); });
             return records;
         };
         session.stepUntil("PlacingTray");
@@ -458,7 +462,7 @@ private Q_SLOTS:
         QCOMPARE(first[0].leftOut, 2);
         QCOMPARE(*first[0].samples[1].xMm, 4.0);
         QCOMPARE(first[0].samples[1].atNs - first[0].samples[0].atNs, 8000000);
-        QVERIFY(first[0].samples[0].atNs > session.store.answers().front().record.readyAtNs);
+        QVERIFY(first[0].samples[0].atNs > session.rows().answers().front().record.readyAtNs);
 
         session.stepUntil("Presenting");
         move(0.1, 5);
@@ -478,7 +482,7 @@ private Q_SLOTS:
         QCOMPARE(*voided[1].samples.at(0).xMm, 7.0);
         session.playToEnd();
         QCOMPARE(recordsNow().size(), 2u);
-        QVERIFY(session.store.faults().empty());
+        QVERIFY(session.rows().faults().empty());
     }
 
     void aFloodOfTheFingerIsBounded()
@@ -501,24 +505,24 @@ private Q_SLOTS:
     /// An event of a log without operator reads back like one that names it.
     void sittingsCorrectionsAndVoidsNameTheOperator()
     {
-        const auto folder = tests::support::buildStudy(m_place.filePath("operated").toStdString());
-        OpenSession session(folder, "S01");
+        const auto folder = newStudy();
+        EngineSession session(folder, "S01");
         session.driver =
-            std::make_unique<Driver>(session.store, protocols::ParticipantId("S01"), database::ParticipantKind::Scripted,
-                                     session.bank, session.display, session.clock, OperatedBy{"Ada", "vis2hap test", "lab-1"});
+            std::make_unique<Driver>(*session.store, protocols::ParticipantId("S01"), database::ParticipantKind::Scripted,
+                                     *session.images, session.display, session.clock, OperatedBy{"Ada", "vis2hap test", "lab-1"});
         session.playUntilAnswers(2);
         session.send(Corrected{protocols::QuestionId("Q1"), session.driver->view().trayIds.front(), "misheard"});
         session.send(Voided{"wrong swatch"});
         std::map<std::string, std::string> last;
-        for (const auto& event : session.store.events(protocols::ParticipantId("S01"))) last[event.kind] = event.payloadJson;
+        for (const auto& event : session.store->events(protocols::ParticipantId("S01"))) last[event.kind] = event.payloadJson;
         QCOMPARE(last["sitting_started"],
                  std::string(R"({"operator":"Ada","program":"vis2hap test","host":"lab-1","display":"fake"})"));
         QVERIFY(last["corrected"].ends_with(R"("why":"misheard","operator":"Ada"})"));
         QCOMPARE(last["voided"], std::string(R"({"why":"wrong swatch","operator":"Ada"})"));
         const auto state = session.driver->state();
         session.driver =
-            std::make_unique<Driver>(session.store, protocols::ParticipantId("S01"), database::ParticipantKind::Scripted,
-                                     session.bank, session.display, session.clock);
+            std::make_unique<Driver>(*session.store, protocols::ParticipantId("S01"), database::ParticipantKind::Scripted,
+                                     *session.images, session.display, session.clock);
         QCOMPARE(session.driver->state().answersStored, state.answersStored);
     }
 };

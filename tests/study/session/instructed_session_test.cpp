@@ -3,21 +3,19 @@
 #include <QtTest>
 #include <set>
 
-#include "database/study_store.h"
+#include "database/server/study_move.h"
 #include "study/session/session_moves.h"
-#include "tests/support/played_session.h"
-#include "tests/support/raw_sqlite.h"
-#include "tests/support/study_builder.h"
+#include "tests/support/server/engine_session.h"
 
 using namespace study::session;
-using tests::support::OpenSession;
+using namespace tests::support;
 
 namespace {
 
 /// 3 fabrics x 2 conditions under two instructions, then six ratings without one; breaks after four presentations.
-tests::support::StudyRecipe instructedStudy()
+StudyRecipe instructedStudy()
 {
-    tests::support::StudyRecipe recipe;
+    StudyRecipe recipe;
     recipe.protocol = R"({"schema": "vis2hap.protocol/1", "name": "Trade", "participants": 2, "fabrics": ["F01", "F02", "F03"],
         "conditions": ["v_grey", "h&f"], "dead_time_seconds": 0, "break_after": 4,
         "phases": [{"questions": ["Q1"], "alternatives": 3,
@@ -32,11 +30,16 @@ class InstructedSessionTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void initTestCase()
+    {
+        if (const QString why = EngineUnderTest::whyMissing(); !why.isEmpty()) QSKIP(qPrintable(why));
+    }
+
     void init() { m_place = std::make_unique<QTemporaryDir>(); }
 
     void eachBlockSaysItsInstruction()
     {
-        OpenSession session(studyOf(), "S01");
+        EngineSession session(studyOf(), "S01");
         std::vector<std::string> said, breaks;
         bool wasSaid = false;
         do {
@@ -61,7 +64,7 @@ private Q_SLOTS:
     void slotsGetTheInstructionsInDifferentOrders()
     {
         const auto folder = studyOf();
-        const database::StudyStore store(folder, database::StudyStore::Access::Read);
+        const database::StudyStore store = database::readStudy(folder);
         QVERIFY(store.trials(1).front().instruction != store.trials(2).front().instruction);
         QVERIFY(store.faults().empty());
     }
@@ -69,39 +72,39 @@ private Q_SLOTS:
     /// The last choice of the first instruction is voided in the break: it is presented again before the next instruction.
     void aVoidedTrialKeepsItsInstruction()
     {
-        OpenSession session(studyOf(), "S01");
+        EngineSession session(studyOf(), "S01");
         session.playUntilAnswers(6);
         const auto first = session.driver->plan().trials.at(5).instruction;
         QVERIFY(std::holds_alternative<OnBreak>(session.driver->view().state.stage));
         session.send(Voided{"wrong swatch"});
         QCOMPARE(session.driver->view().instruction->id, first);
         session.playToEnd();
-        for (const auto& answer : session.store.answers())
+        for (const auto& answer : session.rows().answers())
             if (answer.voided) QCOMPARE(answer.record.trial.value, 6);
-        QVERIFY(session.store.faults().empty());
+        QVERIFY(session.rows().faults().empty());
     }
 
     void theViewOfAnswersShowsInstructionAndLateness()
     {
         const auto folder = studyOf();
         {
-            OpenSession session(folder, "S01");
+            EngineSession session(folder, "S01");
             session.playToEnd();
         }
-        tests::support::RawSqlite raw(folder.database());
         QCOMPARE(
-            raw.rows(
+            rowsFound(
+                folder,
                 "SELECT COALESCE(instruction, 'none'), COUNT(*), COUNT(deadline_seconds) FROM answers GROUP BY 1 ORDER BY 1"),
             (std::vector<std::string>{"none|6|0", "slow|6|6", "speed|6|0"}));
         // A played session stamps no beginning of its answers, so nobody knows whether they were late.
-        QCOMPARE(raw.rows("SELECT COUNT(*) FROM answers WHERE late IS NOT NULL"), std::vector<std::string>{"0"});
+        QCOMPARE(rowsFound(folder, "SELECT COUNT(*) FROM answers WHERE late IS NOT NULL"), std::vector<std::string>{"0"});
     }
 
     void answersAfterTheDeadlineAreLateAndKept()
     {
         const auto folder = studyOf();
         {
-            OpenSession session(folder, "S01");
+            EngineSession session(folder, "S01");
             for (bool goesOn = true; goesOn;) {
                 const View view = session.driver->view();
                 if (!std::holds_alternative<Presenting>(view.state.stage)) {
@@ -110,22 +113,20 @@ private Q_SLOTS:
                 }
                 if (!std::get<Presenting>(view.state.stage).touchedAtNs) session.send(Touched{});
                 session.clock.advanceSeconds(view.presentation % 2 == 0 ? 1.5 : 0.5);
-                session.send(Answered{tests::support::responseTo(view), {.begunAgoNs = 0}});
+                session.send(Answered{responseTo(view), {.begunAgoNs = 0}});
             }
         }
-        tests::support::RawSqlite raw(folder.database());
         QCOMPARE(
-            raw.rows("SELECT late, response_seconds, COUNT(*) FROM answers WHERE instruction = 'slow' GROUP BY 1, 2 ORDER BY 1"),
+            rowsFound(folder,
+                      "SELECT late, response_seconds, COUNT(*) FROM answers WHERE instruction = 'slow' GROUP BY 1, 2 ORDER BY 1"),
             (std::vector<std::string>{"0|0.5|3", "1|1.5|3"}));
-        QCOMPARE(raw.rows("SELECT COUNT(*) FROM answers WHERE late IS NULL"), std::vector<std::string>{"12"});
+        QCOMPARE(rowsFound(folder, "SELECT COUNT(*) FROM answers WHERE late IS NULL"), std::vector<std::string>{"12"});
     }
 
 private:
-    database::StudyFolder studyOf() const
-    {
-        return tests::support::buildStudy(m_place->filePath("study").toStdString(), instructedStudy());
-    }
+    database::StudyFolder studyOf() { return m_engine.study(m_place->filePath("study").toStdString(), instructedStudy()); }
     std::unique_ptr<QTemporaryDir> m_place;
+    EngineUnderTest m_engine;
 };
 
 QTEST_GUILESS_MAIN(InstructedSessionTest)

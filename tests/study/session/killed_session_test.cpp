@@ -8,8 +8,7 @@
 #include <map>
 
 #include "protocols/random.h"
-#include "tests/support/played_session.h"
-#include "tests/support/study_builder.h"
+#include "tests/support/server/engine_session.h"
 
 using namespace tests::support;
 
@@ -58,15 +57,17 @@ int playAndKill(const database::StudyFolder& folder, int answers, int waitUs)
 class KilledSessionTest : public QObject {
     Q_OBJECT
     QTemporaryDir m_place;
+    EngineUnderTest m_engine;
     std::vector<std::string> m_expected;
 
 private Q_SLOTS:
     void initTestCase()
     {
-        const auto folder = buildStudy(m_place.filePath("uninterrupted").toStdString());
-        OpenSession session(folder, "S01");
+        if (const QString why = EngineUnderTest::whyMissing(); !why.isEmpty()) QSKIP(qPrintable(why));
+        const auto folder = m_engine.study(m_place.filePath("uninterrupted").toStdString());
+        EngineSession session(folder, "S01");
         session.playToEnd();
-        m_expected = linesOf(session.store);
+        m_expected = linesOf(session.rows());
         QCOMPARE(static_cast<int>(m_expected.size()), answersInAll);
     }
 
@@ -87,36 +88,36 @@ private Q_SLOTS:
     {
         QFETCH(int, answers);
         QFETCH(int, waitUs);
-        const auto folder = buildStudy(m_place.filePath(QTest::currentDataTag()).toStdString());
+        const auto folder = m_engine.study(m_place.filePath(QTest::currentDataTag()).toStdString());
         const int told = playAndKill(folder, answers, waitUs);
         QVERIFY(told >= answers);
-        OpenSession session(folder, "S01");
+        EngineSession session(folder, "S01");
         const int stored = session.driver->state().answersStored;
         QVERIFY2(stored == told || stored == told + 1, qPrintable(QString("%1 told, %2 stored").arg(told).arg(stored)));
         std::vector<std::string> expected = m_expected;
         expected.resize(static_cast<std::size_t>(stored));
-        QCOMPARE(linesOf(session.store), expected);
+        QCOMPARE(linesOf(session.rows()), expected);
         if (stored < answersInAll) {
             session.stepUntil("Presenting");
             QCOMPARE(std::get<study::session::Presenting>(session.driver->state().stage).index, trialAfter(stored));
         }
         session.playToEnd();
-        QCOMPARE(linesOf(session.store), m_expected);
-        QVERIFY(session.store.faults().empty());
+        QCOMPARE(linesOf(session.rows()), m_expected);
+        QVERIFY(session.rows().faults().empty());
         std::filesystem::remove_all(folder.folder);
     }
 
     void oneSessionSurvivesManyKills()
     {
-        const auto folder = buildStudy(m_place.filePath("many").toStdString());
+        const auto folder = m_engine.study(m_place.filePath("many").toStdString());
         int told = 0;
         for (int kill = 0; kill < 8; ++kill)
             told = std::max(told, playAndKill(folder, std::min(told + 2, answersInAll), 200 * kill));
         QVERIFY(told >= 16);
-        OpenSession session(folder, "S01");
+        EngineSession session(folder, "S01");
         session.playToEnd();
-        QCOMPARE(linesOf(session.store), m_expected);
-        QVERIFY(session.store.faults().empty());
+        QCOMPARE(linesOf(session.rows()), m_expected);
+        QVERIFY(session.rows().faults().empty());
     }
 };
 

@@ -1,0 +1,130 @@
+#include "tests/fuzz/lab_readers.h"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "database/disk/server_note.h"
+#include "database/server/server_address.h"
+#include "protocols/files/sha256.h"
+#include "protocols/protocol_json.h"
+#include "rendering/response/response_file.h"
+#include "rendering/response/response_table.h"
+#include "study/players/planted_effects.h"
+
+namespace fuzz {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void put(const fs::path& file, const std::string& bytes) { std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes; }
+
+void require(bool isSo, const char* fault)
+{
+    if (!isSo) throw std::runtime_error(fault);
+}
+
+const protocols::Protocol& plantedProtocol()
+{
+    static const protocols::Protocol read = protocols::protocolFromJson(
+        R"({"schema": "vis2hap.protocol/1", "name": "planted", "participants": 8, "fabrics": ["F01", "F02", "F03"],
+            "conditions": ["v_grey", "h&f"], "phases": [{"questions": ["Q1"], "alternatives": 3},
+            {"questions": ["Q2", "Q3"], "scale": {"min": 0, "max": 10}}]})",
+        "protocol.json");
+    return read;
+}
+
+void readPlant(const std::string& bytes)
+{
+    const auto effects = study::players::plantedEffectsFromJson(bytes, "plant.json", plantedProtocol());
+    for (const auto& [question, choice] : effects.choices)
+        for (const auto& [condition, effect] : choice.effects)
+            require(choice.right + effect >= 0 && choice.right + effect <= 1, "a probability outside 0 to 1 was taken");
+    for (const auto& [question, rating] : effects.ratings)
+        require(rating.sd >= 0 && rating.personSd >= 0 && rating.fabricSd >= 0, "a negative spread was taken");
+}
+
+/// The text with the hash that its content needs: a changed text would else go no further than its hash.
+std::string hashedAgain(const std::string& bytes)
+{
+    auto json = nlohmann::ordered_json::parse(bytes, nullptr, false);
+    if (!json.is_object() || !json.contains("sha256")) return bytes;
+    json.erase("sha256");
+    try {
+        json["sha256"] = protocols::sha256(json.dump());
+        return json.dump();
+    } catch (const nlohmann::json::exception&) {
+        return bytes;  // not UTF-8
+    }
+}
+
+void readResponse(const std::string& bytes)
+{
+    const auto response = rendering::responseFromJson(hashedAgain(bytes), "response.json");
+    require(response.range() > 0, "a response without a range was taken");
+    const auto again = rendering::responseFromJson(rendering::responseJson(response), "response.json");
+    require(again.friction == response.friction, "a response is not read as it was written");
+}
+
+rendering::DisplayResponse soundResponse()
+{
+    std::vector<rendering::FrictionAtLevel> measurements;
+    for (const int repeat : {0, 1})
+        for (int level = 0; level <= 255; level += 15) measurements.push_back({level, 0.2 + level * 0.001 + repeat * 0.002});
+    auto response = rendering::fitResponse(measurements, "table.csv");
+    response.setting = {
+        .display = "Our display", .finger = "index finger", .date = "2026-05-04", .loadN = 0.5, .speedMmPerS = 20};
+    response.source = "table.csv";
+    response.sourceSha256 = std::string(64, 'a');
+    return response;
+}
+
+/// The address of a study, and the same of the address that is made from it.
+void readAddress(const std::string& bytes)
+{
+    if (!database::isServerAddress(bytes)) return;
+    const auto address = database::serverAddressFrom(bytes);
+    const auto again = database::serverAddressFrom(database::addressOfStudy(address, "another"));
+    require(again.study == "another" && again.host == address.host && again.port == address.port &&
+                again.database == address.database && again.user == address.user,
+            "an address with another study leads elsewhere");
+}
+
+}  // namespace
+
+std::vector<Reader> labReaders(const fs::path& folder)
+{
+    const fs::path table = folder / "levels.csv", station = folder / "station";
+    fs::create_directories(station);
+    return {
+        {"plant",
+         {R"({"schema":"vis2hap.plant/1","comment":"a","choices":{"Q1":{"right":0.4,"effects":{"h&f":0.4}}},"ratings":{"Q2":{)"
+          R"("mean":4.5,"effects":{"h&f":2.5,"v_grey":-1},"sd":1,"person_sd":0,"fabric_sd":2}},"careless":["SIM05"]})"},
+         readPlant},
+        {"display-response", {rendering::responseJson(soundResponse())}, readResponse},
+        {"response-table",
+         {"level,friction\n0,0.21\n50,0.25\n100,0.31\n150,0.42\n200,0.5\n255,0.61\n",
+          "Pegel;Kraft;sweep\n0;0,1;1\n60;0,12;1\n128;0,2;1\n200;0,25;1\n255;0,3;1\n255;0,3;2\n0;0,1;2\n"},
+         [table](const std::string& bytes) {
+             put(table, bytes);
+             const auto read = rendering::readResponseTable(table, {}, 0.5);
+             const auto fitted = rendering::fitResponse(read.measurements, "levels.csv");
+             require(fitted.range() > 0, "a response without a range was fitted");
+         }},
+        {"server-note",
+         {R"({"schema":"vis2hap.on-server/1","address":"postgresql://a@b:5432/lab?study=x","station":"left","token":")" +
+          std::string(64, 'c') + R"(","owner":true})"},
+         [station](const std::string& bytes) {
+             put(database::serverNoteOf(station), bytes);
+             const auto note = database::readServerNote(station);
+             database::writeServerNote(station, note.value());
+             require(database::readServerNote(station)->token == note->token, "a note is not read as it was written");
+         }},
+        {"server-address",
+         {"postgresql://ada@lab.example:5433/lab?study=stripes&sslmode=verify-full", "postgresql://[::1]/lab",
+          "postgresql:///lab?host=/run/postgresql", "postgresql://a%40b@h/d%20e?study=x&application_name=%F0%9F%98%80"},
+         readAddress}};
+}
+
+}  // namespace fuzz

@@ -223,7 +223,7 @@ ServerTransaction::ServerTransaction(const ServerConnection& connection, Kind ki
 
 ServerTransaction::~ServerTransaction()
 {
-    if (m_committed) return;
+    if (m_committed || !m_connection.isOpen()) return;
     try {
         m_connection.run(QStringLiteral("ROLLBACK"));
     } catch (const protocols::Error&) {

@@ -43,6 +43,8 @@ public:
     ServerConnection& operator=(const ServerConnection&) = delete;
 
     const ServerAddress& address() const { return m_address; }
+    /// False once a lost connection was noticed.
+    bool isOpen() const { return m_connection.isOpen(); }
     /// The studies of the database by name, those that this login may see.
     QStringList studies() const;
     /// Finds the only study where the address names none. Throws badInput where there is none, or where there are several.

@@ -1,5 +1,6 @@
 #include "database/server/server_rights.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -34,7 +35,7 @@ QString schemaName(const ServerConnection& server) { return QStringLiteral("vis2
 
 void addRoles(const ServerConnection& server, ServerRights& rights)
 {
-    for (const char* role : {"experimenter", "monitor", "analyst"})
+    for (const char* role : {"experimenter", "monitor", "analyst", "display"})
         if (yes(server,
                 QStringLiteral("SELECT COALESCE((SELECT pg_has_role(oid, 'MEMBER') FROM pg_roles WHERE rolname = ?), false)"),
                 {QStringLiteral("%1_%2").arg(schemaName(server), QLatin1String(role))}))
@@ -90,6 +91,17 @@ void addMight(const ServerConnection& server, ServerRights& rights)
             rights.learns.push_back(std::string("the role ") + role);
 }
 
+/// Where stations get tickets, a login that may also fetch images undoes it.
+void addImages(const ServerConnection& server, ServerRights& rights)
+{
+    for (const char* function : {"overview", "progress"})
+        if (rights.imagesTo.empty() && std::ranges::find(rights.may, function) != rights.may.end())
+            rights.imagesTo = server.call(function, {}).at("images_to").get<std::string>();
+    const auto has = [&](const char* role) { return std::ranges::find(rights.roles, role) != rights.roles.end(); };
+    if (has("experimenter") && has("display"))
+        rights.learns.emplace_back("the image of each of its tickets: the login has the role display, too");
+}
+
 /// Tries what a curious operator would.
 void addTries(const ServerConnection& server, ServerRights& rights)
 {
@@ -106,6 +118,7 @@ void addTries(const ServerConnection& server, ServerRights& rights)
     tried("which image a presentation shows", QStringLiteral("SELECT * FROM @schema@.server_trials"));
     tried("the keys of the images", QStringLiteral("SELECT key FROM @schema@.server_images"));
     tried("a presentation without a participant", QStringLiteral("SELECT * FROM @schema@.presentation(1)"));
+    tried("an image without a ticket", QStringLiteral("SELECT * FROM @schema@.released_image('1')"));
     tried("a file of the server", QStringLiteral("SELECT pg_read_file('postgresql.conf')"));
     tried("the owner's rights",
           QStringLiteral("SELECT set_config('role', pg_get_userbyid(nspowner), false) FROM pg_namespace WHERE nspname = '%1'")
@@ -125,6 +138,7 @@ ServerRights rightsOf(const ServerAddress& address)
     addRightsOnTables(server, rights);
     addFunctions(server, rights);
     addMight(server, rights);
+    addImages(server, rights);
     addTries(server, rights);
     return rights;
 }

@@ -10,7 +10,8 @@ namespace database {
 
 struct ServerRights {
     std::string study, login;
-    std::vector<std::string> roles;  ///< of the study: "experimenter", "monitor", "analyst", "owner"
+    std::vector<std::string> roles;  ///< of the study: "experimenter", "monitor", "analyst", "display", "owner"
+    std::string imagesTo;            ///< "station" or "display"; empty where the login cannot ask
     std::vector<std::string> may;    ///< functions of the study that the login may call
     /// What neither an experimenter nor a monitor may have: rights on tables, on the server's files, on other functions, or a
     /// presentation that is not due. One line each.

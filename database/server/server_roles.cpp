@@ -15,12 +15,12 @@ namespace database {
 
 namespace {
 
-constexpr std::array<const char*, 3> roleNames{"experimenter", "monitor", "analyst"};
+constexpr std::array<const char*, 4> roleNames{"experimenter", "monitor", "analyst", "display"};
 
 void requireKnown(const ServerConnection& server, const std::string& login, const std::string& role)
 {
     if (std::ranges::find(roleNames, role) == roleNames.end())
-        throw protocols::badInput({"there is no role \"" + role + "\"", login, "experimenter, monitor or analyst", ""});
+        throw protocols::badInput({"there is no role \"" + role + "\"", login, "experimenter, monitor, analyst or display", ""});
     if (server.value(QStringLiteral("SELECT COUNT(*) FROM pg_roles WHERE rolname = ?"), {toQt(login)}).toInt() == 0)
         throw protocols::badInput({"the server knows no login \"" + login + "\"", server.address().text, "",
                                    "make it first: CREATE ROLE \"" + login + "\" LOGIN PASSWORD '…'"});
@@ -55,6 +55,13 @@ std::vector<std::string> makeRoles(const ServerAddress& address, const std::vect
         lines.push_back("vis2hap_" + server.address().study + "_" + role + ": " + (members.empty() ? "nobody yet" : members));
     }
     return lines;
+}
+
+void giveImagesTo(const ServerAddress& address, const std::string& place)
+{
+    ServerConnection server(address);
+    server.chooseStudy();
+    server.run(QStringLiteral("SELECT @schema@.give_images_to(?)"), {toQt(place)});
 }
 
 JoinedStudy joinStudy(const ServerAddress& address, const std::filesystem::path& folder, const std::string& station)

@@ -10,9 +10,14 @@
 
 namespace database {
 
-/// Makes the study's roles where they are missing, and grants them. `logins`: login and role ("experimenter", "monitor" or
-/// "analyst"). Returns one line for each role. Throws badInput for an unknown role or login, and without the right to make roles.
+/// Makes the study's roles where they are missing, and grants them. `logins`: login and role ("experimenter", "monitor",
+/// "analyst" or "display"). Returns one line for each role. Throws badInput for an unknown role or login, and without the right
+/// to make roles.
 std::vector<std::string> makeRoles(const ServerAddress& address, const std::vector<std::pair<std::string, std::string>>& logins);
+
+/// Where the images of presentations go: "station", or "display" with tickets for the stations. Only the owner may call it.
+/// Throws workFailed while a station is connected.
+void giveImagesTo(const ServerAddress& address, const std::string& place);
 
 struct JoinedStudy {
     std::filesystem::path folder;

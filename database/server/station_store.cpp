@@ -136,6 +136,7 @@ void StationStore::takeStudy(const Json& joined)
                  protocols::SealedCode(familiarisationPrefix + std::to_string(item.at("position").get<int>()))});
         m_versions = {{joined.at("protocol_version").get<int>(), m_facts.protocolJson, m_facts.protocolSha256, {}, {}, {}}};
         m_head = headIn(joined);
+        m_givesTickets = joined.at("images_to") == "display";
     });
     m_isClaimed = false;
     // A station's own folder follows the study; that of the owner is compared with it before each session.

@@ -45,6 +45,8 @@ public:
 
     /// The image of a presentation that was due, or of a fabric for familiarisation. Throws workFailed for any other code.
     ReleasedImage image(const protocols::SealedCode& code);
+    /// Whether `sealed` of an image is a ticket, which the display's own login turns into the image.
+    bool givesTickets() const { return m_givesTickets; }
 
     /// Whether answers reach the server now, and how many entries wait.
     struct Link {
@@ -90,7 +92,8 @@ private:
     mutable Json m_overview;
     LogHead m_head;
     std::string m_participant, m_kind;  ///< at work here; empty before
-    bool m_isClaimed = false;           ///< in this connection
+    bool m_givesTickets = false;
+    bool m_isClaimed = false;  ///< in this connection
     int m_slot = 0;
     SlotState m_slotState = SlotState::Free;
     int m_protocolVersion = 1;

@@ -45,7 +45,8 @@ void dropStudy(const ServerConnection& server)
 {
     server.run(QStringLiteral("DROP SCHEMA @schema@ CASCADE"));
     try {
-        server.run(QStringLiteral("DROP ROLE IF EXISTS \"@prefix@_experimenter\", \"@prefix@_monitor\", \"@prefix@_analyst\""));
+        server.run(QStringLiteral(
+            "DROP ROLE IF EXISTS \"@prefix@_experimenter\", \"@prefix@_monitor\", \"@prefix@_analyst\", \"@prefix@_display\""));
     } catch (const protocols::Error&) {
         // An owner without the right to make roles leaves them to the administrator; they have no rights any more.
     }

@@ -39,6 +39,9 @@ public:
     /// Size of the surface in pixels, if the device states it.
     virtual std::optional<cv::Size> surfacePx() const { return std::nullopt; }
 
+    /// Whether the display turns tickets into images by itself (`vis2hap display serve`).
+    virtual bool fetchesImages() const { return false; }
+
     virtual bool reportsTouches() const { return false; }
     /// Sets the function that is called when a finger touches the display, on the thread that shows images.
     virtual void onTouched(std::function<void(const Touch&)>) {}

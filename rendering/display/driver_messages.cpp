@@ -77,7 +77,8 @@ bool takeFields(const ordered_json& message, DriverMessage& result)
                          take(message, "schema", &ordered_json::is_string, result.schema) &&
                          take(message, "name", &ordered_json::is_string, result.name) &&
                          take(message, "why", &ordered_json::is_string, result.why) &&
-                         take(message, "touches", &ordered_json::is_boolean, result.touches);
+                         take(message, "touches", &ordered_json::is_boolean, result.touches) &&
+                         take(message, "fetches", &ordered_json::is_boolean, result.fetches);
     if (!isWhole || !id) return false;
     result.id = *id;
     constexpr std::int64_t widest = 1 << 14;

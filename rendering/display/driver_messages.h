@@ -21,6 +21,7 @@ struct DriverMessage {
     std::string schema, name;             ///< Hello
     int widthPx = 0, heightPx = 0;        ///< Hello: size of the device's surface
     bool touches = false;                 ///< Hello: whether it reports touches
+    bool fetches = false;                 ///< Hello: whether it turns tickets into images
     std::optional<std::int64_t> showing;  ///< Status: id of the image that can be felt
     std::string why;                      ///< Failed
     std::optional<double> xMm, yMm;       ///< Finger: position from the upper left corner; at most 10 m

@@ -32,6 +32,7 @@ public:
     void clear() override;
     std::string name() const override;
     std::optional<cv::Size> surfacePx() const override { return cv::Size(m_hello.widthPx, m_hello.heightPx); }
+    bool fetchesImages() const override { return m_hello.fetches; }
     bool reportsTouches() const override { return m_hello.touches; }
     void onTouched(std::function<void(const Touch&)> touched) override { m_touched = std::move(touched); }
     void onReleased(std::function<void(const Touch&)> released) override { m_released = std::move(released); }

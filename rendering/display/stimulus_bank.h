@@ -39,6 +39,9 @@ public:
     virtual void requireImage(const protocols::SealedCode& code) const = 0;
     /// Decrypts the image now, while the operator fills the tray. Keeps the last few images.
     virtual void prefetch(const protocols::SealedCode& code) = 0;
+    /// Whether image() gives a ticket in place of the image: its text as one row of pixels. Only a display that fetches images
+    /// can show it.
+    virtual bool givesTickets() const { return false; }
 };
 
 class StimulusBank final : public PresentedImages {

@@ -1,4 +1,4 @@
-// vis2hap display check SPEC; vis2hap display calibrate TABLE
+// vis2hap display check SPEC; vis2hap display calibrate TABLE; vis2hap display serve ADDRESS
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -13,6 +13,7 @@
 #include "study/commands/parts/display_calibration.h"
 #include "study/commands/parts/number_checks.h"
 #include "study/commands/parts/text_checks.h"
+#include "study/commands/server/display_relay.h"
 
 namespace study::commands {
 
@@ -117,11 +118,34 @@ void addCalibration(CLI::App& display, Action& action)
     command->callback([call, &action] { action.work = [call] { return calibrateDisplay(*call); }; });
 }
 
+struct ServeCall {
+    std::string address, specification;
+    int port = 5417;
+};
+
+void addServing(CLI::App& display, Action& action)
+{
+    auto* command = display.add_subcommand(
+        "serve", "fetch images from a server for a station that gets tickets; run it under an account of its own");
+    auto call = std::make_shared<ServeCall>();
+    command->add_option("ADDRESS", call->address, "postgresql://LOGIN@HOST/DATABASE?study=NAME, LOGIN with the role display")
+        ->required();
+    command->add_option("--display", call->specification, "the device's own driver: exec:COMMAND or tcp:HOST:PORT")->required();
+    command->add_option("--port", call->port, "port of this computer for the station")
+        ->check(CLI::Range(0, 65535))
+        ->capture_default_str();
+    command->callback([call, &action] {
+        action.surroundings = Surroundings::Core;
+        action.work = [call] { return serveDisplay(call->address, call->specification, call->port); };
+    });
+}
+
 }  // namespace
 
 void addDisplay(CLI::App& app, Action& action)
 {
-    auto* display = app.add_subcommand("display", "check the driver of a haptic display, or fit its response");
+    auto* display = app.add_subcommand(
+        "display", "check the driver of a haptic display, fit its response, or fetch its images from a server");
     display->require_subcommand(1);
     auto* command = display->add_subcommand(
         "check", "test every requirement of the driver protocol: pass or FAIL; the display shows images meanwhile");
@@ -132,6 +156,7 @@ void addDisplay(CLI::App& app, Action& action)
     command->add_option("--response", call->response, "response.json, to check that it belongs to this display");
     command->callback([call, &action] { action.work = [call] { return checkDriver(*call); }; });
     addCalibration(*display, action);
+    addServing(*display, action);
 }
 
 }  // namespace study::commands

@@ -12,6 +12,7 @@ namespace {
 struct RolesCall {
     std::string address;
     std::vector<std::string> logins;
+    std::string imagesTo;
 };
 
 void addStationOption(CLI::App& command, const std::shared_ptr<std::string>& station)
@@ -55,14 +56,19 @@ void addServer(CLI::App& app, Action& action)
     auto* server = app.add_subcommand("server", "prepare a server that several stations share");
     server->require_subcommand(1);
     auto* command = server->add_subcommand(
-        "roles", "make the roles of a study: experimenter, monitor, analyst; grant them to logins that the server knows");
+        "roles",
+        "make the roles of a study: experimenter, monitor, analyst, display; grant them to logins that the server knows");
     auto call = std::make_shared<RolesCall>();
     command->add_option("ADDRESS", call->address, "postgresql://OWNER@HOST/DATABASE?study=NAME")->required();
-    command->add_option("--grant", call->logins, "LOGIN=ROLE: experimenter, monitor or analyst; may be repeated")
+    command->add_option("--grant", call->logins, "LOGIN=ROLE: experimenter, monitor, analyst or display; may be repeated")
         ->allow_extra_args(false);
+    command
+        ->add_option("--images", call->imagesTo,
+                     "who gets the images: station (default), or display: stations then get tickets, see vis2hap display serve")
+        ->check(CLI::IsMember({"station", "display"}));
     command->callback([call, &action] {
         action.surroundings = Surroundings::Core;
-        action.work = [call] { return grantRoles(call->address, call->logins); };
+        action.work = [call] { return grantRoles(call->address, call->logins, call->imagesTo); };
     });
     auto* statusCommand = server->add_subcommand("status", "show progress and stations, for monitors, analysts and the owner");
     auto address = std::make_shared<std::string>();

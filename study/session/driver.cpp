@@ -47,6 +47,19 @@ bool holdsNul(const std::string& json)
     return false;
 }
 
+/// A display that cannot fetch images would show the text of a ticket, and one that fetches would take an image for a ticket.
+void requireFittingDisplay(const rendering::PresentedImages& images, const rendering::HapticDisplay& display)
+{
+    if (!display.isThere() || images.givesTickets() == display.fetchesImages()) return;
+    if (images.givesTickets())
+        throw protocols::badInput({"this study gives its images to the display's own login only", display.name(),
+                                   "--display tcp:127.0.0.1:PORT of vis2hap display serve",
+                                   "start vis2hap display serve under the display's account"});
+    throw protocols::badInput({"this display fetches its images from a server, but this study gives them to the station",
+                               display.name(), "vis2hap server roles ADDRESS --images display",
+                               "ask the study's owner, or use the display's own driver"});
+}
+
 }  // namespace
 
 Driver::Driver(SessionStore& store, const protocols::ParticipantId& participant, database::ParticipantKind kind,
@@ -59,6 +72,7 @@ Driver::Driver(SessionStore& store, const protocols::ParticipantId& participant,
       m_operatedBy(std::move(operatedBy))
 {
     m_operatedBy.display = display.isThere() ? display.name() : "none";
+    requireFittingDisplay(images, display);
     requireKeptProtocol(store);
     const database::Slot slot = store.enrol(participant, kind);
     m_slot = slot.number;

@@ -15,6 +15,7 @@ public:
     const cv::Mat& image(const protocols::SealedCode& code) override;
     void requireImage(const protocols::SealedCode& code) const override;
     void prefetch(const protocols::SealedCode& code) override { (void)image(code); }
+    bool givesTickets() const override { return m_store.givesTickets(); }
 
 private:
     database::StationStore& m_store;

@@ -25,6 +25,8 @@ public:
     std::vector<std::string> calls;  ///< "show 30" (with the pixel value), "clear"
     std::string fault;               ///< if not empty, show() throws workFailed with this text
     std::function<void()> onShow;
+    bool fetchesImages() const override { return isFetching; }
+    bool isFetching = false;
 };
 
 /// Driver, display and clock of one participant, for a store of either kind.

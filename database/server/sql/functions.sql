@@ -331,6 +331,7 @@ CREATE OR REPLACE FUNCTION @schema@.server_overview() RETURNS jsonb LANGUAGE sql
         FROM @schema@.slots s
         WHERE NOT EXISTS (SELECT FROM @schema@.participants p WHERE p.slot = s.number AND p.state <> 'withdrawn'))
     SELECT jsonb_build_object(
+        'images_to', (SELECT s.images_to FROM @schema@.server_study s WHERE s.id = 1),
         'places', coalesce((SELECT jsonb_agg(place ORDER BY slot, position NULLS LAST) FROM places), '[]'),
         'participants', coalesce((SELECT jsonb_agg(p.id ORDER BY p.position) FROM @schema@.participants p), '[]'))
 $$;
@@ -387,7 +388,8 @@ BEGIN
                              FROM @schema@.fabrics f), '[]'),
         'familiarisation', coalesce((SELECT jsonb_agg(jsonb_build_object('name', f.name, 'position', f.position)
                                                       ORDER BY f.position) FROM @schema@.familiarisation f), '[]'),
-        'head', @schema@.server_head(), 'state', (SELECT t.state FROM @schema@.server_study t WHERE t.id = 1))
+        'head', @schema@.server_head(), 'state', (SELECT t.state FROM @schema@.server_study t WHERE t.id = 1),
+        'images_to', (SELECT t.images_to FROM @schema@.server_study t WHERE t.id = 1))
         FROM @schema@.study s);
 END
 $$;
@@ -515,6 +517,10 @@ BEGIN
 END
 $$;
 
+-- Whether a station gets a ticket in place of an image, which the display's own login then fetches.
+CREATE OR REPLACE FUNCTION @schema@.server_gives_tickets() RETURNS boolean LANGUAGE sql STABLE AS
+$$ SELECT s.images_to = 'display' FROM @schema@.server_study s WHERE s.id = 1 $$;
+
 CREATE OR REPLACE FUNCTION @schema@.presentation(number int) RETURNS TABLE(trial jsonb, image bytea, key text)
     LANGUAGE plpgsql SECURITY DEFINER
     SET search_path = pg_catalog, pg_temp SET client_min_messages = warning SET lock_timeout = '10s' AS $$
@@ -522,6 +528,7 @@ DECLARE
     wanted bigint := number;
     own @schema@.server_stations;
     its @schema@.participants;
+    its_ticket text := CASE WHEN @schema@.server_gives_tickets() THEN @schema@.server_salt() END;
 BEGIN
     PERFORM @schema@.server_require_fresh_transaction();
     own := @schema@.server_require_claim(NULL);
@@ -536,10 +543,11 @@ BEGIN
             DETAIL = 'the next presentation of the participant, after every answer to those before it',
             HINT = 'store the answers to the present presentation first';
     END IF;
-    INSERT INTO @schema@.server_releases(participant, slot, trial, attempt, login, station)
-    VALUES (its.id, its.slot, wanted, @schema@.server_attempt(its.id, wanted), session_user, own.station);
+    INSERT INTO @schema@.server_releases(participant, slot, trial, attempt, login, station, ticket)
+    VALUES (its.id, its.slot, wanted, @schema@.server_attempt(its.id, wanted), session_user, own.station, its_ticket);
     RETURN QUERY
-        SELECT @schema@.server_trial(t, true), i.sealed, i.key
+        SELECT @schema@.server_trial(t, true), coalesce(convert_to(its_ticket, 'UTF8'), i.sealed),
+               CASE WHEN its_ticket IS NULL THEN i.key ELSE '' END
         FROM @schema@.trials t
         JOIN @schema@.server_trials s ON s.slot = t.slot AND s.number = t.number
         JOIN @schema@.server_images i ON i.file_code = s.file_code
@@ -557,7 +565,10 @@ CREATE OR REPLACE FUNCTION @schema@.familiarisation_image(item int) RETURNS TABL
 BEGIN
     PERFORM @schema@.server_require_claim(NULL);
     RETURN QUERY
-        SELECT f.sealed_code, i.sealed, i.key
+        SELECT f.sealed_code,
+               CASE WHEN @schema@.server_gives_tickets() THEN convert_to('familiarisation ' || f.position, 'UTF8')
+                    ELSE i.sealed END,
+               CASE WHEN @schema@.server_gives_tickets() THEN '' ELSE i.key END
         FROM @schema@.familiarisation f
         JOIN @schema@.server_familiarisation s ON s.position = f.position
         JOIN @schema@.server_images i ON i.file_code = s.file_code
@@ -567,6 +578,38 @@ BEGIN
                 || ' for getting to know the display',
             DETAIL = 'a position that join_study() names', HINT = 'join the study again';
     END IF;
+END
+$$;
+
+-- What a display may call: the image of a ticket, as long as its presentation is the last one that a station at work was given.
+-- Fabrics for getting to know the display are not of the study: their tickets hold for ever.
+CREATE OR REPLACE FUNCTION @schema@.released_image(ticket text) RETURNS TABLE(about jsonb, image bytea, key text)
+    LANGUAGE plpgsql SECURITY DEFINER
+    SET search_path = pg_catalog, pg_temp SET client_min_messages = warning SET lock_timeout = '10s' AS $$
+DECLARE
+    given text := ticket;
+    released @schema@.server_releases;
+BEGIN
+    PERFORM @schema@.server_require_fresh_transaction();
+    RETURN QUERY
+        SELECT '{}'::jsonb, i.sealed, i.key
+        FROM @schema@.server_familiarisation s JOIN @schema@.server_images i ON i.file_code = s.file_code
+        WHERE 'familiarisation ' || s.position = given;
+    IF FOUND THEN RETURN; END IF;
+    SELECT r.* INTO released
+    FROM @schema@.server_releases r
+    JOIN @schema@.server_stations s ON s.station = r.station AND s.participant = r.participant
+    WHERE r.ticket = given AND @schema@.server_is_live(s.pid, s.sign)
+      AND NOT EXISTS (SELECT FROM @schema@.server_releases later WHERE later.station = r.station AND later.number > r.number);
+    IF NOT FOUND THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH211', MESSAGE = 'the ticket belongs to no present presentation',
+            DETAIL = 'the ticket of the presentation that a station has now', HINT = 'present the trial again';
+    END IF;
+    INSERT INTO @schema@.server_fetches(release, login) VALUES (released.number, session_user);
+    RETURN QUERY
+        SELECT '{}'::jsonb, i.sealed, i.key
+        FROM @schema@.server_trials t JOIN @schema@.server_images i ON i.file_code = t.file_code
+        WHERE t.slot = released.slot AND t.number = released.trial;
 END
 $$;
 
@@ -1040,6 +1083,23 @@ BEGIN
         RAISE EXCEPTION USING ERRCODE = 'VH214', MESSAGE = fault, DETAIL = 'a whole study', HINT = 'copy the study again';
     END IF;
     UPDATE @schema@.server_study SET state = 'open' WHERE id = 1;
+END
+$$;
+
+-- Where images go: 'station', or 'display' with tickets for the stations.
+CREATE OR REPLACE FUNCTION @schema@.give_images_to(place text) RETURNS void LANGUAGE plpgsql
+    SET search_path = pg_catalog, pg_temp AS $$
+DECLARE
+    live text;
+BEGIN
+    PERFORM @schema@.server_lock(true);
+    SELECT string_agg(s.station, ', ' ORDER BY s.station) INTO live FROM @schema@.server_stations s
+    WHERE @schema@.server_is_live(s.pid, s.sign);
+    IF live IS NOT NULL THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH202', MESSAGE = 'stations have the study open: ' || live,
+            DETAIL = 'no station that is connected', HINT = 'close the program at the stations first';
+    END IF;
+    UPDATE @schema@.server_study SET images_to = place WHERE id = 1;
 END
 $$;
 

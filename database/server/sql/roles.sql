@@ -5,7 +5,7 @@ DO $$
 DECLARE
     name text;
 BEGIN
-    FOREACH name IN ARRAY ARRAY['@prefix@_experimenter', '@prefix@_monitor', '@prefix@_analyst'] LOOP
+    FOREACH name IN ARRAY ARRAY['@prefix@_experimenter', '@prefix@_monitor', '@prefix@_analyst', '@prefix@_display'] LOOP
         IF NOT EXISTS (SELECT FROM pg_catalog.pg_roles r WHERE r.rolname = name) THEN
             EXECUTE format('CREATE ROLE %I NOLOGIN', name);
         END IF;
@@ -18,18 +18,20 @@ END
 $$;
 
 REVOKE ALL ON SCHEMA @schema@ FROM PUBLIC;
-REVOKE ALL ON ALL TABLES IN SCHEMA @schema@ FROM PUBLIC, "@prefix@_experimenter", "@prefix@_monitor", "@prefix@_analyst";
-REVOKE ALL ON ALL SEQUENCES IN SCHEMA @schema@ FROM PUBLIC, "@prefix@_experimenter", "@prefix@_monitor", "@prefix@_analyst";
-REVOKE ALL ON ALL FUNCTIONS IN SCHEMA @schema@ FROM PUBLIC, "@prefix@_experimenter", "@prefix@_monitor", "@prefix@_analyst";
-REVOKE ALL ON SCHEMA @schema@ FROM "@prefix@_experimenter", "@prefix@_monitor", "@prefix@_analyst";
+REVOKE ALL ON ALL TABLES IN SCHEMA @schema@ FROM PUBLIC, "@prefix@_experimenter", "@prefix@_monitor", "@prefix@_analyst", "@prefix@_display";
+REVOKE ALL ON ALL SEQUENCES IN SCHEMA @schema@ FROM PUBLIC, "@prefix@_experimenter", "@prefix@_monitor", "@prefix@_analyst", "@prefix@_display";
+REVOKE ALL ON ALL FUNCTIONS IN SCHEMA @schema@ FROM PUBLIC, "@prefix@_experimenter", "@prefix@_monitor", "@prefix@_analyst", "@prefix@_display";
+REVOKE ALL ON SCHEMA @schema@ FROM "@prefix@_experimenter", "@prefix@_monitor", "@prefix@_analyst", "@prefix@_display";
 
-GRANT USAGE ON SCHEMA @schema@ TO "@prefix@_experimenter", "@prefix@_monitor", "@prefix@_analyst";
+GRANT USAGE ON SCHEMA @schema@ TO "@prefix@_experimenter", "@prefix@_monitor", "@prefix@_analyst", "@prefix@_display";
 
 GRANT EXECUTE ON FUNCTION
     @schema@.join_study(text, text, text), @schema@.overview(), @schema@.claim(text, text), @schema@.presentation(int),
     @schema@.familiarisation_image(int), @schema@.store(jsonb), @schema@.sign_of_life(int), @schema@.leave(),
     @schema@.record_latency(text, text)
     TO "@prefix@_experimenter";
+
+GRANT EXECUTE ON FUNCTION @schema@.released_image(text) TO "@prefix@_display";
 
 GRANT EXECUTE ON FUNCTION @schema@.progress() TO "@prefix@_monitor", "@prefix@_analyst";
 

@@ -111,7 +111,8 @@ CREATE TABLE @schema@.acts(
 -- phase_questions: for each protocol version a list of phases, each the list of its question ids.
 CREATE TABLE @schema@.server_study(
     id int PRIMARY KEY CHECK (id = 1), state text NOT NULL CHECK (state IN ('arriving', 'open', 'leaving')),
-    program text NOT NULL, format int NOT NULL, phase_questions jsonb NOT NULL);
+    program text NOT NULL, format int NOT NULL, phase_questions jsonb NOT NULL,
+    images_to text NOT NULL DEFAULT 'station' CHECK (images_to IN ('station', 'display')));
 
 -- Each image is sealed under a key of its own, which presentation() gives out with it.
 CREATE TABLE @schema@.server_images(
@@ -128,12 +129,17 @@ CREATE TABLE @schema@.server_familiarisation(
     position bigint PRIMARY KEY REFERENCES @schema@.familiarisation(position),
     file_code text COLLATE "C" NOT NULL REFERENCES @schema@.server_images(file_code));
 
--- Every time that an image and its key left the server.
+-- Every time that an image and its key left the server, or a ticket for them. A login of the role display fetches the image
+-- of a ticket (released_image()); server_fetches records it.
 CREATE TABLE @schema@.server_releases(
     number bigint GENERATED ALWAYS AS IDENTITY PRIMARY KEY, participant text COLLATE "C" NOT NULL, slot bigint NOT NULL,
-    trial bigint NOT NULL, attempt bigint NOT NULL, login text NOT NULL, station text NOT NULL,
+    trial bigint NOT NULL, attempt bigint NOT NULL, login text NOT NULL, station text NOT NULL, ticket text UNIQUE,
     at timestamptz NOT NULL DEFAULT clock_timestamp());
 CREATE INDEX releases_of_participant ON @schema@.server_releases(participant, trial);
+CREATE INDEX releases_of_station ON @schema@.server_releases(station, number);
+CREATE TABLE @schema@.server_fetches(
+    number bigint GENERATED ALWAYS AS IDENTITY PRIMARY KEY, release bigint NOT NULL, login text NOT NULL,
+    at timestamptz NOT NULL DEFAULT clock_timestamp());
 
 -- token: proves that a new connection is the same station. sign: the advisory lock that the station's connection holds as long as it lives.
 CREATE TABLE @schema@.server_stations(
@@ -163,7 +169,7 @@ BEGIN
     FOREACH name IN ARRAY ARRAY[
         'study', 'fabrics', 'stimuli', 'slots', 'trials', 'events', 'responses', 'voids', 'notes', 'finger_samples',
         'unblindings', 'swatches', 'familiarisation', 'protocol_versions', 'erasures', 'acts',
-        'server_images', 'server_trials', 'server_familiarisation', 'server_releases', 'server_received']
+        'server_images', 'server_trials', 'server_familiarisation', 'server_releases', 'server_fetches', 'server_received']
     LOOP
         FOREACH change IN ARRAY ARRAY['update', 'delete', 'truncate'] LOOP
             EXECUTE format('CREATE TRIGGER %I BEFORE %s ON @schema@.%I FOR EACH STATEMENT '

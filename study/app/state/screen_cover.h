@@ -22,6 +22,7 @@ public:
     void show(const cv::Mat& frictionImage) override;
     void clear() override { m_wrapped->clear(); }
     std::string name() const override;
+    bool fetchesImages() const override { return m_wrapped->fetchesImages(); }
     bool reportsTouches() const override { return true; }
     std::optional<cv::Size> surfacePx() const override { return m_wrapped->surfacePx(); }
     bool isThere() const override { return m_wrapped->isThere(); }

@@ -51,6 +51,15 @@ int toFolder(const std::string& address, const std::string& folder)
     return 0;
 }
 
+/// What a login without a right too many still gets.
+const char* reachOf(const database::ServerRights& rights)
+{
+    if (rights.imagesTo == "display")
+        return "nothing but its own present presentation, and no image: no table, no key, nothing ahead";
+    return "nothing but its own present presentation: no table, no key, nothing ahead. Whoever keeps the images of the "
+           "presentations can tell which of them were the same; `vis2hap server roles ADDRESS --images display` closes this.";
+}
+
 std::string listOf(const std::vector<std::string>& texts)
 {
     std::string list;
@@ -77,17 +86,21 @@ int joinAsStation(const std::string& address, const std::string& given, const st
     return 0;
 }
 
-int grantRoles(const std::string& address, const std::vector<std::string>& grants)
+int grantRoles(const std::string& address, const std::vector<std::string>& grants, const std::string& imagesTo)
 {
     std::vector<std::pair<std::string, std::string>> logins;
     for (const std::string& text : grants) {
         const auto equals = text.find('=');
         if (equals == std::string::npos)
             throw protocols::badInput(
-                {"\"" + text + "\" gives no role", "--grant", "LOGIN=experimenter, =monitor or =analyst", "name both"});
+                {"\"" + text + "\" gives no role", "--grant", "LOGIN=experimenter, =monitor, =analyst or =display", "name both"});
         logins.emplace_back(text.substr(0, equals), text.substr(equals + 1));
     }
     for (const std::string& line : makeRoles(database::serverAddressFrom(address), logins)) std::printf("%s\n", line.c_str());
+    if (imagesTo.empty()) return 0;
+    giveImagesTo(database::serverAddressFrom(address), imagesTo);
+    std::printf(imagesTo == "display" ? "images: to the display's own login; stations get tickets\n"
+                                      : "images: to the stations\n");
     return 0;
 }
 
@@ -114,6 +127,7 @@ int checkLogin(const std::string& address, const JsonTarget& target)
                            {"login", rights.login},
                            {"roles", rights.roles},
                            {"may_call", rights.may},
+                           {"images_to", rights.imagesTo},
                            {"learns", rights.learns},
                            {"refused", rights.refused}});
     } else {
@@ -122,10 +136,7 @@ int checkLogin(const std::string& address, const JsonTarget& target)
         for (const std::string& line : rights.refused) std::printf("  refused: %s\n", line.c_str());
         for (const std::string& line : rights.learns) std::printf("  LEARNS: %s\n", line.c_str());
         std::printf("%s\n",
-                    isOperator
-                        ? "nothing but its own present presentation: no table, no key, nothing ahead. Whoever keeps the images "
-                          "of the presentations can tell which of them were the same."
-                        : "more than a station may: give this login to nobody who runs sessions");
+                    isOperator ? reachOf(rights) : "more than a station may: give this login to nobody who runs sessions");
     }
     return static_cast<int>(isOperator ? protocols::ExitCode::Done : protocols::ExitCode::WorkFailed);
 }

@@ -20,8 +20,8 @@ std::string folderOfNewStudy(const std::string& address);
 
 int joinAsStation(const std::string& address, const std::string& folder, const std::string& station);
 
-/// `grants`: LOGIN=ROLE.
-int grantRoles(const std::string& address, const std::vector<std::string>& grants);
+/// `grants`: LOGIN=ROLE. `imagesTo`: "station" or "display"; empty: as it is.
+int grantRoles(const std::string& address, const std::vector<std::string>& grants, const std::string& imagesTo);
 
 /// Progress and stations.
 int showServer(const std::string& address);

@@ -141,6 +141,7 @@ void RolesTest::noTableCanBeReadOrWritten_data()
                             "server_images",
                             "server_trials",
                             "server_releases",
+                            "server_fetches",
                             "server_stations",
                             "server_received",
                             "slots",
@@ -153,7 +154,8 @@ void RolesTest::noTableCanBeReadOrWritten_data()
                                           "COPY @schema@.%1 TO STDOUT", "CREATE TABLE @schema@.%1_copy(x int)"})
                 QTest::addRow("%s %.6s %s", login, statement, table) << login << QString(statement).arg(table);
     for (const char* statement :
-         {"SELECT @schema@.server_salt()", "SELECT @schema@.finish_arrival()", "SELECT @schema@.begin_leaving()",
+         {"SELECT * FROM @schema@.released_image('1')", "SELECT @schema@.give_images_to('station')",
+          "SELECT @schema@.server_salt()", "SELECT @schema@.finish_arrival()", "SELECT @schema@.begin_leaving()",
           "SELECT @schema@.server_append('', 0, 'unblinded', '{}', 0, '')", "SET ROLE owner", "SET SESSION AUTHORIZATION owner",
           "SELECT pg_read_file('postgresql.conf')", "SELECT lo_import('/etc/passwd')",
           "ALTER TABLE @schema@.events DISABLE TRIGGER ALL", "DROP SCHEMA @schema@ CASCADE",

@@ -76,7 +76,7 @@ private Q_SLOTS:
         QTest::addColumn<int>("answers");
         QTest::addColumn<int>("waitUs");
         protocols::Random random(20260101);
-        const int kills = qEnvironmentVariableIsSet("VIS2HAP_ALL_SEEDS") ? 1000 : 20;
+        const int kills = qEnvironmentVariableIsSet("VIS2HAP_ALL_SEEDS") ? 1000 : EngineUnderTest::isServer() ? 8 : 20;
         for (int kill = 1; kill <= kills; ++kill) {
             const int answers = static_cast<int>(random.below(answersInAll));
             const int waitUs = static_cast<int>(random.below(3000));

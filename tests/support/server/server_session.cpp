@@ -2,9 +2,11 @@
 
 namespace tests::support {
 
-ServerSession::ServerSession(const database::StudyFolder& folder, const std::string& participant, database::ParticipantKind kind)
+ServerSession::ServerSession(const database::StudyFolder& folder, const std::string& participant, database::ParticipantKind kind,
+                             bool isFetching)
     : store(folder), images(store)
 {
+    display.isFetching = isFetching;
     driver = std::make_unique<study::session::Driver>(store, protocols::ParticipantId(participant), kind, images, display, clock);
 }
 

@@ -8,9 +8,9 @@
 namespace tests::support {
 
 struct ServerSession : SessionHands {
-    /// `folder`: of a station, or of the study's owner.
+    /// `folder`: of a station, or of the study's owner. `isFetching`: the display turns tickets into images.
     ServerSession(const database::StudyFolder& folder, const std::string& participant,
-                  database::ParticipantKind kind = database::ParticipantKind::Human);
+                  database::ParticipantKind kind = database::ParticipantKind::Human, bool isFetching = false);
     ~ServerSession() { driver.reset(); }
 
     database::StationStore store;

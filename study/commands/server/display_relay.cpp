@@ -1,0 +1,212 @@
+#include "study/commands/server/display_relay.h"
+
+#include <arpa/inet.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <opencv2/core.hpp>
+#include <optional>
+
+#include "database/server/server_link.h"
+#include "database/server/server_rights.h"
+#include "database/session_store.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/safe_text.h"
+#include "rendering/display/driver_link.h"
+#include "rendering/display/driver_messages.h"
+#include "rendering/display/stimulus_bank.h"
+
+namespace study::commands {
+
+namespace {
+
+using nlohmann::ordered_json;
+using std::chrono::steady_clock;
+
+constexpr auto devicePatience = std::chrono::seconds(2);
+constexpr auto serverPatience = std::chrono::milliseconds(1500);  // the station waits 2 s for a reply
+constexpr std::size_t longestTicket = 1024;
+
+/// A listening socket of this computer alone.
+class Listener {
+public:
+    explicit Listener(int port)
+    {
+        const int yes = 1;
+        sockaddr_in place{};
+        place.sin_family = AF_INET;
+        place.sin_port = htons(static_cast<std::uint16_t>(port));
+        place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        ::setsockopt(m_socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+        if (::bind(m_socket, reinterpret_cast<sockaddr*>(&place), sizeof place) != 0 || ::listen(m_socket, 1) != 0)
+            throw protocols::badInput({std::string("nobody can connect there: ") + std::strerror(errno),
+                                       "127.0.0.1:" + std::to_string(port), "a free port", "choose another --port"});
+    }
+    ~Listener() { ::close(m_socket); }
+    Listener(const Listener&) = delete;
+    Listener& operator=(const Listener&) = delete;
+
+    int port() const
+    {
+        sockaddr_in place{};
+        socklen_t size = sizeof place;
+        ::getsockname(m_socket, reinterpret_cast<sockaddr*>(&place), &size);
+        return ntohs(place.sin_port);
+    }
+    int accept() const { return ::accept4(m_socket, nullptr, nullptr, SOCK_CLOEXEC); }
+
+private:
+    int m_socket = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+};
+
+/// The images of tickets. A lost server is tried again at the next ticket.
+class TicketImages {
+public:
+    explicit TicketImages(database::ServerAddress address) : m_address(std::move(address)) {}
+
+    cv::Mat imageOf(const std::string& ticket)
+    {
+        try {
+            if (!m_link) m_link.emplace(m_address);
+            const auto reply = m_link->callForImage("released_image", {QString::fromUtf8(ticket.c_str())}, serverPatience);
+            return rendering::openedStimulus(protocols::SecretKey::ofHex(reply.key, m_address.text), reply.image,
+                                             database::releasedImageBound, m_address.text);
+        } catch (const database::ServerAway&) {
+            m_link.reset();
+            throw;
+        }
+    }
+
+private:
+    database::ServerAddress m_address;
+    std::optional<database::ServerLink> m_link;
+};
+
+/// One station, from its first byte to its end of file.
+class Relay {
+public:
+    Relay(int station, TicketImages& images, const rendering::DriverAddress& device)
+        : m_station(station), m_images(images), m_device(device, steady_clock::now() + devicePatience)
+    {
+    }
+
+    void run()
+    {
+        while (!m_device.isLost()) {
+            while (const auto line = m_device.receive(steady_clock::now())) send(*line);
+            std::array<pollfd, 3> waiting{
+                {{m_station, POLLIN, 0}, {m_device.socket(), POLLIN, 0}, {m_device.errorStream(), POLLIN, 0}}};
+            if (m_device.isLost() || (::poll(waiting.data(), waiting.size(), -1) < 0 && errno != EINTR)) break;
+            if (waiting[0].revents != 0 && !takeFromStation()) return;
+        }
+        std::fprintf(stderr, "vis2hap: the display %s\n", protocols::printable(m_device.trouble()).c_str());
+    }
+
+private:
+    /// A line of the device. Its hello also states that this display turns tickets into images.
+    void send(const std::string& line)
+    {
+        auto message = ordered_json::parse(line, nullptr, false);
+        if (!message.is_object() || !message.contains("type") || message.at("type") != "hello") return sendBytes(line + "\n");
+        message["fetches"] = true;
+        sendBytes(message.dump() + "\n");
+    }
+
+    void sendBytes(const std::string& bytes)
+    {
+        for (std::size_t sent = 0; sent < bytes.size();) {
+            const ssize_t now = ::send(m_station, bytes.data() + sent, bytes.size() - sent, MSG_NOSIGNAL);
+            if (now <= 0) return;  // the station is gone; its end of file follows
+            sent += static_cast<std::size_t>(now);
+        }
+    }
+
+    /// False at the end of file, and for what is no message.
+    bool takeFromStation()
+    {
+        std::array<char, 65536> chunk{};
+        const ssize_t got = ::read(m_station, chunk.data(), chunk.size());
+        if (got <= 0) return got < 0 && errno == EINTR;
+        m_incoming.append(chunk.data(), static_cast<std::size_t>(got));
+        for (std::size_t end = m_incoming.find('\n'); end != std::string::npos; end = m_incoming.find('\n')) {
+            const auto request = ordered_json::parse(m_incoming.substr(0, end), nullptr, false);
+            const bool isShow = request.is_object() && request.contains("type") && request.at("type") == "show";
+            if (!isShow) {
+                (void)m_device.send(m_incoming.substr(0, end + 1), steady_clock::now() + devicePatience);
+                m_incoming.erase(0, end + 1);
+                continue;
+            }
+            const auto id = request.value("id", ordered_json(0));
+            const auto size = request.value("bytes", ordered_json());
+            if (!id.is_number_integer() || !size.is_number_unsigned() || size.get<std::uint64_t>() > longestTicket) {
+                std::fprintf(stderr, "vis2hap: the station sent an image; this display takes tickets only\n");
+                return false;
+            }
+            if (m_incoming.size() < end + 1 + size.get<std::size_t>()) return true;  // the rest of the ticket follows
+            show(id.get<std::int64_t>(), m_incoming.substr(end + 1, size.get<std::size_t>()));
+            m_incoming.erase(0, end + 1 + size.get<std::size_t>());
+        }
+        return m_incoming.size() <= rendering::DriverLink::longestLine;
+    }
+
+    void show(std::int64_t id, const std::string& ticket)
+    {
+        try {
+            const cv::Mat image = m_images.imageOf(ticket);
+            if (image.empty()) throw protocols::workFailed({"the image was altered", "the server", "", ""});
+            const std::string bytes(reinterpret_cast<const char*>(image.data), image.total());
+            (void)m_device.send(rendering::showLine(id, image.cols, image.rows, bytes.size()) + bytes,
+                                steady_clock::now() + devicePatience);
+        } catch (const protocols::Error& fault) {
+            std::fprintf(stderr, "vis2hap: %s\n", fault.what());
+            sendBytes(ordered_json{{"type", "failed"}, {"id", id}, {"why", fault.what()}}.dump() + "\n");
+        }
+    }
+
+    int m_station;
+    TicketImages& m_images;
+    rendering::DriverLink m_device;
+    std::string m_incoming;
+};
+
+void requireRole(const database::ServerAddress& address)
+{
+    const auto rights = rightsOf(address);
+    if (std::ranges::find(rights.may, "released_image") == rights.may.end())
+        throw protocols::badInput({"login " + rights.login + " may not fetch images", address.text,
+                                   "a login with the role display",
+                                   "the owner grants it: vis2hap server roles ADDRESS --grant LOGIN=display"});
+}
+
+}  // namespace
+
+int serveDisplay(const std::string& text, const std::string& specification, int port)
+{
+    const auto device = rendering::driverAddressFrom(specification);
+    if (!device)
+        throw protocols::badInput({"display '" + specification + "' has no driver", "--display", "exec:COMMAND or tcp:HOST:PORT",
+                                   "name the driver of the display"});
+    const auto address = database::serverAddressFrom(text);
+    requireRole(address);
+    TicketImages images(address);
+    const Listener listener(port);
+    std::signal(SIGPIPE, SIG_IGN);
+    std::printf("the station takes --display tcp:127.0.0.1:%d\n", listener.port());
+    std::fflush(stdout);
+    while (true) {
+        const int station = listener.accept();
+        if (station < 0) continue;
+        Relay(station, images, *device).run();
+        ::close(station);
+    }
+}
+
+}  // namespace study::commands

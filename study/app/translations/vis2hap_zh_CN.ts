@@ -508,6 +508,14 @@
         <source>This computer has no font for the language of the participants, %1: they would see boxes. Run: apt-get install %2</source>
         <translation>这台计算机没有参与者语言%1的字体：参与者会看到方框。请运行：apt-get install %2</translation>
     </message>
+    <message>
+        <source>free</source>
+        <translation>空闲</translation>
+    </message>
+    <message>
+        <source>in progress</source>
+        <translation>进行中</translation>
+    </message>
 </context>
 <context>
     <name>study::app::Below</name>
@@ -2817,6 +2825,58 @@ Nothing is chosen yet.</source>
         <source>None so far.</source>
         <translation>目前没有。</translation>
     </message>
+    <message>
+        <source>%1 s ago</source>
+        <translation>%1秒前</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>已连接</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>失去联系</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>%1 at that time</source>
+        <translation>当时%1条</translation>
+    </message>
+    <message>
+        <source>Stations</source>
+        <translation>工作站</translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>工作站</translation>
+    </message>
+    <message>
+        <source>Connection</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>Last sign of life</source>
+        <translation>最后一次联系</translation>
+    </message>
+    <message>
+        <source>Entries that wait there</source>
+        <translation>在那里等待的记录</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>程序</translation>
+    </message>
+    <message>
+        <source>none has joined</source>
+        <translation>没有工作站加入</translation>
+    </message>
+    <message>
+        <source>Answers: %1</source>
+        <translation>回答：%1</translation>
+    </message>
 </context>
 <context>
     <name>study::app::NewStudyPage</name>
@@ -4288,6 +4348,17 @@ Nothing is chosen yet.</source>
     </message>
 </context>
 <context>
+    <name>study::app::ServerMonitor</name>
+    <message>
+        <source>The server of %1 cannot be reached. The window shows what it read last and tries again every two seconds.</source>
+        <translation>无法连接%1的服务器。窗口显示上次读到的内容，并每两秒重试一次。</translation>
+    </message>
+    <message>
+        <source>%1. The window tries again in two seconds.</source>
+        <translation>%1。窗口将在两秒后重试。</translation>
+    </message>
+</context>
+<context>
     <name>study::app::SessionController</name>
     <message>
         <source>The presentation is flagged.</source>
@@ -4535,6 +4606,10 @@ Nothing is chosen yet.</source>
     <message>
         <source>the folder that contains study.db, or an address postgresql://USER@HOST/DATABASE?study=NAME</source>
         <translation>包含 study.db 的文件夹，或地址 postgresql://USER@HOST/DATABASE?study=NAME</translation>
+    </message>
+    <message>
+        <source>Watch the study…</source>
+        <translation>监视研究…</translation>
     </message>
 </context>
 <context>

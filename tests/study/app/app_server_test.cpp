@@ -76,6 +76,7 @@ private Q_SLOTS:
     void initTestCase();
     void anAddressOnTheStartPageJoinsTheStudy();
     void thePageSaysWhereTheAnswersAre();
+    void thePageNoticesASilentServerByItself();
     void aWrongAddressIsOneLineOnTheStartPage();
     void theMonitorShowsStationsAtWorkLostAndWithEntries();
     void theMonitorFollowsSessionsAtTheStations();
@@ -135,6 +136,22 @@ void AppServerTest::thePageSaysWhereTheAnswersAre()
     open.perform(open.nextEvent());  // answered
     QVERIFY2(bar->isVisible() && bar->text().contains("cannot be reached") && bar->text().contains("wait on this computer: "),
              qPrintable(bar->text()));
+    network.mend();
+    QTRY_VERIFY_WITH_TIMEOUT(bar->text().contains("every answer is on the server"), 20000);
+    open.playToEnd();
+    QCOMPARE(readStudy(owner).answerCount(), std::size_t{24});
+}
+
+void AppServerTest::thePageNoticesASilentServerByItself()
+{
+    const database::StudyFolder owner = studyOnServer("hushed");
+    CutNetwork network(m_server->port());
+    OpenWindow open({m_server->address("hushed", "owner", network.port())});
+    const auto* bar = open.window().findChild<QLabel*>("serverBar");
+    open.enrolAndBegin();
+    QVERIFY(bar->text().contains("every answer is on the server"));
+    network.silence();
+    QTRY_VERIFY_WITH_TIMEOUT(bar->text().contains("cannot be reached. No entry waits on this computer"), 8000);
     network.mend();
     QTRY_VERIFY_WITH_TIMEOUT(bar->text().contains("every answer is on the server"), 20000);
     open.playToEnd();

@@ -2294,6 +2294,38 @@
         <source>age</source>
         <translation>Alter</translation>
     </message>
+    <message>
+        <source>Participant&apos;s screen</source>
+        <translation>Bildschirm der Versuchsperson</translation>
+    </message>
+    <message>
+        <source>Choose a sentence and write your own. Names in braces, such as {time}, stay as they are.</source>
+        <translation>Wählen Sie einen Satz und schreiben Sie einen eigenen. Namen in geschweiften Klammern wie {time} bleiben stehen.</translation>
+    </message>
+    <message>
+        <source>Sentences by their names</source>
+        <translation>Sätze mit ihren Namen</translation>
+    </message>
+    <message>
+        <source>Your sentence; empty: the usual one</source>
+        <translation>Ihr Satz; leer: der übliche</translation>
+    </message>
+    <message>
+        <source>Recordings for the headphones</source>
+        <translation>Aufnahmen für die Kopfhörer</translation>
+    </message>
+    <message>
+        <source>WAV files that lie beside the protocol. A computer voice says what has no recording.</source>
+        <translation>WAV-Dateien, die neben dem Protokoll liegen. Was keine Aufnahme hat, spricht eine Computerstimme.</translation>
+    </message>
+    <message>
+        <source>Prompts by their names</source>
+        <translation>Ansagen mit ihren Namen</translation>
+    </message>
+    <message>
+        <source>File of the recording; empty: none</source>
+        <translation>Datei der Aufnahme; leer: keine</translation>
+    </message>
 </context>
 <context>
     <name>study::app::EditorStart</name>
@@ -2518,6 +2550,13 @@ Noch ist nichts gewählt.</translation>
     <message>
         <source>Break: %1:%2</source>
         <translation>Pause: %1:%2</translation>
+    </message>
+</context>
+<context>
+    <name>study::app::KeyedTexts</name>
+    <message>
+        <source>%1    own: %2</source>
+        <translation>%1    eigener: %2</translation>
     </message>
 </context>
 <context>
@@ -3089,6 +3128,34 @@ Noch ist nichts gewählt.</translation>
     <message>
         <source>Preview: %1</source>
         <translation>Vorschau: %1</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: waiting</source>
+        <translation>Bildschirm der Versuchsperson: Warten</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: welcome</source>
+        <translation>Bildschirm der Versuchsperson: Begrüßung</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: facts</source>
+        <translation>Bildschirm der Versuchsperson: Angaben</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: getting to know the display</source>
+        <translation>Bildschirm der Versuchsperson: Display kennenlernen</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: blindfold</source>
+        <translation>Bildschirm der Versuchsperson: Augenmaske</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: last questions</source>
+        <translation>Bildschirm der Versuchsperson: letzte Fragen</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: end</source>
+        <translation>Bildschirm der Versuchsperson: Ende</translation>
     </message>
 </context>
 <context>

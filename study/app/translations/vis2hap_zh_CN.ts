@@ -2294,6 +2294,38 @@
         <source>age</source>
         <translation>年龄</translation>
     </message>
+    <message>
+        <source>Participant&apos;s screen</source>
+        <translation>参与者屏幕</translation>
+    </message>
+    <message>
+        <source>Choose a sentence and write your own. Names in braces, such as {time}, stay as they are.</source>
+        <translation>选择一句话，写入您自己的句子。花括号中的名称（如 {time}）请保持不变。</translation>
+    </message>
+    <message>
+        <source>Sentences by their names</source>
+        <translation>句子及其名称</translation>
+    </message>
+    <message>
+        <source>Your sentence; empty: the usual one</source>
+        <translation>您的句子；留空则用默认句子</translation>
+    </message>
+    <message>
+        <source>Recordings for the headphones</source>
+        <translation>耳机录音</translation>
+    </message>
+    <message>
+        <source>WAV files that lie beside the protocol. A computer voice says what has no recording.</source>
+        <translation>与实验方案放在同一文件夹的 WAV 文件。没有录音的提示语由电脑语音朗读。</translation>
+    </message>
+    <message>
+        <source>Prompts by their names</source>
+        <translation>提示语及其名称</translation>
+    </message>
+    <message>
+        <source>File of the recording; empty: none</source>
+        <translation>录音文件；留空则没有</translation>
+    </message>
 </context>
 <context>
     <name>study::app::EditorStart</name>
@@ -2518,6 +2550,13 @@ Nothing is chosen yet.</source>
     <message>
         <source>Break: %1:%2</source>
         <translation>休息：%1:%2</translation>
+    </message>
+</context>
+<context>
+    <name>study::app::KeyedTexts</name>
+    <message>
+        <source>%1    own: %2</source>
+        <translation>%1    自定义：%2</translation>
     </message>
 </context>
 <context>
@@ -3089,6 +3128,34 @@ Nothing is chosen yet.</source>
     <message>
         <source>Preview: %1</source>
         <translation>预览：%1</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: waiting</source>
+        <translation>参与者屏幕：等待</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: welcome</source>
+        <translation>参与者屏幕：欢迎</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: facts</source>
+        <translation>参与者屏幕：基本信息</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: getting to know the display</source>
+        <translation>参与者屏幕：熟悉触觉屏</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: blindfold</source>
+        <translation>参与者屏幕：眼罩</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: last questions</source>
+        <translation>参与者屏幕：最后的问题</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: end</source>
+        <translation>参与者屏幕：结束</translation>
     </message>
 </context>
 <context>

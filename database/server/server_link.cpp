@@ -91,7 +91,10 @@ std::future<ServerReply> ServerLink::ask(const char* function, const QVariantLis
         const std::lock_guard lock(m_worker->mutex);
         m_worker->work.emplace([=, address = m_address](std::optional<ServerConnection>& connection) {
             try {
-                if (!connection) connection.emplace(address);
+                if (!connection) {
+                    connection.emplace(address);
+                    if (address.study.empty()) connection->chooseStudy();
+                }
                 promise->set_value(replyOf(*connection, function, arguments, hasImage));
             } catch (...) {
                 promise->set_exception(std::current_exception());

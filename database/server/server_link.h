@@ -21,7 +21,7 @@ struct ServerReply {
 
 class ServerLink {
 public:
-    /// Connects at the first call.
+    /// Connects at the first call. An address without a study means the only one of its database.
     explicit ServerLink(ServerAddress address);
     /// Does not wait for a call that was given up.
     ~ServerLink();

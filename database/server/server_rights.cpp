@@ -143,28 +143,4 @@ ServerRights rightsOf(const ServerAddress& address)
     return rights;
 }
 
-ServerProgress progressOf(const ServerAddress& address)
-{
-    ServerConnection server(address);
-    server.chooseStudy();
-    const nlohmann::json seen = server.call("progress", {});
-    ServerProgress progress;
-    for (const auto& place : seen.at("places")) {
-        const auto state = place.at("state").get<std::string>();
-        ++(state == "free"       ? progress.free
-           : state == "started"  ? progress.started
-           : state == "finished" ? progress.finished
-                                 : progress.withdrawn);
-        progress.answers += place.at("answers").get<int>();
-    }
-    for (const auto& one : seen.at("stations"))
-        progress.stations.push_back({one.at("station").get<std::string>(), one.at("login").get<std::string>(),
-                                     one.at("participant").is_null() ? "" : one.at("participant").get<std::string>(),
-                                     one.at("live").get<bool>(), one.at("queue_length").get<int>(),
-                                     one.at("last_seen_seconds").get<int>()});
-    progress.head =
-        textOf(LogHead{seen.at("head").at("sequence").get<std::int64_t>(), seen.at("head").at("hash").get<std::string>()});
-    return progress;
-}
-
 }  // namespace database

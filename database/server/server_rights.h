@@ -22,19 +22,4 @@ struct ServerRights {
 /// Enrols nobody and changes nothing. Throws the errors of ServerConnection.
 ServerRights rightsOf(const ServerAddress& address);
 
-/// One station of a study as monitors see it.
-struct StationSeen {
-    std::string station, login, participant;  ///< participant: empty without a session
-    bool isLive = false;                      ///< its connection holds
-    int waiting = 0;                          ///< entries in its queue
-    int lastSeenSeconds = 0;
-};
-struct ServerProgress {
-    std::vector<StationSeen> stations;
-    int free = 0, started = 0, finished = 0, withdrawn = 0, answers = 0;
-    std::string head;
-};
-/// For monitors, analysts and the owner.
-ServerProgress progressOf(const ServerAddress& address);
-
 }  // namespace database

@@ -17,7 +17,7 @@ using Json = nlohmann::json;
 using namespace std::chrono_literals;
 
 constexpr auto patience = 4000ms;  ///< of an operator who waits for a presentation
-constexpr auto storing = 1500ms;   ///< until an answer goes into the queue
+constexpr auto storing = 1500ms;   ///< until an answer goes into the queue, and of a sign of life
 constexpr auto rest = 2000ms;      ///< after a lost connection, until an operator's step tries again
 constexpr auto leaving = 1000ms;
 constexpr auto nearlyNothing = 0ms;
@@ -412,8 +412,13 @@ void StationStore::refresh()
     };
     try {
         if (m_link) {
+            const auto now = std::chrono::steady_clock::now();
             if (isReady(m_alive)) (void)m_alive.get();
-            if (!m_alive.valid()) m_alive = m_link->start("sign_of_life", {static_cast<int>(m_queue.size())});
+            if (m_alive.valid() && now - m_signAt > storing)
+                throw ServerAway({"the server does not answer", m_note.address, "", "check the network and the server"});
+            if (m_alive.valid()) return;
+            m_signAt = now;
+            m_alive = m_link->start("sign_of_life", {static_cast<int>(m_queue.size())});
             return;
         }
         m_alive = {};

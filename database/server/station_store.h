@@ -58,7 +58,7 @@ public:
     };
     Link link() const;
     /// Tells the server that this station is alive, and sends what waits once the server can be reached again. Waits for nothing,
-    /// but for the entries that it sends. Call it every few seconds.
+    /// but for the entries that it sends. A server that does not answer in time counts as away. Call it every few seconds.
     void refresh();
 
 private:
@@ -85,7 +85,8 @@ private:
     mutable std::unique_ptr<ServerLink> m_link;  ///< null while the server cannot be reached
     mutable std::string m_fault;
     mutable std::chrono::steady_clock::time_point m_lostAt = {};
-    std::unique_ptr<ServerLink> m_attempt;  ///< to reach the server again
+    std::chrono::steady_clock::time_point m_signAt = {};  ///< when m_alive began
+    std::unique_ptr<ServerLink> m_attempt;                ///< to reach the server again
     std::future<ServerReply> m_joining, m_alive;
     StudyFacts m_facts;
     std::vector<ProtocolVersion> m_versions;

@@ -288,6 +288,14 @@ StudyStore readStudy(const StudyFolder& folder)
     return StudyStore::ofCopy(std::move(copy), folder.folder);
 }
 
+std::unique_ptr<protocols::TemporaryFolder> fetchedRows(const StudyFolder& folder)
+{
+    const ServerConnection server(serverAddressFrom(ownersNote(folder).address));
+    auto copy = std::make_unique<protocols::TemporaryFolder>();
+    fetchInto(server, {copy->path()});
+    return copy;
+}
+
 std::optional<std::string> recordActOnServer(const StudyFolder& folder, Act act)
 {
     if (act.wallTime.empty()) act.wallTime = wallTimeNow();

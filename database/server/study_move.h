@@ -3,12 +3,14 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "database/evidence/acts.h"
 #include "database/server/server_address.h"
 #include "database/study_store.h"
+#include "protocols/files/temporary_folder.h"
 
 namespace database {
 
@@ -26,6 +28,10 @@ LogHead moveToFolder(const ServerAddress& address, const StudyFolder& folder);
 /// The study as it stands now, wherever it lies. Of a study on a server this reads a copy of rows and files, which its owner's
 /// folder gives the right to.
 StudyStore readStudy(const StudyFolder& folder);
+
+/// The rows of a study on a server as they stand now: a folder with study.db alone, without keys and images. `folder`: of the
+/// study's owner.
+std::unique_ptr<protocols::TemporaryFolder> fetchedRows(const StudyFolder& folder);
 
 /// Records what was done with the study in the server's chain of acts. Returns why it could not be recorded, or nothing.
 std::optional<std::string> recordActOnServer(const StudyFolder& folder, Act act);

@@ -100,6 +100,8 @@ void MainWindow::connectPages()
 {
     connect(m_pages->start, &StartPage::openRequested, this,
             [this](const QString& folder) { showingFaults(*m_pages->start, [&] { openStudy(folder.toStdString()); }); });
+    connect(m_pages->start, &StartPage::monitorRequested, this,
+            [this](const QString& place) { showingFaults(*m_pages->start, [&] { openMonitor(place.toStdString()); }); });
     m_pages->start->offerLanguages(m_options.language);
     connect(m_pages->start, &StartPage::languageChosen, this, [this](const QString& tag) {
         if (tag == m_options.language.tag) return;
@@ -261,7 +263,7 @@ void MainWindow::connectTools()
     });
     connect(m_pages->tools, &ToolsPage::backRequested, this, &MainWindow::showStudy);
     connect(m_pages->tools, &ToolsPage::monitorRequested, this,
-            [this] { showingFaults(*m_pages->tools, [&] { openMonitor(); }); });
+            [this] { showingFaults(*m_pages->tools, [&] { openMonitor(m_study->store().folder().folder); }); });
 }
 
 void MainWindow::connectRehearsal()
@@ -330,9 +332,10 @@ void MainWindow::playRehearsal(std::unique_ptr<rendering::HapticDisplay> display
     }
 }
 
-void MainWindow::openMonitor()
+void MainWindow::openMonitor(const std::filesystem::path& place)
 {
-    if (!m_monitor) m_monitor = std::make_unique<MonitorWindow>(m_study->store().folder().folder, m_options);
+    if (!m_monitor || m_monitored != place) m_monitor = std::make_unique<MonitorWindow>(place, m_options);
+    m_monitored = place;
     m_monitor->show();
     m_monitor->raise();
     m_monitor->activateWindow();

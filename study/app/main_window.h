@@ -90,7 +90,8 @@ private:
     void showStudyFault(const QString& text);
     /// How this station stands with the server of the study; nothing for a study in a folder.
     void showServerLink();
-    void openMonitor();
+    /// Opens the monitor of the study, or shows the one that is open. `place`: see openStudy().
+    void openMonitor(const std::filesystem::path& place);
     void refreshSession();
     void leaveSession();
     /// Pauses a running session. False if the pause cannot be stored; the next attempt then returns true.
@@ -115,7 +116,8 @@ private:
     MessageBar* m_serverBar;  ///< below the pages
     QString m_chosenLanguage;
     QWidget* m_beforeParticipantPage = nullptr;  ///< the page to go back to
-    std::unique_ptr<MonitorWindow> m_monitor;    ///< of the open study; empty until it is asked for
+    std::filesystem::path m_monitored;
+    std::unique_ptr<MonitorWindow> m_monitor;  ///< empty until it is asked for
 };
 
 }  // namespace study::app

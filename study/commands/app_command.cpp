@@ -97,7 +97,8 @@ void requireAllowedDisplay(const AppCall& call)
 int runWindow(const AppCall& call)
 {
     if (call.monitor && call.study.empty())
-        throw protocols::badInput({"no study is named", "--monitor", "vis2hap --monitor STUDY", "name the folder of the study"});
+        throw protocols::badInput(
+            {"no study is named", "--monitor", "vis2hap --monitor STUDY", "name the folder of the study, or its address"});
     if (!call.study.empty() && !database::isServerAddress(call.study) && !std::filesystem::exists(call.study))
         throw protocols::badInput(
             {"this is neither a command nor the folder of a study", call.study, "a study or a command", "see `vis2hap --help`"});

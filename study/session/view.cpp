@@ -16,10 +16,21 @@ std::string nameOfPhase(const protocols::Phase& phase)
     return phase.questions.size() == 1 ? first : first + "-" + phase.questions.back().id.value;
 }
 
-std::string spoken(const Plan& plan, const GivenAnswer& answer)
+bool isWhole(protocols::Tenths number) { return number.value % 10 == 0; }
+
+bool hasWholeNumbersOnly(const protocols::AnswerKind& kind)
 {
-    const auto* fabric = std::get_if<protocols::FabricId>(&answer);
-    return fabric ? nameIn(plan.fabricNames, *fabric) : textOf(answer);
+    const auto* rating = std::get_if<protocols::Rating>(&kind);
+    return rating && isWhole(rating->scale.min) && isWhole(rating->scale.max) && isWhole(rating->scale.step);
+}
+
+/// As it is read back: "linen", "5.0", or "5" where the scale has whole numbers only.
+std::string spoken(const Plan& plan, const protocols::Question& question, const GivenAnswer& answer)
+{
+    if (const auto* fabric = std::get_if<protocols::FabricId>(&answer)) return nameIn(plan.fabricNames, *fabric);
+    const auto* rating = std::get_if<protocols::Tenths>(&answer);
+    if (rating && isWhole(*rating) && hasWholeNumbersOnly(question.kind)) return std::to_string(rating->value / 10);
+    return textOf(answer);
 }
 
 void addTrial(View& view, const Plan& plan, const State& state, int index, int question)
@@ -46,8 +57,9 @@ void addLastAnswer(View& view, const Plan& plan, const State& state)
 {
     if (state.answers.empty()) return;
     const StoredAnswer& last = state.answers.back();
-    view.lastQuestion = questionOf(plan, last.index, last.question).id;
-    view.lastAnswer = view.lastQuestion->value + ": " + spoken(plan, last.response);
+    const protocols::Question& question = questionOf(plan, last.index, last.question);
+    view.lastQuestion = question.id;
+    view.lastAnswer = question.id.value + ": " + spoken(plan, question, last.response);
 }
 
 std::size_t nextIndex(const State& state)

@@ -24,6 +24,7 @@ StartPage::StartPage(QWidget* parent)
       m_folder(field("studyFolderField", tr("Study folder"), this)),
       m_browse(button("browseStudyButton", tr("Browse…"), this)),
       m_open(mainButton("openButton", tr("Open the study (Enter)"), this)),
+      m_monitor(button("monitorButton", tr("Watch the study…"), this)),
       m_new(button("newStudyButton", tr("Create a new study…"), this)),
       m_makeProtocol(button("makeProtocolButton", tr("Make a protocol…"), this)),
       m_changeProtocol(button("changeProtocolButton", tr("Change a protocol…"), this)),
@@ -74,8 +75,8 @@ StartPage::StartPage(QWidget* parent)
     column->addWidget(m_message);
     column->addWidget(m_firstSteps);
     column->addSpacing(10);
-    column->addLayout(
-        actionsRow({m_open, m_new, m_makeProtocol, m_changeProtocol, m_photographs, m_data, m_display, m_keys, m_participant}));
+    column->addLayout(actionsRow(
+        {m_open, m_monitor, m_new, m_makeProtocol, m_changeProtocol, m_photographs, m_data, m_display, m_keys, m_participant}));
     column->addStretch(2);
     m_languageCaption->setText(tr("Language"));
     for (QLabel* text : {m_languageCaption, m_reviewed}) text->setWordWrap(false);
@@ -89,6 +90,7 @@ StartPage::StartPage(QWidget* parent)
 
     connect(m_folder, &QLineEdit::textChanged, m_message, &MessageBar::clearMessage);
     connect(m_open, &QPushButton::clicked, this, [this] { open(m_folder->text()); });
+    connect(m_monitor, &QPushButton::clicked, this, [this] { open(m_folder->text(), &StartPage::monitorRequested); });
     connect(m_recent, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) { open(item->text()); });
     connect(m_recent, &QListWidget::currentTextChanged, this, [this](const QString& folder) {
         if (!folder.isEmpty()) m_folder->setText(folder);
@@ -151,7 +153,7 @@ void StartPage::focusFirst()
         m_folder->setFocus();
 }
 
-void StartPage::open(const QString& folder)
+void StartPage::open(const QString& folder, void (StartPage::*request)(const QString&))
 {
     m_message->clearMessage();
     if (folder.trimmed().isEmpty()) {
@@ -159,7 +161,7 @@ void StartPage::open(const QString& folder)
         m_message->showHint(tr("No folder is given. Type the study folder, or choose it with Browse."));
         return;
     }
-    Q_EMIT openRequested(folder.trimmed());
+    Q_EMIT(this->*request)(folder.trimmed());
 }
 
 void StartPage::browse()

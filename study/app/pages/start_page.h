@@ -34,6 +34,7 @@ public:
 
 Q_SIGNALS:
     void openRequested(const QString& folder);
+    void monitorRequested(const QString& folder);
     void newStudyRequested();
     void makeProtocolRequested();
     void changeProtocolRequested();
@@ -48,7 +49,8 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    void open(const QString& folder);
+    /// Asks for the study by one of the signals, or for its name.
+    void open(const QString& folder, void (StartPage::*request)(const QString&) = &StartPage::openRequested);
     void browse();
 
     QLabel* m_recentCaption;
@@ -56,6 +58,7 @@ private:
     QLineEdit* m_folder;
     QPushButton* m_browse;
     QPushButton* m_open;
+    QPushButton* m_monitor;
     QPushButton* m_new;
     QPushButton* m_makeProtocol;
     QPushButton* m_changeProtocol;

@@ -1,5 +1,6 @@
 // Progress of a running study, for its principal investigator: the stage of every participant, missing cells, and flags.
-// Blinded: it contains places, stages and counts, but no stimuli, answers or scores. It only reads the study.
+// Blinded: it contains places, stages and counts, but no stimuli, answers or scores. It only reads the study. For a study on a
+// server it also contains the stations.
 #pragma once
 
 #include <QString>
@@ -37,17 +38,29 @@ struct MonitorOverview {
         QString stage = {};        ///< "question Q2", "break", "paused (tray)"
         int presentation = 0, presentations = 0;
         int answers = 0;       ///< valid answers
-        int answersInAll = 0;  ///< answers of a complete session
+        int answersInAll = 0;  ///< answers of a complete session; 0 if unknown
         int missing = 0;       ///< answers to voided presentations that have not been repeated yet
         int voided = 0;        ///< number of voided presentations
         std::optional<double> minutesSinceEvent = {};
         bool operator==(const ParticipantRow&) const = default;
     };
+    /// A station of a study on a server.
+    struct StationRow {
+        enum class Contact { Connected, Lost, Unknown };  ///< Unknown: the server does not reply any more
+        QString station;
+        QString participant;  ///< at work there; empty without a session
+        Contact contact = Contact::Connected;
+        int secondsSinceSign = 0;  ///< since the last sign of life
+        int waiting = 0;           ///< entries in its queue, as it reported last
+        QString program;           ///< name and version; empty if unknown
+        bool operator==(const StationRow&) const = default;
+    };
     QString study;
-    bool isBlinded = true;
-    std::vector<ParticipantRow> rows;  ///< by place; a withdrawn participant comes before the next one in this place
-    int answers = 0;                   ///< valid answers, without participants who withdrew
-    int answersInAll = 0;              ///< answers of the complete study
+    std::optional<bool> isBlinded = true;  ///< empty if only states and counts are known
+    std::vector<ParticipantRow> rows;      ///< by place; a withdrawn participant comes before the next one in this place
+    int answers = 0;                       ///< valid answers, without participants who withdrew
+    int answersInAll = 0;                  ///< answers of the complete study; 0 if unknown
+    std::optional<std::vector<StationRow>> stations = {};  ///< by name; empty for a study in a folder
     bool operator==(const MonitorOverview&) const = default;
 };
 

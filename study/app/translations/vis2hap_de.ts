@@ -508,6 +508,14 @@
         <source>This computer has no font for the language of the participants, %1: they would see boxes. Run: apt-get install %2</source>
         <translation>Dieser Rechner hat keine Schrift für die Sprache der Versuchspersonen, %1: Sie sähen nur Kästchen. Rufen Sie auf: apt-get install %2</translation>
     </message>
+    <message>
+        <source>free</source>
+        <translation>frei</translation>
+    </message>
+    <message>
+        <source>in progress</source>
+        <translation>läuft</translation>
+    </message>
 </context>
 <context>
     <name>study::app::Below</name>
@@ -2286,6 +2294,38 @@
         <source>age</source>
         <translation>Alter</translation>
     </message>
+    <message>
+        <source>Participant&apos;s screen</source>
+        <translation>Bildschirm der Versuchsperson</translation>
+    </message>
+    <message>
+        <source>Choose a sentence and write your own. Names in braces, such as {time}, stay as they are.</source>
+        <translation>Wählen Sie einen Satz und schreiben Sie einen eigenen. Namen in geschweiften Klammern wie {time} bleiben stehen.</translation>
+    </message>
+    <message>
+        <source>Sentences by their names</source>
+        <translation>Sätze mit ihren Namen</translation>
+    </message>
+    <message>
+        <source>Your sentence; empty: the usual one</source>
+        <translation>Ihr Satz; leer: der übliche</translation>
+    </message>
+    <message>
+        <source>Recordings for the headphones</source>
+        <translation>Aufnahmen für die Kopfhörer</translation>
+    </message>
+    <message>
+        <source>WAV files that lie beside the protocol. A computer voice says what has no recording.</source>
+        <translation>WAV-Dateien, die neben dem Protokoll liegen. Was keine Aufnahme hat, spricht eine Computerstimme.</translation>
+    </message>
+    <message>
+        <source>Prompts by their names</source>
+        <translation>Ansagen mit ihren Namen</translation>
+    </message>
+    <message>
+        <source>File of the recording; empty: none</source>
+        <translation>Datei der Aufnahme; leer: keine</translation>
+    </message>
 </context>
 <context>
     <name>study::app::EditorStart</name>
@@ -2510,6 +2550,13 @@ Noch ist nichts gewählt.</translation>
     <message>
         <source>Break: %1:%2</source>
         <translation>Pause: %1:%2</translation>
+    </message>
+</context>
+<context>
+    <name>study::app::KeyedTexts</name>
+    <message>
+        <source>%1    own: %2</source>
+        <translation>%1    eigener: %2</translation>
     </message>
 </context>
 <context>
@@ -2817,6 +2864,58 @@ Noch ist nichts gewählt.</translation>
         <source>None so far.</source>
         <translation>Bisher keine.</translation>
     </message>
+    <message>
+        <source>%1 s ago</source>
+        <translation>vor %1 s</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>verbunden</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>verloren</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>%1 at that time</source>
+        <translation>%1 zu dieser Zeit</translation>
+    </message>
+    <message>
+        <source>Stations</source>
+        <translation>Stationen</translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>Station</translation>
+    </message>
+    <message>
+        <source>Connection</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>Last sign of life</source>
+        <translation>Letztes Lebenszeichen</translation>
+    </message>
+    <message>
+        <source>Entries that wait there</source>
+        <translation>Dort wartende Einträge</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>none has joined</source>
+        <translation>keine ist beigetreten</translation>
+    </message>
+    <message>
+        <source>Answers: %1</source>
+        <translation>Antworten: %1</translation>
+    </message>
 </context>
 <context>
     <name>study::app::NewStudyPage</name>
@@ -3029,6 +3128,34 @@ Noch ist nichts gewählt.</translation>
     <message>
         <source>Preview: %1</source>
         <translation>Vorschau: %1</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: waiting</source>
+        <translation>Bildschirm der Versuchsperson: Warten</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: welcome</source>
+        <translation>Bildschirm der Versuchsperson: Begrüßung</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: facts</source>
+        <translation>Bildschirm der Versuchsperson: Angaben</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: getting to know the display</source>
+        <translation>Bildschirm der Versuchsperson: Display kennenlernen</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: blindfold</source>
+        <translation>Bildschirm der Versuchsperson: Augenmaske</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: last questions</source>
+        <translation>Bildschirm der Versuchsperson: letzte Fragen</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: end</source>
+        <translation>Bildschirm der Versuchsperson: Ende</translation>
     </message>
 </context>
 <context>
@@ -4288,6 +4415,17 @@ Noch ist nichts gewählt.</translation>
     </message>
 </context>
 <context>
+    <name>study::app::ServerMonitor</name>
+    <message>
+        <source>The server of %1 cannot be reached. The window shows what it read last and tries again every two seconds.</source>
+        <translation>Der Server von %1 ist nicht erreichbar. Das Fenster zeigt, was es zuletzt gelesen hat, und versucht es alle zwei Sekunden noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1. The window tries again in two seconds.</source>
+        <translation>%1. Das Fenster versucht es in zwei Sekunden noch einmal.</translation>
+    </message>
+</context>
+<context>
     <name>study::app::SessionController</name>
     <message>
         <source>The presentation is flagged.</source>
@@ -4535,6 +4673,10 @@ Noch ist nichts gewählt.</translation>
     <message>
         <source>the folder that contains study.db, or an address postgresql://USER@HOST/DATABASE?study=NAME</source>
         <translation>der Ordner mit study.db, oder eine Adresse postgresql://USER@HOST/DATABASE?study=NAME</translation>
+    </message>
+    <message>
+        <source>Watch the study…</source>
+        <translation>Studie beobachten…</translation>
     </message>
 </context>
 <context>

@@ -508,6 +508,14 @@
         <source>This computer has no font for the language of the participants, %1: they would see boxes. Run: apt-get install %2</source>
         <translation>这台计算机没有参与者语言%1的字体：参与者会看到方框。请运行：apt-get install %2</translation>
     </message>
+    <message>
+        <source>free</source>
+        <translation>空闲</translation>
+    </message>
+    <message>
+        <source>in progress</source>
+        <translation>进行中</translation>
+    </message>
 </context>
 <context>
     <name>study::app::Below</name>
@@ -2286,6 +2294,38 @@
         <source>age</source>
         <translation>年龄</translation>
     </message>
+    <message>
+        <source>Participant&apos;s screen</source>
+        <translation>参与者屏幕</translation>
+    </message>
+    <message>
+        <source>Choose a sentence and write your own. Names in braces, such as {time}, stay as they are.</source>
+        <translation>选择一句话，写入您自己的句子。花括号中的名称（如 {time}）请保持不变。</translation>
+    </message>
+    <message>
+        <source>Sentences by their names</source>
+        <translation>句子及其名称</translation>
+    </message>
+    <message>
+        <source>Your sentence; empty: the usual one</source>
+        <translation>您的句子；留空则用默认句子</translation>
+    </message>
+    <message>
+        <source>Recordings for the headphones</source>
+        <translation>耳机录音</translation>
+    </message>
+    <message>
+        <source>WAV files that lie beside the protocol. A computer voice says what has no recording.</source>
+        <translation>与实验方案放在同一文件夹的 WAV 文件。没有录音的提示语由电脑语音朗读。</translation>
+    </message>
+    <message>
+        <source>Prompts by their names</source>
+        <translation>提示语及其名称</translation>
+    </message>
+    <message>
+        <source>File of the recording; empty: none</source>
+        <translation>录音文件；留空则没有</translation>
+    </message>
 </context>
 <context>
     <name>study::app::EditorStart</name>
@@ -2510,6 +2550,13 @@ Nothing is chosen yet.</source>
     <message>
         <source>Break: %1:%2</source>
         <translation>休息：%1:%2</translation>
+    </message>
+</context>
+<context>
+    <name>study::app::KeyedTexts</name>
+    <message>
+        <source>%1    own: %2</source>
+        <translation>%1    自定义：%2</translation>
     </message>
 </context>
 <context>
@@ -2817,6 +2864,58 @@ Nothing is chosen yet.</source>
         <source>None so far.</source>
         <translation>目前没有。</translation>
     </message>
+    <message>
+        <source>%1 s ago</source>
+        <translation>%1秒前</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>已连接</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>失去联系</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>%1 at that time</source>
+        <translation>当时%1条</translation>
+    </message>
+    <message>
+        <source>Stations</source>
+        <translation>工作站</translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>工作站</translation>
+    </message>
+    <message>
+        <source>Connection</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>Last sign of life</source>
+        <translation>最后一次联系</translation>
+    </message>
+    <message>
+        <source>Entries that wait there</source>
+        <translation>在那里等待的记录</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>程序</translation>
+    </message>
+    <message>
+        <source>none has joined</source>
+        <translation>没有工作站加入</translation>
+    </message>
+    <message>
+        <source>Answers: %1</source>
+        <translation>回答：%1</translation>
+    </message>
 </context>
 <context>
     <name>study::app::NewStudyPage</name>
@@ -3029,6 +3128,34 @@ Nothing is chosen yet.</source>
     <message>
         <source>Preview: %1</source>
         <translation>预览：%1</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: waiting</source>
+        <translation>参与者屏幕：等待</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: welcome</source>
+        <translation>参与者屏幕：欢迎</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: facts</source>
+        <translation>参与者屏幕：基本信息</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: getting to know the display</source>
+        <translation>参与者屏幕：熟悉触觉屏</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: blindfold</source>
+        <translation>参与者屏幕：眼罩</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: last questions</source>
+        <translation>参与者屏幕：最后的问题</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen: end</source>
+        <translation>参与者屏幕：结束</translation>
     </message>
 </context>
 <context>
@@ -4288,6 +4415,17 @@ Nothing is chosen yet.</source>
     </message>
 </context>
 <context>
+    <name>study::app::ServerMonitor</name>
+    <message>
+        <source>The server of %1 cannot be reached. The window shows what it read last and tries again every two seconds.</source>
+        <translation>无法连接%1的服务器。窗口显示上次读到的内容，并每两秒重试一次。</translation>
+    </message>
+    <message>
+        <source>%1. The window tries again in two seconds.</source>
+        <translation>%1。窗口将在两秒后重试。</translation>
+    </message>
+</context>
+<context>
     <name>study::app::SessionController</name>
     <message>
         <source>The presentation is flagged.</source>
@@ -4535,6 +4673,10 @@ Nothing is chosen yet.</source>
     <message>
         <source>the folder that contains study.db, or an address postgresql://USER@HOST/DATABASE?study=NAME</source>
         <translation>包含 study.db 的文件夹，或地址 postgresql://USER@HOST/DATABASE?study=NAME</translation>
+    </message>
+    <message>
+        <source>Watch the study…</source>
+        <translation>监视研究…</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "database/server/server_progress.h"
 #include "database/server/server_rights.h"
 #include "database/server/server_roles.h"
 #include "database/server/station_store.h"

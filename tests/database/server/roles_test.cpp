@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "database/server/server_connection.h"
+#include "database/server/server_progress.h"
 #include "database/server/server_rights.h"
 #include "database/server/server_roles.h"
 #include "database/server/study_move.h"

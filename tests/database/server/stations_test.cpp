@@ -73,6 +73,7 @@ private Q_SLOTS:
     void aCutNetworkLosesAndDoublesNothing();
     void aCutWhileWaitingEntriesAreSentLosesNothing();
     void aSilentNetworkStopsNobodyForLong();
+    void aSilentNetworkIsNoticedWithoutAnAnswer();
     void theServersDeathLosesNothing();
     void aHundredClaimsTakeAHundredPlaces();
     void whatWaitedTooLongIsKeptAside();
@@ -279,6 +280,40 @@ void StationsTest::aSilentNetworkStopsNobodyForLong()
     QTRY_VERIFY_WITH_TIMEOUT((session.store.refresh(), session.store.link().isUp), 20000);
     session.playToEnd();
     QCOMPARE(session.store.link().waiting, std::size_t{0});
+    QCOMPARE(rowsOf(owner).answerCount(), std::size_t{24});
+}
+
+void StationsTest::aSilentNetworkIsNoticedWithoutAnAnswer()
+{
+    const StudyFolder owner = studyOnServer("unanswered");
+    CutNetwork network(m_server->port());
+    const StudyFolder place = station("unanswered", "left", network.port());
+    ServerSession session(place, "P01");
+    session.stepUntil("Presenting");
+    network.silence();
+    session.store.refresh();
+    std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    session.store.refresh();
+    QVERIFY(session.store.link().isUp);  // a slow reply is no lost server
+    network.mend();
+    QTRY_VERIFY((session.store.refresh(), session.store.link().isUp));
+    QTest::qWait(300);
+    session.store.refresh();  // takes the late reply and gives the next sign
+    network.silence();
+    QElapsedTimer timer;
+    timer.start();
+    while (session.store.link().isUp && timer.elapsed() < 5000) {
+        QTest::qWait(100);
+        session.store.refresh();
+    }
+    QVERIFY2(timer.elapsed() < 3000, qPrintable(QString::number(timer.elapsed())));
+    QVERIFY2(session.store.link().fault.find("the server does not answer") != std::string::npos,
+             session.store.link().fault.c_str());
+    QCOMPARE(session.store.link().waiting, std::size_t{0});
+    network.mend();
+    waitForServer(session);
+    QVERIFY(session.store.link().fault.empty());
+    session.playToEnd();
     QCOMPARE(rowsOf(owner).answerCount(), std::size_t{24});
 }
 

@@ -41,6 +41,7 @@ private Q_SLOTS:
     void secondEnterStoresAnAnswerWithoutWords();
     void lettersAreTextInATextField();
     void correctionsOfEveryKindOfAnswer();
+    void theLastAnswerHasTheNumbersOfItsScale();
     void flagNeedsNoReason();
     void touchIsStampedByTheDisplay();
     void keyStampsTheTouchThatTheDisplayMissed();
@@ -81,6 +82,19 @@ void AppAnswersTest::secondEntryMustAgree()
     enter(right);
     QCOMPARE(answersIn(folder).size(), before.size() + 1);
     QCOMPARE(answersIn(folder).at(asked), answerText(right));
+}
+
+void AppAnswersTest::theLastAnswerHasTheNumbersOfItsScale()
+{
+    OpenWindow open(newStudy(wholeStudy()));
+    open.enrolAndBegin();
+    const auto lastAfter = [&](const char* question) {
+        open.playTo("Presenting", question);
+        answerByKeys(open, Tenths{20});
+        return open.widget<QLabel>("lastAnswer").text();
+    };
+    QVERIFY2(lastAfter("Q2").endsWith("Q2: 2.0"), qPrintable(open.widget<QLabel>("lastAnswer").text()));
+    QVERIFY2(lastAfter("L1").endsWith("L1: 2"), qPrintable(open.widget<QLabel>("lastAnswer").text()));
 }
 
 void AppAnswersTest::secondEnterStoresAnAnswerWithoutWords()

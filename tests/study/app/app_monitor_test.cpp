@@ -40,6 +40,7 @@ private Q_SLOTS:
     void folderThatIsNoStudyIsRefused();
     void showsNoHiddenNameAndNoScore();
     void erasedParticipantsHaveNoStage();
+    void aStudyInAFolderHasNoStations();
 };
 
 void AppMonitorTest::followsASessionInAnotherWindow()
@@ -197,6 +198,15 @@ void AppMonitorTest::erasedParticipantsHaveNoStage()
     }
     MonitorWindow monitor(folder.folder, {});
     QVERIFY2(rowOf(monitor, 0).startsWith("1|P01|erased|"), qPrintable(rowOf(monitor, 0)));
+}
+
+void AppMonitorTest::aStudyInAFolderHasNoStations()
+{
+    MonitorWindow monitor(newStudy().folder, {});
+    monitor.show();
+    QVERIFY(monitor.findChild<QTreeWidget*>("monitorRows")->isVisible());
+    QVERIFY(!monitor.findChild<QTreeWidget*>("stationRows")->isVisible());
+    QVERIFY(!monitor.findChild<QLabel*>("stationsCaption")->isVisible());
 }
 
 QTEST_MAIN(AppMonitorTest)

@@ -1,9 +1,15 @@
-// The window at a station of a study on a server: joined by its address, and at every moment it says where the answers are.
+// The window at a station of a study on a server: joined by its address, and at every moment it says where the answers are. The
+// monitor of such a study: its stations, also while the server is away.
 #include <QLabel>
+#include <QLineEdit>
+#include <QTreeWidget>
 #include <QtTest>
 
+#include "database/server/server_connection.h"
+#include "database/server/server_roles.h"
 #include "database/server/study_move.h"
 #include "database/study_store.h"
+#include "study/app/pages/monitor_window.h"
 #include "study/app/pages/start_page.h"
 #include "tests/support/open_window.h"
 #include "tests/support/played_session.h"
@@ -11,7 +17,58 @@
 #include "tests/support/server/private_server.h"
 
 using namespace tests::support;
+using database::ServerConnection;
 using database::StudyStore;
+using study::app::MonitorWindow;
+
+namespace {
+
+/// A station that is played by calls of the server.
+struct PlayedStation {
+    PlayedStation(const std::string& address, const QString& name, const QString& participant = {})
+        : server(database::serverAddressFrom(address))
+    {
+        const QString token = QCryptographicHash::hash(name.toUtf8(), QCryptographicHash::Sha256).toHex();
+        server.call("join_study", {name, token, "test"});
+        if (!participant.isEmpty()) server.call("claim", {participant, "human"});
+    }
+    void giveSign(int waiting) const { server.call("sign_of_life", {waiting}); }
+
+    ServerConnection server;
+};
+
+/// The cells of a table, a row a line, joined by "|".
+QStringList rowsOf(const MonitorWindow& monitor, const char* table)
+{
+    const auto& tree = *monitor.findChild<QTreeWidget*>(table);
+    QStringList rows;
+    for (int row = 0; row < tree.topLevelItemCount(); ++row) {
+        QStringList cells;
+        for (int column = 0; column < tree.columnCount(); ++column) cells << tree.topLevelItem(row)->text(column);
+        rows << cells.join('|');
+    }
+    return rows;
+}
+
+/// The row whose first cell is this station; empty if there is none.
+QString stationRow(const MonitorWindow& monitor, const QString& station)
+{
+    for (const QString& row : rowsOf(monitor, "stationRows"))
+        if (row.startsWith(station + '|')) return row;
+    return {};
+}
+
+QString placeRow(const MonitorWindow& monitor, int place) { return rowsOf(monitor, "monitorRows").value(place - 1); }
+
+QString messageIn(const MonitorWindow& monitor)
+{
+    const auto* message = monitor.findChild<QLabel*>("monitorMessage");
+    return message->isVisible() ? message->text() : QString();
+}
+
+constexpr int waitMs = 15000;
+
+}  // namespace
 
 class AppServerTest : public WindowTest {
     Q_OBJECT
@@ -19,7 +76,16 @@ private Q_SLOTS:
     void initTestCase();
     void anAddressOnTheStartPageJoinsTheStudy();
     void thePageSaysWhereTheAnswersAre();
+    void thePageNoticesASilentServerByItself();
     void aWrongAddressIsOneLineOnTheStartPage();
+    void theMonitorShowsStationsAtWorkLostAndWithEntries();
+    void theMonitorFollowsSessionsAtTheStations();
+    void aMonitorNeedsNoFolder();
+    void aLoginWithoutTheRoleIsOneLineInTheMonitor();
+    void theMonitorOutlivesTheServer();
+    void aSilentServerDoesNotStopTheMonitor_data();
+    void aSilentServerDoesNotStopTheMonitor();
+    void theProgramOfAStationIsShownWhereTheServerGivesIt();
 
 private:
     database::StudyFolder studyOnServer(const std::string& name)
@@ -27,6 +93,13 @@ private:
         const database::StudyFolder folder = newStudy();
         moveToServer(folder, database::serverAddressFrom(m_server->address(name)), "owner");
         return folder;
+    }
+    void makeLogin(const char* login, const char* role, const std::string& study)
+    {
+        const auto address = database::serverAddressFrom(m_server->address(study));
+        ServerConnection(address).run(
+            QStringLiteral("DO $$ BEGIN CREATE ROLE %1 LOGIN; EXCEPTION WHEN duplicate_object THEN NULL; END $$").arg(login));
+        makeRoles(address, {{login, role}});
     }
     std::unique_ptr<PrivateServer> m_server;
 };
@@ -69,6 +142,22 @@ void AppServerTest::thePageSaysWhereTheAnswersAre()
     QCOMPARE(readStudy(owner).answerCount(), std::size_t{24});
 }
 
+void AppServerTest::thePageNoticesASilentServerByItself()
+{
+    const database::StudyFolder owner = studyOnServer("hushed");
+    CutNetwork network(m_server->port());
+    OpenWindow open({m_server->address("hushed", "owner", network.port())});
+    const auto* bar = open.window().findChild<QLabel*>("serverBar");
+    open.enrolAndBegin();
+    QVERIFY(bar->text().contains("every answer is on the server"));
+    network.silence();
+    QTRY_VERIFY_WITH_TIMEOUT(bar->text().contains("cannot be reached. No entry waits on this computer"), 8000);
+    network.mend();
+    QTRY_VERIFY_WITH_TIMEOUT(bar->text().contains("every answer is on the server"), 20000);
+    open.playToEnd();
+    QCOMPARE(readStudy(owner).answerCount(), std::size_t{24});
+}
+
 void AppServerTest::aWrongAddressIsOneLineOnTheStartPage()
 {
     ShownWindow shown;
@@ -76,6 +165,168 @@ void AppServerTest::aWrongAddressIsOneLineOnTheStartPage()
     const QString text = shown.widget<QLabel>("startMessage").text();
     QVERIFY2(text.contains("no study nothing"), qPrintable(text));
     QVERIFY(!shown.window.study());
+}
+
+void AppServerTest::theMonitorShowsStationsAtWorkLostAndWithEntries()
+{
+    const database::StudyFolder owner = studyOnServer("watched");
+    const std::string address = m_server->address("watched");
+    const PlayedStation left(address, "left", "P01"), right(address, "right"), quiet(address, "quiet"), slow(address, "slow");
+    std::make_unique<PlayedStation>(address, "gone", "P02").reset();
+    MonitorWindow monitor(owner.folder, {});
+    monitor.show();
+    left.giveSign(0);
+    right.giveSign(3);
+    quiet.giveSign(2);
+    left.server.run("UPDATE @schema@.server_stations SET last_seen = last_seen - interval '30 seconds' WHERE station = 'quiet'");
+    left.server.run("UPDATE @schema@.server_stations SET last_seen = last_seen - interval '8 seconds' WHERE station = 'slow'");
+    monitor.refresh();
+    const auto begins = [&](const QString& station, const QString& cells) {
+        return stationRow(monitor, station).startsWith(station + '|' + cells);
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(begins("left", "connected|P01|just now|0|"), waitMs);
+    QVERIFY2(begins("right", "connected|–|just now|3|"), qPrintable(stationRow(monitor, "right")));
+    QTRY_VERIFY_WITH_TIMEOUT(begins("gone", "lost|P02|just now|0 at that time|"), waitMs);
+    QVERIFY2(begins("quiet", "lost|–|3"), qPrintable(stationRow(monitor, "quiet")));
+    QVERIFY2(stationRow(monitor, "quiet").contains(" s ago|2 at that time|"), qPrintable(stationRow(monitor, "quiet")));
+    static const QRegularExpression stillConnected("^slow\\|connected\\|–\\|(8|9|1\\d) s ago\\|0\\|");
+    QVERIFY2(stationRow(monitor, "slow").contains(stillConnected), qPrintable(stationRow(monitor, "slow")));
+    QVERIFY(monitor.findChild<QTreeWidget*>("stationRows")->isVisible());
+    QCOMPARE(messageIn(monitor), QString());
+    QTRY_VERIFY_WITH_TIMEOUT(placeRow(monitor, 1).startsWith("1|P01|welcome|"), waitMs);
+}
+
+void AppServerTest::theMonitorFollowsSessionsAtTheStations()
+{
+    const database::StudyFolder owner = studyOnServer("followed");
+    study::app::AppOptions options;
+    options.readFlags = [](const StudyStore& store) {
+        return std::vector<study::app::MonitorFlag>{{"", "too_fast", std::to_string(store.answers().size()) + " answers"}};
+    };
+    MonitorWindow monitor(owner.folder, options);
+    monitor.show();
+    const auto* flags = monitor.findChild<QLabel*>("flags");
+    QTRY_COMPARE_WITH_TIMEOUT(flags->text(), QString("too fast: 0 answers"), waitMs);
+    QCOMPARE(rowsOf(monitor, "stationRows").value(0), QString("none has joined|||||"));
+    OpenWindow open({m_server->address("followed")});
+    open.enrolAndBegin();
+    open.playTo("Presenting", "Q2");
+    QTRY_VERIFY_WITH_TIMEOUT(placeRow(monitor, 1).startsWith("1|P01|question Q2|"), waitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(rowsOf(monitor, "stationRows").value(0).contains("|connected|P01|"), waitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!flags->text().contains(" 0 answers"), waitMs);
+    open.window().close();
+}
+
+void AppServerTest::aMonitorNeedsNoFolder()
+{
+    const database::StudyFolder owner = studyOnServer("looked");
+    makeLogin("moni", "monitor", "looked");
+    const PlayedStation left(m_server->address("looked"), "left", "P01");
+    ShownWindow shown;
+    shown.widget<QLineEdit>("studyFolderField").setText(QString::fromStdString(m_server->address("looked", "moni")));
+    shown.gui.click("monitorButton");
+    const MonitorWindow* monitor = nullptr;
+    for (const QWidget* top : QApplication::topLevelWidgets())
+        if (const auto* found = qobject_cast<const MonitorWindow*>(top)) monitor = found;
+    QVERIFY(monitor && monitor->isVisible());
+    QTRY_COMPARE_WITH_TIMEOUT(placeRow(*monitor, 1), QString("1|P01|in progress||0|||"), waitMs);
+    QCOMPARE(placeRow(*monitor, 2), QString("2|–|free|||||"));
+    QVERIFY2(stationRow(*monitor, "left").startsWith("left|connected|P01|"), qPrintable(stationRow(*monitor, "left")));
+    QVERIFY(monitor->windowTitle().startsWith("looked"));
+    QCOMPARE(monitor->findChild<QLabel*>("monitorSummary")->text(), QString("Answers: 0"));
+    QVERIFY(!monitor->findChild<QLabel*>("flags")->isVisible());  // they need the owner's folder
+    const auto& rows = *monitor->findChild<QTreeWidget*>("monitorRows");
+    for (const int unknown : {3, 5, 6, 7}) QVERIFY(rows.isColumnHidden(unknown));
+    shown.window.close();
+}
+
+void AppServerTest::aLoginWithoutTheRoleIsOneLineInTheMonitor()
+{
+    const database::StudyFolder owner = studyOnServer("refused");
+    makeLogin("anna", "experimenter", "refused");
+    MonitorWindow monitor(m_server->address("refused", "anna"), {});
+    monitor.show();
+    QTRY_VERIFY_WITH_TIMEOUT(messageIn(monitor).contains("this login may not do this"), waitMs);
+    QVERIFY(!messageIn(monitor).contains('\n'));
+    QVERIFY_EXCEPTION_THROWN(MonitorWindow("postgresql://anna:secret@host/lab", {}), protocols::Error);
+}
+
+void AppServerTest::theMonitorOutlivesTheServer()
+{
+    const database::StudyFolder owner = studyOnServer("stopped");
+    const PlayedStation left(m_server->address("stopped"), "left", "P01");
+    MonitorWindow monitor(owner.folder, {});
+    monitor.show();
+    QTRY_VERIFY_WITH_TIMEOUT(stationRow(monitor, "left").startsWith("left|connected|P01|"), waitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(placeRow(monitor, 1).startsWith("1|P01|welcome|"), waitMs);
+    m_server->stop();
+    QTRY_VERIFY_WITH_TIMEOUT(messageIn(monitor).contains("cannot be reached"), waitMs);
+    QVERIFY2(stationRow(monitor, "left").startsWith("left|unknown|P01|"), qPrintable(stationRow(monitor, "left")));
+    QVERIFY(placeRow(monitor, 1).startsWith("1|P01|welcome|"));  // as it was read last
+    m_server->start();
+    QTRY_COMPARE_WITH_TIMEOUT(messageIn(monitor), QString(), waitMs);
+    QVERIFY2(stationRow(monitor, "left").startsWith("left|lost|P01|"), qPrintable(stationRow(monitor, "left")));
+    const PlayedStation back(m_server->address("stopped"), "left", "P01");
+    QTRY_VERIFY_WITH_TIMEOUT(stationRow(monitor, "left").startsWith("left|connected|P01|just now|"), waitMs);
+}
+
+void AppServerTest::aSilentServerDoesNotStopTheMonitor_data()
+{
+    QTest::addColumn<bool>("isSilentAtFirst");
+    QTest::newRow("silent from the beginning") << true;
+    QTest::newRow("silent later") << false;
+}
+
+void AppServerTest::aSilentServerDoesNotStopTheMonitor()
+{
+    QFETCH(bool, isSilentAtFirst);
+    const std::string name = isSilentAtFirst ? "mute" : "muted";
+    CutNetwork network(m_server->port());
+    const database::StudyFolder owner = newStudy();
+    moveToServer(owner, database::serverAddressFrom(m_server->address(name, "owner", network.port())), "owner");
+    const PlayedStation left(m_server->address(name), "left", "P01");
+    const qint64 longestMs = 1500;
+    QElapsedTimer timer;
+    timer.start();
+    qint64 longestPauseMs = 0;
+    QTimer beat;
+    connect(&beat, &QTimer::timeout, this, [&] { longestPauseMs = std::max(longestPauseMs, timer.restart()); });
+    beat.start(10);
+    if (isSilentAtFirst) network.silence();
+    auto monitor = std::make_unique<MonitorWindow>(owner.folder, study::app::AppOptions());
+    monitor->show();
+    if (!isSilentAtFirst) {
+        QTRY_VERIFY_WITH_TIMEOUT(stationRow(*monitor, "left").startsWith("left|connected|"), waitMs);
+        left.server.call("claim", {"P02", "human"});  // so that the monitor fetches the rows again
+        network.silence();
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(messageIn(*monitor).contains("cannot be reached"), waitMs);
+    monitor->refresh();
+    QTest::qWait(100);
+    QVERIFY2(longestPauseMs < longestMs, qPrintable(QString::number(longestPauseMs)));
+    if (isSilentAtFirst) {
+        network.mend();
+        QTRY_VERIFY_WITH_TIMEOUT(stationRow(*monitor, "left").startsWith("left|connected|"), waitMs);
+        QTRY_COMPARE_WITH_TIMEOUT(messageIn(*monitor), QString(), waitMs);
+        network.silence();
+    }
+    timer.restart();
+    monitor.reset();
+    QVERIFY2(timer.elapsed() < longestMs, qPrintable(QString::number(timer.elapsed())));
+}
+
+void AppServerTest::theProgramOfAStationIsShownWhereTheServerGivesIt()
+{
+    const database::StudyFolder owner = studyOnServer("versions");
+    const PlayedStation left(m_server->address("versions"), "left");
+    left.server.run("ALTER FUNCTION @schema@.progress() RENAME TO progress_without");
+    left.server.run(
+        "CREATE FUNCTION @schema@.progress() RETURNS jsonb LANGUAGE sql AS "
+        "$$ SELECT jsonb_set(@schema@.progress_without(), '{stations,0,program}', '\"vis2hap 9.9\"') $$");
+    MonitorWindow monitor(owner.folder, {});
+    monitor.show();
+    QTRY_VERIFY_WITH_TIMEOUT(stationRow(monitor, "left").endsWith("|vis2hap 9.9"), waitMs);
+    QVERIFY(!monitor.findChild<QTreeWidget*>("stationRows")->isColumnHidden(5));
 }
 
 QTEST_MAIN(AppServerTest)

@@ -23,15 +23,6 @@ bool isAtOrAround(const std::string& outer, const std::string& inner)
     return inner.starts_with(outer) && (inner.size() == outer.size() || inner[outer.size()] == '.' || inner[outer.size()] == '[');
 }
 
-constexpr int fewestLines = 3, mostLines = 8;
-
-void fitHeight(QPlainTextEdit& words)
-{
-    const int lines = std::clamp(words.blockCount() + 1, fewestLines, mostLines);
-    const int height = lines * words.fontMetrics().lineSpacing() + 26;
-    if (words.height() != height || words.maximumHeight() != height) words.setFixedHeight(height);
-}
-
 /// Fits the height of a list to its rows when rows or text sizes change.
 class RowsFit : public QObject {
 public:
@@ -193,9 +184,9 @@ QPlainTextEdit* DraftFields::addLines(QBoxLayout& column, const std::string& pla
         if (words->toPlainText() != text) words->setPlainText(text);
     };
     m_bound.back().show();
-    fitHeight(*words);
+    fitLines(*words);
     connect(words, &QPlainTextEdit::textChanged, this, [this, place, kind, words] {
-        fitHeight(*words);
+        fitLines(*words);
         take(place, kind, words->toPlainText());
     });
     addCaptioned(column, caption, *words);
@@ -256,7 +247,7 @@ bool DraftFields::eventFilter(QObject* watched, QEvent* event)
     if (event->type() == QEvent::StyleChange || event->type() == QEvent::Show)
         if (auto* words = qobject_cast<QPlainTextEdit*>(watched))
             QMetaObject::invokeMethod(
-                words, [words] { fitHeight(*words); }, Qt::QueuedConnection);
+                words, [words] { fitLines(*words); }, Qt::QueuedConnection);
     if (event->type() == QEvent::FocusIn)
         for (const Bound& bound : m_bound)
             if (bound.control == watched) {
@@ -307,6 +298,14 @@ QComboBox* choiceBox(const char* objectName, const QString& accessibleName, QWid
     box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     box->setMinimumContentsLength(6);
     return box;
+}
+
+void fitLines(QPlainTextEdit& words)
+{
+    constexpr int fewestLines = 3, mostLines = 8;
+    const int lines = std::clamp(words.blockCount() + 1, fewestLines, mostLines);
+    const int height = lines * words.fontMetrics().lineSpacing() + 26;
+    if (words.height() != height || words.maximumHeight() != height) words.setFixedHeight(height);
 }
 
 void fitRows(QListWidget& list, int mostRows) { new RowsFit(list, mostRows); }

@@ -96,6 +96,9 @@ QWidget* captioned(const QString& caption, QWidget& control, QWidget* parent);
 /// A combo box that a wheel over the page does not change.
 QComboBox* choiceBox(const char* objectName, const QString& accessibleName, QWidget* parent);
 
+/// Gives the field the height of its lines, at least 3 and at most 8.
+void fitLines(QPlainTextEdit& words);
+
 /// Gives the list the height of its rows, at most `mostRows`, at every size of the text.
 void fitRows(QListWidget& list, int mostRows);
 

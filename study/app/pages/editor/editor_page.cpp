@@ -19,6 +19,7 @@
 #include "study/app/pages/editor/conditions_section.h"
 #include "study/app/pages/editor/draft_fields.h"
 #include "study/app/pages/editor/editor_start.h"
+#include "study/app/pages/editor/keyed_texts.h"
 #include "study/app/pages/editor/page_preview.h"
 #include "study/app/pages/editor/phases_section.h"
 #include "study/app/pages/editor/plain_sections.h"
@@ -91,6 +92,7 @@ void EditorPage::buildEditor()
         m_sections->addWidget(
             scrolling(qPrintable(QStringLiteral("section%1Area").arg(m_sections->count() + 1)), section, m_sections));
     }
+    m_keyedTexts = m_sections->findChildren<KeyedTexts*>();
     m_panel = new CheckPanel(*m_fields, m_lookAhead, this);
     m_panel->setProperty("scrollsAlways", true);
     m_panelArea = scrolling("checkArea", m_panel, m_editor);
@@ -150,6 +152,8 @@ void EditorPage::connectParts()
     connect(m_fields, &DraftFields::visited, this, [this](const QString& place) {
         if (const auto question = numberIn(place.toStdString(), "questions[")) m_panel->preview().showQuestion(*question);
     });
+    for (KeyedTexts* texts : m_keyedTexts)
+        connect(texts, &KeyedTexts::chosen, this, [this](const QString& key) { m_panel->preview().showText(key); });
     connect(m_phases, &PhasesSection::chosenChanged, this, &EditorPage::checkSoon);
     connect(m_panel, &CheckPanel::jumpRequested, this, &EditorPage::jumpTo);
     // Queued, because the step destroys the button that asks for it.
@@ -362,6 +366,8 @@ void EditorPage::jumpTo(const QString& place)
         if (*phase != m_phases->chosen() && *phase < static_cast<int>(draft().countAt("phases"))) m_phases->choose(*phase);
     }
     if (const auto contrast = numberIn(path, "planned[")) m_analysis->choose(*contrast);
+    for (KeyedTexts* texts : m_keyedTexts)
+        if (path.starts_with(texts->object() + ".")) texts->choose(path.substr(texts->object().size() + 1));
     const DraftFields::Bound* bound = m_fields->boundAt(path);
     if (!bound) {
         m_message->showHint(tr("This page does not show that field. It is kept as it is in the file."));

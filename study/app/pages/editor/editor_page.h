@@ -25,6 +25,7 @@ class CheckPanel;
 class ConditionsSection;
 class DraftFields;
 class EditorStart;
+class KeyedTexts;
 class MessageBar;
 class PhasesSection;
 class StudySection;
@@ -101,6 +102,7 @@ private:
     ConditionsSection* m_conditions;
     PhasesSection* m_phases;
     AnalysisSection* m_analysis;
+    QList<KeyedTexts*> m_keyedTexts;  ///< of the section of the texts
     CheckPanel* m_panel;
     QScrollArea* m_panelArea;
     MessageBar* m_message;

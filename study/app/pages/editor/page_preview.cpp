@@ -130,20 +130,29 @@ std::vector<PagePreview::Moment> PagePreview::momentsOf(const Protocol& protocol
             moments.push_back({tr("Question %1").arg(QString::fromStdString(phase.questions[question].id.value)),
                                Presenting{0, static_cast<int>(question), 0, {}, TouchSource::Operator}});
         moments.push_back({tr("Tray before a presentation"), PlacingTray{}});
-        moments.push_back({tr("Participant's screen: presentation"), Presenting{}, true});
+        moments.push_back({tr("Participant's screen: waiting"), PlacingTray{}, true, {"wait"}});
+        moments.push_back({tr("Participant's screen: presentation"), Presenting{}, true, {"feel"}});
     }
+    moments.push_back({tr("Participant's screen: welcome"), Enrolled{}, true, {"welcome"}});
     moments.push_back({tr("Consent"), Consenting{}});
-    moments.push_back({tr("Participant's screen: consent"), Consenting{}, true});
-    if (!protocol.facts.empty()) moments.push_back({tr("Facts about the participant"), AskingFacts{}});
+    moments.push_back({tr("Participant's screen: consent"), Consenting{}, true, {"consent"}});
+    if (!protocol.facts.empty()) {
+        moments.push_back({tr("Facts about the participant"), AskingFacts{}});
+        moments.push_back({tr("Participant's screen: facts"), AskingFacts{}, true, {"facts"}});
+    }
     moments.push_back({tr("Getting to know the display"), Familiarising{}});
+    moments.push_back({tr("Participant's screen: getting to know the display"), Familiarising{}, true, {"familiarise"}});
     if (memorisedScaleOf(protocol)) {
         moments.push_back({tr("Learning the scale"), ScaleTraining{}});
-        moments.push_back({tr("Participant's screen: scale"), ScaleTraining{}, true});
+        moments.push_back({tr("Participant's screen: scale"), ScaleTraining{}, true, {"scale"}});
     }
     if (!protocol.checklist.empty() || !protocol.readings.empty())
         moments.push_back({tr("Checklist of a sitting"), CheckingList{}});
+    moments.push_back({tr("Participant's screen: blindfold"), CheckingList{}, true, {"mask"}});
     moments.push_back({tr("Break"), OnBreak{}});
-    moments.push_back({tr("Participant's screen: break"), OnBreak{}, true});
+    moments.push_back({tr("Participant's screen: break"), OnBreak{}, true, {"break"}});
+    moments.push_back({tr("Participant's screen: last questions"), Debriefing{}, true, {"last"}});
+    moments.push_back({tr("Participant's screen: end"), Finished{}, true, {"end"}});
     return moments;
 }
 
@@ -170,6 +179,13 @@ void PagePreview::showQuestion(int question)
             m_choice->setCurrentIndex(static_cast<int>(i));
             return;
         }
+}
+
+void PagePreview::showText(const QString& key)
+{
+    const QString word = key.section(QLatin1Char('_'), 0, 0);
+    const auto shown = std::ranges::find_if(m_moments, [&](const Moment& moment) { return moment.texts.contains(word); });
+    if (shown != m_moments.end()) m_choice->setCurrentIndex(static_cast<int>(shown - m_moments.begin()));
 }
 
 QPixmap PagePreview::pictureOf(const Moment& moment) const

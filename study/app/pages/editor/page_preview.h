@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QPixmap>
+#include <QStringList>
 #include <QWidget>
 #include <memory>
 #include <optional>
@@ -25,6 +26,8 @@ public:
     void present(const std::optional<protocols::Protocol>& protocol, int phase);
     /// Shows the page of this question of the phase, from 0.
     void showQuestion(int question);
+    /// Shows the participant's screen that has the sentence with this key (usualParticipantTexts()). Nothing for other sentences.
+    void showText(const QString& key);
     QComboBox& choice() const { return *m_choice; }
     QSize sizeHint() const override;
 
@@ -38,6 +41,7 @@ private:
         QString name;
         session::Stage stage;
         bool isOfParticipant = false;
+        QStringList texts = {};  ///< first words of the keys of its sentences, on the participant's screen
     };
     std::vector<Moment> momentsOf(const protocols::Protocol& protocol) const;
     void draw();

@@ -8,6 +8,7 @@
 #include "protocols/usual_texts.h"
 #include "study/app/drafts/draft_edits.h"
 #include "study/app/pages/editor/draft_fields.h"
+#include "study/app/pages/editor/keyed_texts.h"
 #include "study/app/pieces/flow_layout.h"
 #include "study/app/pieces/tick_box.h"
 
@@ -74,6 +75,29 @@ QWidget* courseSection(DraftFields& fields, QWidget* parent)
     return section;
 }
 
+namespace {
+
+void addKeyedTexts(DraftFields& fields, QVBoxLayout& column, QWidget* section)
+{
+    addSmallHead(column, "participantTextsTitle", Section::tr("Participant's screen"),
+                 Section::tr("Choose a sentence and write your own. Names in braces, such as {time}, stay as they are."));
+    column.addWidget(new KeyedTexts(fields,
+                                    {"participant_texts",
+                                     Section::tr("Sentences by their names"),
+                                     Section::tr("Your sentence; empty: the usual one"),
+                                     participantTextsOf,
+                                     {}},
+                                    section));
+    addSmallHead(column, "promptsTitle", Section::tr("Recordings for the headphones"),
+                 Section::tr("WAV files that lie beside the protocol. A computer voice says what has no recording."));
+    column.addWidget(new KeyedTexts(fields,
+                                    {"prompts", Section::tr("Prompts by their names"),
+                                     Section::tr("File of the recording; empty: none"), promptsOf, QStringLiteral("wait.wav")},
+                                    section));
+}
+
+}  // namespace
+
 QWidget* textsSection(DraftFields& fields, QWidget* parent)
 {
     constexpr auto current = protocols::ProtocolEdition::Current;
@@ -98,7 +122,9 @@ QWidget* textsSection(DraftFields& fields, QWidget* parent)
                     FieldKind::Lines, Section::tr("temperature in °C"));
     fields.addLines(column, "facts", Section::tr("Facts that the participant may give, one a line"), FieldKind::Lines,
                     Section::tr("age"));
+    addKeyedTexts(fields, column, section);
     column.addStretch(1);
+    orderTabs(*section);
     return section;
 }
 

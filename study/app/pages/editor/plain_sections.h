@@ -10,7 +10,7 @@ class DraftFields;
 /// Breaks, sittings, pieces on the tray and entries. `parent` owns it.
 QWidget* courseSection(DraftFields& fields, QWidget* parent);
 
-/// What is said, read, ticked, measured and asked. `parent` owns it.
+/// What is said, read, ticked, measured and asked, and what the participant sees and hears. `parent` owns it.
 QWidget* textsSection(DraftFields& fields, QWidget* parent);
 
 }  // namespace study::app

@@ -38,6 +38,8 @@ constexpr PlaceOfKey placesOfKeys[] = {{"name", EditorSection::Study},
                                        {"checklist", EditorSection::Texts},
                                        {"readings", EditorSection::Texts},
                                        {"facts", EditorSection::Texts},
+                                       {"participant_texts", EditorSection::Texts},
+                                       {"prompts", EditorSection::Texts},
                                        {"equivalence_bounds", EditorSection::Analysis},
                                        {"planned", EditorSection::Analysis},
                                        {"primary", EditorSection::Analysis}};

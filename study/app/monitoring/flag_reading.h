@@ -2,7 +2,7 @@
 #pragma once
 
 #include <QObject>
-#include <filesystem>
+#include <functional>
 
 #include "study/app/state/in_background.h"
 #include "study/app/state/monitor.h"
@@ -12,11 +12,14 @@ namespace study::app {
 class FlagReading : public QObject {
     Q_OBJECT
 public:
+    /// Opens the study on the worker thread. Throws the errors of database::StudyStore.
+    using Open = std::function<database::StudyStore()>;
+
     /// The destructor waits for a running reading.
-    FlagReading(ReadFlags read, std::filesystem::path study, QObject* parent);
+    FlagReading(ReadFlags read, QObject* parent) : QObject(parent), m_read(std::move(read)) {}
 
     /// Starts a reading; does nothing while one is running.
-    void begin();
+    void begin(const Open& open);
     bool isUnderWay() const { return m_work.isBusy(); }
 
 Q_SIGNALS:
@@ -25,7 +28,6 @@ Q_SIGNALS:
 
 private:
     ReadFlags m_read;
-    std::filesystem::path m_study;
     InBackground m_work;
 };
 

@@ -4,6 +4,7 @@
 #include <QLineEdit>
 #include <QTreeWidget>
 #include <QtTest>
+#include <thread>
 
 #include "database/server/server_connection.h"
 #include "database/server/server_roles.h"
@@ -85,6 +86,7 @@ private Q_SLOTS:
     void theMonitorOutlivesTheServer();
     void aSilentServerDoesNotStopTheMonitor_data();
     void aSilentServerDoesNotStopTheMonitor();
+    void rowsThatComeLateDoNotStopTheMonitor();
     void theProgramOfAStationIsShownWhereTheServerGivesIt();
 
 private:
@@ -313,6 +315,37 @@ void AppServerTest::aSilentServerDoesNotStopTheMonitor()
     timer.restart();
     monitor.reset();
     QVERIFY2(timer.elapsed() < longestMs, qPrintable(QString::number(timer.elapsed())));
+}
+
+void AppServerTest::rowsThatComeLateDoNotStopTheMonitor()
+{
+    const database::StudyFolder owner = studyOnServer("late");
+    const PlayedStation left(m_server->address("late"), "left", "P01");
+    MonitorWindow monitor(owner.folder, {});
+    monitor.show();
+    QTRY_VERIFY_WITH_TIMEOUT(placeRow(monitor, 1).startsWith("1|P01|welcome|"), waitMs);
+    const PlayedStation right(m_server->address("late"), "right", "P02");
+    std::jthread blocker([&] {  // progress() does not read this table
+        const ServerConnection server(database::serverAddressFrom(m_server->address("late")));
+        server.run("BEGIN");
+        server.run("LOCK TABLE @schema@.notes IN ACCESS EXCLUSIVE MODE");
+        std::this_thread::sleep_for(std::chrono::seconds(9));
+        server.run("COMMIT");
+    });
+    QElapsedTimer pause, whole;
+    qint64 longestPauseMs = 0;
+    QTimer beat;
+    connect(&beat, &QTimer::timeout, this, [&] { longestPauseMs = std::max(longestPauseMs, pause.restart()); });
+    beat.start(10);
+    pause.start();
+    for (whole.start(); whole.elapsed() < 8000;) {
+        QTest::qWait(100);
+        if (whole.elapsed() > 4000)
+            QVERIFY2(stationRow(monitor, "right").startsWith("right|connected|P02|"), qPrintable(stationRow(monitor, "right")));
+    }
+    blocker.join();
+    QVERIFY2(longestPauseMs < 1500, qPrintable(QString::number(longestPauseMs)));
+    QTRY_VERIFY_WITH_TIMEOUT(placeRow(monitor, 2).startsWith("2|P02|welcome|"), waitMs);
 }
 
 void AppServerTest::theProgramOfAStationIsShownWhereTheServerGivesIt()

@@ -952,7 +952,7 @@ CREATE OR REPLACE FUNCTION @schema@.progress() RETURNS jsonb LANGUAGE sql VOLATI
     SELECT @schema@.server_overview() || jsonb_build_object(
         'stations', coalesce((
             SELECT jsonb_agg(jsonb_build_object(
-                'station', s.station, 'login', s.login, 'participant', s.participant,
+                'station', s.station, 'login', s.login, 'program', s.program, 'participant', s.participant,
                 'live', held.pid IS NOT NULL, 'queue_length', s.queue_length,
                 'last_seen_seconds', greatest(0, floor(extract(epoch FROM clock_timestamp() - s.last_seen)))::bigint)
                 ORDER BY s.station)

@@ -15,6 +15,7 @@
 #include <opencv2/core.hpp>
 #include <optional>
 
+#include "database/server/server_connection.h"
 #include "database/server/server_link.h"
 #include "database/server/server_rights.h"
 #include "database/session_store.h"

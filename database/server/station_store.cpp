@@ -305,7 +305,7 @@ protocols::BlindedTrial StationStore::dueTrial(int, protocols::TrialNumber numbe
         const ServerReply reply = m_link->callForImage("presentation", {number.value}, patience);
         return reading(m_note.address, [&] {
             protocols::BlindedTrial trial = trialIn(reply.json);
-            if (m_images.size() >= keptImages) m_images.clear();
+            if (m_givesTickets || m_images.size() >= keptImages) m_images.clear();  // only the last ticket holds
             m_images[trial.sealedCode] = {reply.image, reply.key};
             m_trials.at(static_cast<std::size_t>(number.value) - 1) = trial;
             return trial;

@@ -13,7 +13,8 @@ constexpr const char* source = "the server";
 
 const cv::Mat& StationImages::image(const protocols::SealedCode& code)
 {
-    if (const auto ready = m_ready.find(code); ready != m_ready.end()) return ready->second;
+    const auto ready = m_ready.find(code);
+    if (ready != m_ready.end() && !m_store.givesTickets()) return ready->second;  // tickets do not hold for long
     const database::ReleasedImage released = m_store.image(code);
     if (m_store.givesTickets()) {
         if (m_ready.size() >= keptImages) m_ready.clear();

@@ -1,8 +1,10 @@
 // Rules of the source tree besides the permitted includes (layering_test): small folders, a header for each source, unique names.
+#include <QDir>
 #include <QDirIterator>
 #include <QFile>
+#include <QMap>
 #include <QRegularExpression>
-#include <QtTest>
+#include <QTest>
 
 namespace {
 

@@ -1,9 +1,11 @@
 // Includes point downwards only. A table lists for each folder which files it may include.
+#include <QDir>
 #include <QDirIterator>
 #include <QFile>
+#include <QMap>
 #include <QRegularExpression>
 #include <QSet>
-#include <QtTest>
+#include <QTest>
 
 namespace {
 

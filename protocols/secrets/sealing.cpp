@@ -36,7 +36,7 @@ SecretKey keyOf(std::string_view passphrase, const Derivation& derivation)
     return SecretKey::ofHex(hexText(key), "");
 }
 
-std::string textIn(const nlohmann::json& document, const char* name, const std::string& where)
+std::string textOf(const nlohmann::json& document, const char* name, const std::string& where)
 {
     const auto member = document.find(name);
     if (member == document.end() || !member->is_string())
@@ -105,16 +105,16 @@ std::optional<std::string> openWithPassphrase(std::string_view passphrase, std::
 {
     startSecrets();
     const nlohmann::json document = parseStrictJson(sealed, where);
-    if (!document.is_object() || textIn(document, "schema", where) != sealedSchema)
+    if (!document.is_object() || textOf(document, "schema", where) != sealedSchema)
         throw badInput(
             {"not a sealed key", where, std::string("\"schema\": \"") + sealedSchema + "\"", "restore the file from a backup"});
     Derivation derivation;
-    derivation.salt = ofHexText(textIn(document, "salt", where), where);
+    derivation.salt = ofHexText(textOf(document, "salt", where), where);
     if (derivation.salt.size() != crypto_pwhash_SALTBYTES)
         throw badInput({"the salt has a wrong length", where, "32 hexadecimal digits", "restore the file from a backup"});
     derivation.passes = numberIn(document, "passes", crypto_pwhash_OPSLIMIT_MIN, mostPasses, where);
     derivation.memory = numberIn(document, "memory_bytes", crypto_pwhash_MEMLIMIT_MIN, mostMemory, where);
-    return open(keyOf(passphrase, derivation), ofHexText(textIn(document, "box", where), where), sealedSchema);
+    return open(keyOf(passphrase, derivation), ofHexText(textOf(document, "box", where), where), sealedSchema);
 }
 
 std::string sealingLibraryVersion() { return sodium_version_string(); }

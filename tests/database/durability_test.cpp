@@ -1,7 +1,7 @@
 // An answer is synced to the disk before the next prompt, and a failing disk stores nothing. kill -9 alone cannot test this,
 // because the page cache survives the process.
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include "protocols/files/errors.h"
 #include "tests/support/counting_vfs.h"

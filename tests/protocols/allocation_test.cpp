@@ -1,6 +1,6 @@
 #include "protocols/allocation.h"
 
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <set>
 

@@ -1,5 +1,5 @@
 // Anchor trials: what a protocol may ask for, where they stand in the running orders, and how the key recognises them.
-#include <QtTest>
+#include <QTest>
 #include <map>
 #include <set>
 

@@ -1,6 +1,6 @@
 #include "protocols/condition.h"
 
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 
 #include "protocols/files/errors.h"

@@ -1,7 +1,7 @@
 #include "protocols/counterbalancing.h"
 
 #include <QElapsedTimer>
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <functional>
 #include <map>

@@ -1,7 +1,7 @@
 // Same/different trays and catch trials are balanced and leave the rest of a design unchanged.
 #include "protocols/extra_trials.h"
 
-#include <QtTest>
+#include <QTest>
 #include <map>
 #include <set>
 

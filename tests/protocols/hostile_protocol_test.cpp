@@ -1,7 +1,7 @@
 // Protocols that could break a study later: each is refused with its faults, or read completely. All faults of a file are in one
 // list.
 #include <QRegularExpression>
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 
 #include "protocols/counterbalancing.h"

@@ -1,5 +1,5 @@
 // Instructions of blocks: how a protocol asks for speed, accuracy or a deadline, and how the running orders carry them.
-#include <QtTest>
+#include <QTest>
 #include <map>
 #include <set>
 #include <tuple>

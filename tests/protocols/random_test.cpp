@@ -1,7 +1,7 @@
 // Expected numbers: python3 tests/protocols/random_reference.py
 #include "protocols/random.h"
 
-#include <QtTest>
+#include <QTest>
 #include <numeric>
 
 using protocols::Random;

@@ -1,7 +1,7 @@
 // The usual texts of each language: complete, with the places of the English ones; and which wording of a question was used.
 #include "protocols/usual_texts.h"
 
-#include <QtTest>
+#include <QTest>
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"

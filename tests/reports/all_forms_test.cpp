@@ -1,11 +1,12 @@
 // One report in all its forms, read back as a reader's programs read them: the page, CSV, LaTeX, JSON, and the text of the PDF
 // and of the text document where this machine has the programs that extract it.
+#include <QMap>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QStandardPaths>
 #include <QTemporaryDir>
+#include <QTest>
 #include <QXmlStreamReader>
-#include <QtTest>
 #include <nlohmann/json.hpp>
 #include <set>
 

@@ -3,7 +3,7 @@
 #include "reports/cells/anchor_answers.h"
 
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>

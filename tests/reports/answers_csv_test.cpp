@@ -1,7 +1,8 @@
 // Answers collected elsewhere: the values that are read, and the message of each fault.
 #include "reports/data/answers_csv.h"
 
-#include <QtTest>
+#include <QTemporaryDir>
+#include <QTest>
 #include <fstream>
 
 #include "protocols/files/errors.h"

@@ -1,5 +1,5 @@
 // Speed against accuracy, from milliseconds to people: what a report shows of a study with a quality factor.
-#include <QtTest>
+#include <QTest>
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"

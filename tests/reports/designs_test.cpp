@@ -1,6 +1,8 @@
 // Designs beyond one answer a cell: repetitions, sessions, groups of participants; and analyses of less or more: quick reports,
 // many conditions, and results without flagged participants.
-#include <QtTest>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>

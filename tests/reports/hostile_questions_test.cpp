@@ -1,6 +1,7 @@
 // Studies with unusual questions: ids that are also keys of the files, many questions, only words, only same/different, several
 // scales. The files must contain all of them.
-#include <QtTest>
+#include <QTemporaryDir>
+#include <QTest>
 #include <nlohmann/json.hpp>
 #include <set>
 

@@ -1,6 +1,6 @@
 // Speed and accuracy by instruction, for answers that were collected elsewhere: tables, JSON and figures of the factor.
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <cmath>
 #include <fstream>

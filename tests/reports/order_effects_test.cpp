@@ -1,7 +1,9 @@
 // Response times, speed and accuracy, and effects of order in the report.
+#include <QDir>
 #include <QDirIterator>
+#include <QFile>
 #include <QRegularExpression>
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <random>

@@ -1,7 +1,7 @@
 // Ratings as ordered categories in the report: how they are rounded, where the model stands, and what cannot be fitted.
 #include "reports/analysis/ordinal_ratings.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,5 @@
 // What the report says of a plan: planned beside done, and what the answers lack.
-#include <QtTest>
+#include <QTest>
 #include <nlohmann/json.hpp>
 
 #include "protocols/protocol_json.h"

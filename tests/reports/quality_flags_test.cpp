@@ -1,7 +1,7 @@
 // Every flag on both sides of its limit.
 #include "reports/analysis/quality_flags.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/reports/study_builder.h"
 

@@ -1,7 +1,7 @@
 // The claims of a report: what each row says, what it generalises to, and what the summary makes of it.
 #include "reports/analysis/question_claims.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <nlohmann/json.hpp>
 

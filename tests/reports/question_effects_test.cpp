@@ -2,7 +2,7 @@
 // tests/reports/small_study compares the numbers with R's.
 #include "reports/analysis/question_effects.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>

@@ -1,5 +1,5 @@
 // Our default report of the shared reference studies agrees with R to eight digits.
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <fstream>
 #include <map>

@@ -1,6 +1,8 @@
 // The files of a report: their names, their form and their contents.
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
 #include <QXmlStreamReader>
-#include <QtTest>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>

@@ -1,5 +1,5 @@
 // Numbers, words, escapes, labels and file names in the form of the report.
-#include <QtTest>
+#include <QTest>
 #include <limits>
 
 #include "protocols/files/markup_text.h"

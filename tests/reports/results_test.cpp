@@ -1,5 +1,5 @@
 // results.json: its contents, their order, and the entry for a value that does not exist.
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>

@@ -1,7 +1,7 @@
 // The comparison of signals that a study stores as text: read into a value, written as it was, shown in its table.
 #include "reports/json/signals_json.h"
 
-#include <QtTest>
+#include <QTest>
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"

@@ -2,7 +2,7 @@
 // small_study/expected.R computes from answers.csv. tables.txt and figures/ are kept outputs; the numbers that version 0.5.0 had
 // are unchanged.
 #include <QRegularExpression>
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // One table in its four formats, and the cells of each kind.
 #include "reports/formats/table_formats.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "reports/formats/table_cells.h"
 #include "reports/formats/tex_table.h"

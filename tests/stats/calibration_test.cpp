@@ -2,7 +2,7 @@
 // 10,000 studies that the report's methods quote.
 #include "stats/power/calibration.h"
 
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Binomial tests and intervals, d' and McNemar's test against R and by hand.
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <numbers>
 

@@ -1,7 +1,7 @@
 // The mean of participants crossed with fabrics, and the claims that rest on it.
 #include "stats/claims/crossed_mean.h"
 
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,7 +1,7 @@
 // Tail probabilities, quantiles, d' and Bayes factors against 60 digits.
 #include "stats/kernels/distributions.h"
 
-#include <QtTest>
+#include <QTest>
 #include <limits>
 #include <numbers>
 

@@ -1,6 +1,6 @@
 // Conditions whose ratings are all equal. A variance of the mixed model then is exactly as large as what it stands on, and the
 // same answers could count twice. Short by default; VIS2HAP_ALL_SEEDS=1 draws the 10,000 studies that CONTRIBUTING.md quotes.
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Compares the numbers that a function returns with reference numbers, and names each that differs. Not a test by itself.
 #pragma once
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <initializer_list>
 

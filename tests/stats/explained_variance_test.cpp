@@ -1,7 +1,7 @@
 // Shares of variance and R squared by hand, and their undefined cases. tests/reports/small_study compares them with R's.
 #include "stats/models/explained_variance.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <limits>
 #include <numbers>

@@ -1,6 +1,6 @@
 // Extreme data, for which other programs fail: tiny and huge scales, offsets, long samples, empty samples, and
 // probabilities below the smallest double. The source of each expected value stands above it.
-#include <QtTest>
+#include <QTest>
 #include <limits>
 #include <numbers>
 

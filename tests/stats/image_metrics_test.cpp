@@ -1,7 +1,7 @@
 // SSIM and its variants against long double and scikit-image, its invariants, and registration.
 #include "stats/metrics/image_metrics.h"
 
-#include <QtTest>
+#include <QTest>
 #include <array>
 #include <cmath>
 #include <cstdint>

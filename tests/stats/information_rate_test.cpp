@@ -1,7 +1,7 @@
 // Bits per second over participants against the formulas in R.
 #include "stats/claims/information_rate.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 
 using stats::ParticipantChoices;

@@ -1,6 +1,6 @@
 // Properties that hold for all data: scaling by powers of two, the order of participants, the number of threads, and
 // tests that are equivalent.
-#include <QtTest>
+#include <QTest>
 
 #include "stats/tests/bootstrap.h"
 #include "stats/tests/equivalence.h"

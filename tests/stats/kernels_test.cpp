@@ -1,5 +1,5 @@
 // Sums, moments, grids, ranks, tables and matrices: numbers computed by hand, many as exact fractions.
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <limits>
 #include <vector>

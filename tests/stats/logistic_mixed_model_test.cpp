@@ -1,7 +1,7 @@
 // The logistic mixed model against a second program, closed forms and R, and where the likelihood has no maximum.
 #include "stats/models/logistic_mixed_model.h"
 
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <cmath>
 #include <string>

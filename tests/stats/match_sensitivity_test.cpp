@@ -1,7 +1,7 @@
 // Sensitivity of a same-different task: numbers of an independent program, freedom from the criterion, and coverage of intervals.
 #include "stats/claims/match_sensitivity.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 
 #include "stats/kernels/distributions.h"

@@ -1,5 +1,5 @@
 // The linear mixed model against R, a second program and published analyses.
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <cmath>
 #include <string>

@@ -1,7 +1,7 @@
 // The closed forms of balanced data and the elimination by blocks, against the dense equations of the same model.
 #include "stats/models/mixed_model_system.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <limits>
 

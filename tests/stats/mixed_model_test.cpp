@@ -1,7 +1,7 @@
 // The linear mixed model against closed forms of balanced data, and at its limits.
 #include "stats/models/mixed_model.h"
 
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <cmath>
 #include <string>

@@ -1,7 +1,7 @@
 // Adjusted p values against R's p.adjust.
 #include "stats/tests/multiplicity.h"
 
-#include <QtTest>
+#include <QTest>
 #include <vector>
 
 #include "tests/stats/exact_numbers.h"

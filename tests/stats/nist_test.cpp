@@ -1,7 +1,7 @@
 // NIST's Statistical Reference Datasets: certified mean, standard deviation and lag-1 autocorrelation of one
 // sample, and one-way analyses of variance. Data sets with a recipe are generated here (NumAcc, PiDigits, SmLs); the
 // others are read where the shared reference cases are present.
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 
 #include "stats/kernels/descriptive.h"

@@ -2,7 +2,7 @@
 // maximum.
 #include "stats/models/ordinal_mixed_model.h"
 
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <cmath>
 #include <string>

@@ -1,7 +1,7 @@
 // Power by formula against R and numerical integration, and simulated studies.
 #include "stats/power/power.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <vector>
 

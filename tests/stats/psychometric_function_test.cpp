@@ -1,7 +1,7 @@
 // Psychometric functions of forced choices. Expected numbers: tests/stats/reference/psychometric_function.R.
 #include "stats/models/psychometric_function.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <limits>
 

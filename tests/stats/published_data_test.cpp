@@ -1,5 +1,5 @@
 // Small published data sets give the published results.
-#include <QtTest>
+#include <QTest>
 
 #include "stats/tests/rank_tests.h"
 #include "stats/tests/t_tests.h"

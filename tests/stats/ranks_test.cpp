@@ -1,5 +1,5 @@
 // Rank tests, sign flips and tests on complete blocks, number by number against R.
-#include <QtTest>
+#include <QTest>
 #include <limits>
 #include <vector>
 

@@ -2,7 +2,7 @@
 // simulated studies with planted noise, and the ceilings against simulated answers.
 #include "stats/tests/reliability.h"
 
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
 // Sign flips, the BCa bootstrap and random draws against programs written a second time.
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <numbers>
 

@@ -1,5 +1,5 @@
 // Spectrum distance and errors of traces, and conditional accuracy.
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <limits>
 

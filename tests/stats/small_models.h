@@ -1,7 +1,7 @@
 // Small data of mixed models that several tests share, and the comparison of one number.
 #pragma once
 
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <cmath>
 #include <string>

@@ -1,5 +1,5 @@
 // Intervals of the speed-accuracy table: the median response time by its formula, and the measured coverage of all three.
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 
 #include "stats/claims/information_rate.h"

@@ -1,5 +1,5 @@
 // Properties that hold for all data, extreme data, descriptions, and measures of speed and accuracy.
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // Every number of the t tests and of the equivalence tests against R.
 #include "stats/tests/t_tests.h"
 
-#include <QtTest>
+#include <QTest>
 #include <limits>
 #include <numbers>
 #include <vector>

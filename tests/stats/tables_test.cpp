@@ -1,5 +1,5 @@
 // One-way ANOVA, sphericity, intraclass correlations, exact Friedman: published and independent numbers.
-#include <QtTest>
+#include <QTest>
 
 #include "stats/tests/friedman_exact.h"
 #include "stats/tests/intraclass.h"

@@ -1,5 +1,5 @@
 // Two-way analyses of variance. Expected numbers: tests/stats/reference/two_way_anova.R.
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <limits>
 

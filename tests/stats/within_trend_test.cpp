@@ -1,7 +1,7 @@
 // Slopes within participants against R's lm and t.test.
 #include "stats/claims/within_trend.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 
 using stats::TrendRow;

@@ -1,1 +1,6 @@
-// Nothing of its own: its target compiles the headers that the tests share (tests/CMakeLists.txt).
+#include "tests/support/headers.h"
+
+template class nlohmann::basic_json<>;
+template class nlohmann::basic_json<nlohmann::ordered_map>;
+template class nlohmann::detail::serializer<nlohmann::json>;
+template class nlohmann::detail::serializer<nlohmann::ordered_json>;

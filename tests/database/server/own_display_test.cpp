@@ -2,7 +2,8 @@
 // presentations have the same image.
 #include <QProcess>
 #include <QRegularExpression>
-#include <QtTest>
+#include <QTemporaryDir>
+#include <QTest>
 #include <map>
 #include <random>
 

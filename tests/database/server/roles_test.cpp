@@ -1,5 +1,7 @@
 // Blinding by rights: what an experimenter, a monitor and an analyst can learn from a study on a server, tried as each of them.
-#include <QtTest>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QUuid>
 #include <nlohmann/json.hpp>
 
 #include "database/server/server_connection.h"

@@ -1,5 +1,6 @@
 // A study moves to a server and back: nothing is lost, nothing is half-made, and every wrong address is one clear line.
-#include <QtTest>
+#include <QTemporaryDir>
+#include <QTest>
 
 #include "database/disk/server_note.h"
 #include "database/server/server_connection.h"

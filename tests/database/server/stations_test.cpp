@@ -1,6 +1,9 @@
 // Sessions at the stations of a study on a server: the same rows as in a folder, through kills, cuts and restarts.
+#include <QElapsedTimer>
 #include <QRandomGenerator>
-#include <QtTest>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QThread>
 #include <mutex>
 #include <thread>
 

@@ -1,7 +1,7 @@
 // Tables as in RFC 4180. The examples are those of its section 2, https://www.rfc-editor.org/rfc/rfc4180.
 #include "protocols/files/csv_table.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "protocols/files/errors.h"
 #include "tests/support/error_text.h"

@@ -1,7 +1,7 @@
 // Tables as spreadsheets of Germany, France, old Macs and a Chinese Windows write them.
 #include "protocols/files/foreign/foreign_table.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "protocols/files/errors.h"
 #include "tests/support/error_text.h"

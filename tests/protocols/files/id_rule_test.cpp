@@ -1,7 +1,7 @@
 // One rule decides which ids may come in from outside.
 #include "protocols/files/id_rule.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "protocols/files/errors.h"
 

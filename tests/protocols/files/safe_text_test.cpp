@@ -1,6 +1,6 @@
 #include "protocols/files/safe_text.h"
 
-#include <QtTest>
+#include <QTest>
 #include <set>
 #include <string>
 

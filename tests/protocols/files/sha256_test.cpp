@@ -1,7 +1,7 @@
 #include "protocols/files/sha256.h"
 
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <fstream>
 
 #include "protocols/files/errors.h"

@@ -1,7 +1,8 @@
 // JSON with the line and column of every value.
 #include "protocols/files/strict_json.h"
 
-#include <QtTest>
+#include <QElapsedTimer>
+#include <QTest>
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"

@@ -1,5 +1,5 @@
 // Numbers and markup as text.
-#include <QtTest>
+#include <QTest>
 #include <clocale>
 #include <cmath>
 #include <limits>

@@ -1,7 +1,7 @@
 // A control is fair where nothing but the losses differs from the training of the model.
 #include "rendering/models/fair_control.h"
 
-#include <QtTest>
+#include <QTest>
 #include <map>
 
 using namespace rendering::models;

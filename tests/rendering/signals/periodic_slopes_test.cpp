@@ -1,7 +1,7 @@
 // Slopes and heights of tiles whose borders meet, the sign of slopes along y, and places that a tile shows twice.
 #include "rendering/signals/periodic_slopes.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "rendering/signals/periodic_transform.h"
 #include "rendering/signals/repeated_place.h"

@@ -1,7 +1,7 @@
 // Claims, mixed models, analyses of variance of two factors and psychometric functions as `vis2hap analyse` answers them.
 // Expected numbers: tests/stats/reference/analyse_families.R, two_way_anova.R and psychometric_function.R.
 #include <QFile>
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <nlohmann/json.hpp>
 

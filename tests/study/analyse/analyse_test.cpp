@@ -1,7 +1,7 @@
 // Requests to `vis2hap analyse` and their answers: formulas, recipes, faults.
 #include "study/analyse/analyse.h"
 
-#include <QtTest>
+#include <QTest>
 #include <nlohmann/json.hpp>
 
 #include "study/analyse/analyse_formula.h"

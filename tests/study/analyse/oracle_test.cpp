@@ -1,6 +1,6 @@
 // Every reference case of the shared oracle, answered by the functions behind `vis2hap analyse`, with the
 // digits that the case asks for.
-#include <QtTest>
+#include <QTest>
 #include <nlohmann/json.hpp>
 
 #include "study/analyse/analyse.h"

@@ -1,13 +1,16 @@
 // The catalogues of the window in study/app/translations: complete, without what the program no longer says, with the same
 // places, keys and spaces as in English. lupdate reads the texts from the sources.
+#include <QDir>
 #include <QDirIterator>
 #include <QFile>
+#include <QFileInfo>
 #include <QLibraryInfo>
 #include <QProcess>
 #include <QRegularExpression>
+#include <QSet>
 #include <QTemporaryDir>
+#include <QTest>
 #include <QXmlStreamReader>
-#include <QtTest>
 
 #include "study/app/language/below.h"
 #include "study/app/language/language.h"

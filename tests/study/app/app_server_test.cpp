@@ -1,9 +1,13 @@
 // The window at a station of a study on a server: joined by its address, and at every moment it says where the answers are. The
 // monitor of such a study: its stations, also while the server is away.
+#include <QCryptographicHash>
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
+#include <QRegularExpression>
+#include <QTest>
+#include <QTimer>
 #include <QTreeWidget>
-#include <QtTest>
 #include <thread>
 
 #include "database/server/server_connection.h"

@@ -1,8 +1,8 @@
 // The one worker of the window: results and faults come back to the window's thread, dropped work does not.
 #include "study/app/state/in_background.h"
 
+#include <QTest>
 #include <QThread>
-#include <QtTest>
 #include <stdexcept>
 
 using study::app::InBackground;

@@ -1,7 +1,9 @@
 // Anchors from the protocol to the report: a simulated study with mismatched and repeated presentations, through the commands.
 #include <QDir>
+#include <QFile>
+#include <QFileInfo>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <fstream>
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,8 @@
 // The response of a display through the program: from a laboratory's table to a study that states it, and every refusal.
+#include <QFile>
 #include <QImage>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,8 @@
 // The examples of protocols, each from its file to a report, as their pages tell a reader to do.
 #include <QDir>
+#include <QFile>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,10 @@
 // What a command needs, as README promises it: every command that computes loads the libraries of its row and no others, and
 // none but the second program loads libtorch.
+#include <QDir>
+#include <QMap>
+#include <QRegularExpression>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <fstream>
 #include <map>

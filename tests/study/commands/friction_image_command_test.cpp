@@ -1,9 +1,10 @@
 // Friction images and friction records through the program, as users run it: both scales, a saved range, strokes from a file,
 // and a whole study with a condition that is not one of the paper's nine.
 #include <QDir>
+#include <QFile>
 #include <QImage>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <fstream>
 #include <nlohmann/json.hpp>
 

@@ -1,8 +1,10 @@
 // Work that is shared between machines: shards of a run, merged, print what the run in one process prints, byte for byte.
+#include <QDateTime>
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/program.h"

@@ -1,7 +1,10 @@
 // A lab's own conditions: ready images beside those of the program, from the protocol to the report, and folders that do not fit.
 #include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QSet>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>

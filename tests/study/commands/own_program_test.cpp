@@ -1,8 +1,11 @@
 // A lab's own program as a condition: from the protocol to the report, and programs that fail in every way.
 #include <QDir>
 #include <QElapsedTimer>
+#include <QFile>
+#include <QFileInfo>
+#include <QSet>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>

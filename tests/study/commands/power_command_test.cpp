@@ -1,6 +1,7 @@
 // vis2hap power, as a person who plans a study runs it.
+#include <QFile>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/program.h"

@@ -1,7 +1,8 @@
 // `vis2hap protocol check` and `protocol show`: what somebody sees who writes a protocol for the first time.
 #include <QElapsedTimer>
+#include <QFile>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 

@@ -1,8 +1,12 @@
 // A study that compares renderings of several prices, through the program: protocol, study, simulated participants, replay,
 // report.
+#include <QDateTime>
 #include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QSet>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <fstream>
 #include <nlohmann/json.hpp>
 

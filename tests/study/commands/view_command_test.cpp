@@ -1,8 +1,9 @@
 // vis2hap view, stroke and display check, run from the command line.
+#include <QFile>
 #include <QImage>
 #include <QProcess>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include "rendering/images/image_io.h"
 #include "tests/rendering/fabric_files.h"

@@ -1,5 +1,5 @@
 // Criteria of an evaluation, and its output as text tables and as JSON.
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 

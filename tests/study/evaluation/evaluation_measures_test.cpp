@@ -1,5 +1,5 @@
 // Measures of `vis2hap evaluate` for a pair of signals: height maps, friction traces, identification of the fabric, averages.
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <numbers>
 #include <opencv2/imgproc.hpp>

@@ -1,5 +1,6 @@
 // Complete evaluations with simulated generators (a perfect one and a constant one), and unusual data sets. Without libtorch.
-#include <QtTest>
+#include <QTemporaryDir>
+#include <QTest>
 #include <atomic>
 #include <fstream>
 #include <map>

@@ -2,7 +2,7 @@
 #include "study/evaluation/photograph_changes.h"
 
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgproc.hpp>
 

@@ -1,7 +1,8 @@
 // Generated signals of a study beside the controls: what the controls may know, weak pairs, and data sets that lack something.
 #include "study/evaluation/study_comparison.h"
 
-#include <QtTest>
+#include <QTemporaryDir>
+#include <QTest>
 #include <map>
 #include <set>
 

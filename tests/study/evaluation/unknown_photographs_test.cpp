@@ -1,7 +1,7 @@
 // Photographs that show no cloth: the refusal and warning of `render`, and the notice in status and report.
 #include <QDir>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 

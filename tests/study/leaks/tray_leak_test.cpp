@@ -1,6 +1,6 @@
 // A guesser who collects everything visible in a choice phase, over all participants and presentations, finds the true slot only
 // by chance.
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -1,7 +1,8 @@
 // Contact sheet of a data set: one row for each fabric with the signals that exist, and a refusal if there are none.
 #include <QImage>
+#include <QRect>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <filesystem>
 #include <opencv2/core.hpp>
 

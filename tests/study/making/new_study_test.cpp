@@ -2,7 +2,7 @@
 #include "study/making/new_study.h"
 
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <cerrno>
 

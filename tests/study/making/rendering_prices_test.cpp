@@ -1,7 +1,7 @@
 // What a rendering costs and gives up: errors and times that were put in are found again.
 #include "study/making/rendering_prices.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <opencv2/core.hpp>
 

@@ -1,7 +1,7 @@
 // The `signals` object of results.json: known errors are found, and missing signals are reported.
 #include "study/making/signal_quality.h"
 
-#include <QtTest>
+#include <QTest>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgproc.hpp>
 

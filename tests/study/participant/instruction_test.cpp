@@ -1,7 +1,7 @@
 // What the participant sees, moment by moment. Two studies whose allocations differ give the same instructions at the same
 // moments, and no instruction names a fabric, a piece, a code or a condition.
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <set>
 
 #include "protocols/protocol_json.h"

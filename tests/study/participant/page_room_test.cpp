@@ -1,7 +1,7 @@
 // The participant's page without a network: who gets in, what each request is answered, what is refused.
 #include "study/participant/page_room.h"
 
-#include <QtTest>
+#include <QTest>
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"

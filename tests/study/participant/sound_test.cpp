@@ -1,11 +1,13 @@
 // What the participant hears: recordings as they were, noise that is lowered while they play, and prompts that say only what the
 // participant has said or may know.
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QProcess>
+#include <QProcessEnvironment>
 #include <QStandardPaths>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <set>
 

@@ -1,7 +1,7 @@
 // Effects that a teacher plants into a simulated study: they are there as stated, and files that do not fit are refused.
 #include "study/players/planted_effects.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <map>
 #include <string>

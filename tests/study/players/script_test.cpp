@@ -1,7 +1,7 @@
 // The file of a scripted participant: its contents, and the faults that are found before anything is stored.
 #include "study/players/script.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "protocols/files/errors.h"
 #include "protocols/protocol_json.h"

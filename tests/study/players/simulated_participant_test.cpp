@@ -3,7 +3,7 @@
 #include "study/players/simulated_participant.h"
 
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include "protocols/allocation.h"
 #include "protocols/protocol_json.h"

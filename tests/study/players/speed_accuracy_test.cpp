@@ -1,7 +1,7 @@
 // A simulated participant who trades speed for accuracy: the times are those of the stated race, and a planted trade is recovered
 // from the answers that the session stored.
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 // What leaves a study as evidence: the data sheet, which must know every column of the schema, and signed heads of the log.
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>

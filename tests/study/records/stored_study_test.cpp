@@ -2,7 +2,7 @@
 #include "study/records/stored_study.h"
 
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <map>
 
 #include "protocols/files/whole_file.h"

@@ -1,7 +1,7 @@
 // What `vis2hap verify` finds: changes that a person with a shell and the tools of SQLite can make to a study. Each case leaves
 // the triggers as they were, so that only the change itself shows.
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <filesystem>
 #include <fstream>
 #include <random>

@@ -1,6 +1,6 @@
 // The driver: what it stores, when it performs effects, where a session continues.
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

@@ -1,6 +1,6 @@
 // A session whose blocks instruct speed, accuracy or a deadline: when the operator says what, and what is stored with each trial.
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <set>
 
 #include "database/server/study_move.h"

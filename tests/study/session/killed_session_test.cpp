@@ -1,10 +1,11 @@
 // kill -9 at random instants of a session in its own process: every acknowledged answer is stored once, and the session continues
 // at the right trial.
+#include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QProcess>
 #include <QTemporaryDir>
+#include <QTest>
 #include <QThread>
-#include <QtTest>
 #include <map>
 
 #include "protocols/random.h"

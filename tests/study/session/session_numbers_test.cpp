@@ -1,6 +1,6 @@
 // Every number of a session's state after every event: times, counts, order, attempts, blocks, breaks, sittings. Times are in
 // nanoseconds from small distinct numbers, so that no other sum or difference gives the same digits.
-#include <QtTest>
+#include <QTest>
 #include <sstream>
 
 #include "study/session/session_moves.h"

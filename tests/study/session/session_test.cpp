@@ -1,5 +1,5 @@
 // The state machine by itself: values in, values out.
-#include <QtTest>
+#include <QTest>
 #include <iomanip>
 #include <iostream>
 #include <set>

@@ -2,7 +2,7 @@
 // session of known times, the clocks themselves.
 #include <QDateTime>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <cstdlib>
 #include <ctime>

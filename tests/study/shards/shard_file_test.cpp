@@ -2,7 +2,7 @@
 #include "study/shards/shard_file.h"
 
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <numeric>
 
 #include "protocols/files/errors.h"

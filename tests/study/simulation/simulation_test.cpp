@@ -1,7 +1,11 @@
 // Simulated participants in memory and through the store: the same rules and rows, whatever goes wrong; parts of a simulation
 // hold the same bits as the whole; a batch that ends early leaves a sound study.
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <cmath>
 #include <cstring>

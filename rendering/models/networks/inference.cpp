@@ -18,6 +18,7 @@
 #include "rendering/models/seeing/friction_target.h"
 #include "rendering/models/seeing/picture_tensors.h"
 #include "rendering/models/seeing/seen_signals.h"
+#include "rendering/models/seeing/shared_batch_norm.h"
 #include "rendering/signals/spectrogram.h"
 
 namespace rendering::models {
@@ -144,9 +145,11 @@ LoadedModel::LoadedModel(const std::filesystem::path& model, int threads) : m_pa
     torch::set_num_threads(threads > 0 ? threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
     m_parts->card = readModelCardFields(model);
     m_parts->architecture = m_parts->card.architecture;
-    if (m_parts->architecture.sees)
+    if (m_parts->architecture.sees) {
         m_parts->seeing = readSeeingModel(model, m_parts->card);
-    else
+        foldBatchNorms(*m_parts->seeing.relief);
+        foldBatchNorms(*m_parts->seeing.friction);
+    } else
         m_parts->generators = readModel(model, m_parts->card);
 }
 

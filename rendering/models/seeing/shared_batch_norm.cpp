@@ -62,6 +62,7 @@ struct Standardised : autograd::Function<Standardised> {
 
 Tensor SharedBatchNormImpl::forward(const Tensor& features)
 {
+    if (m_isFolded) return features;
     if (m_peers == nullptr || !is_training()) {
         if (is_training()) num_batches_tracked += 1;
         return torch::batch_norm(features, weight, bias, running_mean, running_var, is_training(), *options.momentum(),
@@ -80,6 +81,16 @@ Tensor SharedBatchNormImpl::forward(const Tensor& features)
     return standardised * ofChannels(weight) + ofChannels(bias);
 }
 
+void SharedBatchNormImpl::foldInto(torch::nn::Conv2dImpl& before)
+{
+    TORCH_CHECK(!is_training() && !m_isFolded && !before.bias.defined(), "expected a trained network that is not folded");
+    const torch::NoGradGuard noGradient;
+    const Tensor scale = weight * (running_var + options.eps()).rsqrt();
+    before.weight.mul_(scale.view({-1, 1, 1, 1}));
+    before.bias = bias - running_mean * scale;
+    m_isFolded = true;
+}
+
 void SharedBatchNormImpl::_check_input_dim(const Tensor& features)
 {
     TORCH_CHECK(features.dim() == 4, "expected features [N, C, H, W]");
@@ -89,6 +100,23 @@ void shareBatchNorms(torch::nn::Module& module, const TrainingPeers* peers)
 {
     for (const auto& part : module.modules())
         if (auto* norm = part->as<SharedBatchNormImpl>()) norm->shareWith(peers);
+}
+
+void foldBatchNorms(torch::nn::Module& module)
+{
+    for (const auto& part : module.modules()) {
+        auto* chain = part->as<torch::nn::SequentialImpl>();
+        if (chain == nullptr) continue;
+        for (std::size_t i = 1; i < chain->size(); ++i) {
+            auto* norm = chain->ptr(i)->as<SharedBatchNormImpl>();
+            if (norm == nullptr) continue;
+            auto* convolution = chain->ptr(i - 1)->as<torch::nn::Conv2dImpl>();
+            TORCH_CHECK(convolution != nullptr, "expected a convolution before each normalisation");
+            norm->foldInto(*convolution);
+            if (i + 1 == chain->size()) continue;
+            if (auto* rectifier = chain->ptr(i + 1)->as<torch::nn::LeakyReLUImpl>()) rectifier->options.inplace(true);
+        }
+    }
 }
 
 }  // namespace rendering::models

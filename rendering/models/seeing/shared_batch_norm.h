@@ -19,14 +19,23 @@ public:
 
     torch::Tensor forward(const torch::Tensor& features);
 
+    /// Moves the normalisation by the running statistics into `before`, whose output it normalises. Afterwards forward() does
+    /// nothing.
+    void foldInto(torch::nn::Conv2dImpl& before);
+
 private:
     void _check_input_dim(const torch::Tensor& features) override;
 
     const TrainingPeers* m_peers = nullptr;
+    bool m_isFolded = false;
 };
 TORCH_MODULE(SharedBatchNorm);
 
 /// shareWith() for every such normalisation of a module.
 void shareBatchNorms(torch::nn::Module& module, const TrainingPeers* peers);
+
+/// Makes a trained network fast to use: each normalisation is folded into the convolution before it, and the rectifier behind
+/// it works in place. Outputs change by rounding only. Such a network can neither be trained nor written any more.
+void foldBatchNorms(torch::nn::Module& module);
 
 }  // namespace rendering::models

@@ -10,7 +10,9 @@
 #include "rendering/images/image_io.h"
 #include "rendering/models/seeing/cloth_batches.h"
 #include "rendering/models/seeing/relief_losses.h"
+#include "rendering/models/seeing/seeing_weights.h"
 #include "rendering/models/seeing/seen_texture.h"
+#include "rendering/models/seeing/shared_batch_norm.h"
 #include "rendering/models/seeing/told_lamp.h"
 #include "tests/rendering/refusal.h"
 
@@ -245,6 +247,29 @@ private Q_SLOTS:
         QVERIFY(refusalOf([&] {
                     readScannedCloth(dataset, {protocols::FabricId("F01"), protocols::FabricId("F02")});
                 }).contains("no scanned cloth remains"));
+    }
+
+    void foldedNetworksGiveTheSameSignals()
+    {
+        torch::manual_seed(5);
+        SeeingNetworks networks = makeSeeingNetworks({.sees = true});
+        const torch::NoGradGuard noGradient;
+        const torch::Tensor texture = seenTexture(torch::rand({2, 3, 128, 128})), lamp = torch::zeros({2, 2}),
+                            logPitch = torch::zeros({2, 1});
+        networks.relief->forward(texture, lamp);  // In training: the running statistics become other than 0 and 1.
+        networks.friction->forward(texture, torch::rand({2, 1, 128, 128}), logPitch);
+        setTraining(networks, false);
+        const torch::Tensor relief = networks.relief->forward(texture, lamp);
+        const SeenFriction friction = networks.friction->forward(texture, relief, logPitch);
+        foldBatchNorms(*networks.relief);
+        foldBatchNorms(*networks.friction);
+        const torch::Tensor folded = networks.relief->forward(texture, lamp);
+        const SeenFriction ofFolded = networks.friction->forward(texture, relief, logPitch);
+        QVERIFY(relief.std().item<double>() > 1e-3);
+        QVERIFY(torch::allclose(folded, relief, 1e-4, 1e-5));
+        QVERIFY(torch::allclose(ofFolded.logMean, friction.logMean, 1e-4, 1e-5));
+        QVERIFY(torch::allclose(ofFolded.logSpread, friction.logSpread, 1e-4, 1e-5));
+        QVERIFY(torch::allclose(ofFolded.logRatio, friction.logRatio, 1e-4, 1e-5));
     }
 
     void scansAreAlsoShownAsTheyAreUnderTheirOwnLamp()

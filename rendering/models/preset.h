@@ -42,7 +42,7 @@ inline constexpr double balancedPrice = 5;
 inline constexpr double fastMost = 4;
 
 inline constexpr std::array<Preset, 3> presets{{
-    {Quality::Fast, "fast", signals::IntegrationQuality::Fast, signals::ShadingQuality::Fast, 8, 1, 16, 1, 1, 1, 16, 1},
+    {Quality::Fast, "fast", signals::IntegrationQuality::Fast, signals::ShadingQuality::Fast, 8, 1, 0, 1, 1, 1, 16, 1},
     {Quality::Balanced, "balanced", signals::IntegrationQuality::Full, signals::ShadingQuality::Accurate, 32, 1, 64, 2, 2, 1, 32,
      3},
     {Quality::Accurate, "accurate", signals::IntegrationQuality::Full, signals::ShadingQuality::Accurate, 200, 4, 64, 3, 8, 4, 32,

@@ -13,6 +13,7 @@
 #include "rendering/models/seeing/pitch_unit.h"
 #include "rendering/models/seeing/seen_texture.h"
 #include "rendering/models/seeing/told_lamp.h"
+#include "rendering/models/seeing/told_shading.h"
 #include "rendering/signals/dominant_wave.h"
 #include "rendering/signals/spectrogram.h"
 #include "rendering/signals/tactile/photometric_stereo.h"
@@ -23,6 +24,7 @@ namespace {
 
 /// Side of the relief from one pass, px. Each pass judges light and cloth anew, so heights of neighbours may differ a little.
 constexpr int tilePx = 1024;
+constexpr int leastSeamPx = 16;  ///< margin at least, where several tiles meet
 /// Slow waves of the relief, which a photograph does not show, end here, in pixels.
 constexpr double longestWavePx = 128;
 constexpr int displacementStep = 16;  ///< no displacement of displacementsOf() is larger
@@ -55,19 +57,50 @@ cv::Mat padded(const cv::Mat& rgb, int margin, const cv::Size& whole)
     return wide;
 }
 
-torch::Tensor tensorOf(const ToldLamp& lamp, std::int64_t count)
-{
-    return torch::tensor({lamp.numbers[0], lamp.numbers[1]}).unsqueeze(0).expand({count, lampNumbers});
-}
+/// What the relief network sees and says of pictures [N, 3, H, W]. Pictures that come a second time are not computed again: of a
+/// small photograph `fast` takes one crop, which is the photograph.
+class ReliefReader {
+public:
+    ReliefReader(ReliefNetwork network, const ToldLamp& lamp) : m_network(std::move(network)), m_lamp(lamp) {}
 
-cv::Mat reliefPx(SeeingNetworks& networks, const cv::Mat& rgb, const ToldLamp& lamp, Quality quality)
+    struct Seen {
+        torch::Tensor texture, relief;
+    };
+    Seen of(const torch::Tensor& pictures)
+    {
+        if (!m_pictures.defined() || !m_pictures.sizes().equals(pictures.sizes()) || !torch::equal(m_pictures, pictures)) {
+            m_pictures = pictures;
+            m_seen.texture = seenTexture(pictures);
+            m_seen.relief = m_network->forward(m_seen.texture, tensorOf(m_lamp, pictures.size(0)));
+        }
+        return m_seen;
+    }
+    std::optional<double> lampDeg() const { return m_lamp.sideDeg(); }
+
+private:
+    static torch::Tensor tensorOf(const ToldLamp& lamp, std::int64_t count)
+    {
+        return torch::tensor({lamp.numbers[0], lamp.numbers[1]}).unsqueeze(0).expand({count, lampNumbers});
+    }
+
+    ReliefNetwork m_network;
+    ToldLamp m_lamp;
+    torch::Tensor m_pictures;
+    Seen m_seen;
+};
+
+cv::Mat contrastOf(const cv::Mat& rgb) { return matOf(seenContrast(tensorOfPicture(rgb))); }
+
+cv::Mat reliefPx(ReliefReader& reader, const cv::Mat& rgb, Quality quality)
 {
-    const int margin = presetOf(quality).marginPx;
     const cv::Size whole(std::max(48, upTo16(rgb.cols)), std::max(48, upTo16(rgb.rows)));
+    const bool isOneTile = whole.width <= tilePx && whole.height <= tilePx;
+    const int margin = std::max(isOneTile ? 0 : leastSeamPx, presetOf(quality).marginPx);
     const std::vector<cv::Point> displacements = displacementsOf(quality);
     const int border = margin + displacementStep;
     const cv::Mat wide = padded(rgb, border, whole);
-    cv::Mat relief(whole, CV_32F);
+    const std::optional<double> side = reader.lampDeg();
+    cv::Mat relief(whole, CV_32F), contrast(side ? whole : cv::Size(), CV_32F);
     for (int y = 0; y < whole.height; y += tilePx)
         for (int x = 0; x < whole.width; x += tilePx) {
             const cv::Rect tile(x, y, std::min(tilePx, whole.width - x), std::min(tilePx, whole.height - y));
@@ -75,12 +108,14 @@ cv::Mat reliefPx(SeeingNetworks& networks, const cv::Mat& rgb, const ToldLamp& l
             for (const cv::Point& moved : displacements) {
                 const cv::Rect seen(x + displacementStep - moved.x, y + displacementStep - moved.y, tile.width + 2 * margin,
                                     tile.height + 2 * margin);
-                sum += matOf(networks.relief->forward(seenTexture(tensorOfPicture(wide(seen))), tensorOf(lamp, 1)))(
+                sum += matOf(reader.of(tensorOfPicture(wide(seen))).relief)(
                     {margin + moved.x, margin + moved.y, tile.width, tile.height});
             }
             cv::Mat(sum / static_cast<double>(displacements.size())).copyTo(relief(tile));
+            if (side) contrastOf(wide({x + border, y + border, tile.width, tile.height})).copyTo(contrast(tile));
         }
-    return relief({0, 0, rgb.cols, rgb.rows}).clone();
+    const cv::Rect shown(0, 0, rgb.cols, rgb.rows);
+    return side ? withToldShading(relief(shown), contrast(shown), *side) : relief(shown).clone();
 }
 
 bool hasFineThreads(const cv::Mat& rgb)
@@ -90,12 +125,12 @@ bool hasFineThreads(const cv::Mat& rgb)
 }
 
 /// Relief in pixels of `rgb`. A picture of fine threads is enlarged for the networks, and its relief is made small again.
-cv::Mat reliefOfThreads(SeeingNetworks& networks, const cv::Mat& rgb, const ToldLamp& lamp, Quality quality)
+cv::Mat reliefOfThreads(ReliefReader& reader, const cv::Mat& rgb, Quality quality)
 {
-    if (!hasFineThreads(rgb)) return reliefPx(networks, rgb, lamp, quality);
+    if (!hasFineThreads(rgb)) return reliefPx(reader, rgb, quality);
     cv::Mat large, relief;
     cv::resize(rgb, large, {}, enlargement, enlargement, cv::INTER_CUBIC);
-    cv::resize(reliefPx(networks, large, lamp, quality), relief, rgb.size(), 0, 0, cv::INTER_AREA);
+    cv::resize(reliefPx(reader, large, quality), relief, rgb.size(), 0, 0, cv::INTER_AREA);
     return relief / enlargement;
 }
 
@@ -112,13 +147,12 @@ torch::Tensor squareCrops(const cv::Mat& rgb, int side, Quality quality)
     return torch::cat(all, 0);
 }
 
-void addFriction(GeneratedSignals& signals, SeeingNetworks& networks, const Architecture& architecture, const cv::Mat& rgb,
-                 const ToldLamp& lamp, double pitch, Quality quality)
+void addFriction(GeneratedSignals& signals, FrictionNetwork& network, ReliefReader& reader, const Architecture& architecture,
+                 const cv::Mat& rgb, double pitch, Quality quality)
 {
-    const torch::Tensor texture = seenTexture(squareCrops(rgb, architecture.crop, quality));
+    const auto [texture, relief] = reader.of(squareCrops(rgb, architecture.crop, quality));
     const torch::Tensor logPitch = torch::full({texture.size(0), 1}, std::log(pitch / pitchUnitMm));
-    const SeenFriction seen =
-        networks.friction->forward(texture, networks.relief->forward(texture, tensorOf(lamp, texture.size(0))), logPitch);
+    const SeenFriction seen = network->forward(texture, relief, logPitch);
     FrictionTarget target;
     const torch::Tensor logRatio = seen.logRatio.mean(0).contiguous();
     target.logRatio = cv::Mat(architecture.rows, architecture.frames, CV_32F, logRatio.data_ptr<float>()).clone();
@@ -150,18 +184,19 @@ GeneratedSignals seenSignals(SeeingNetworks& networks, const Architecture& archi
     const double pitch = photograph.mmPerPixel.value();
     const ToldLamp lamp = toldLamp(photograph.lightDeg);
     const cv::Mat rgb = turned(photograph.photograph, lamp.turn);
+    ReliefReader reader(networks.relief, lamp);
     GeneratedSignals signals;
     if (options.height)
         signals.heightMilliseconds = millisecondsOf([&] {
-            const cv::Mat heightMm = turnedBack(reliefOfThreads(networks, rgb, lamp, options.quality), lamp.turn) *
-                                     (pitch * architecture.reliefFactor);
+            const cv::Mat heightMm =
+                turnedBack(reliefOfThreads(reader, rgb, options.quality), lamp.turn) * (pitch * architecture.reliefFactor);
             signals.heightMm =
                 signals::zeroedRelief(heightMm, {pitch, pitch}, longestWavePx * pitch, architecture.zeroPercentile);
             signals.heightMmPerPixel = pitch;
         });
     if (options.friction)
         signals.frictionMilliseconds =
-            millisecondsOf([&] { addFriction(signals, networks, architecture, rgb, lamp, pitch, options.quality); });
+            millisecondsOf([&] { addFriction(signals, networks.friction, reader, architecture, rgb, pitch, options.quality); });
     requireFiniteSignals(signals);
     return signals;
 }

@@ -29,13 +29,22 @@ torch::Tensor surroundings(const torch::Tensor& image)
 
 torch::Tensor againstSurroundings(const torch::Tensor& image) { return image - surroundings(image); }
 
+/// Logarithms of the colour channels.
+struct LogColours {
+    explicit LogColours(const torch::Tensor& photograph) : all(photograph.clamp(darkest, 1).log()) {}
+    torch::Tensor all, red = all.narrow(1, 0, 1), green = all.narrow(1, 1, 1), blue = all.narrow(1, 2, 1);
+    torch::Tensor contrast() const { return againstSurroundings(0.30 * red + 0.59 * green + 0.11 * blue); }
+};
+
 }  // namespace
+
+torch::Tensor seenContrast(const torch::Tensor& photograph) { return LogColours(photograph).contrast(); }
 
 torch::Tensor seenTexture(const torch::Tensor& photograph)
 {
-    const torch::Tensor logarithm = photograph.clamp(darkest, 1).log();
-    const torch::Tensor red = logarithm.narrow(1, 0, 1), green = logarithm.narrow(1, 1, 1), blue = logarithm.narrow(1, 2, 1);
-    const torch::Tensor contrast = againstSurroundings(0.30 * red + 0.59 * green + 0.11 * blue);
+    const LogColours colours(photograph);
+    const torch::Tensor &red = colours.red, &green = colours.green, &blue = colours.blue;
+    const torch::Tensor contrast = colours.contrast();
     const torch::Tensor deviation = (surroundings(contrast.square()) + leastVariance).sqrt();
     return torch::cat({(contrast / deviation).clamp(-4, 4), deviation.log() + 2.5, (4 * contrast).clamp(-4, 4),
                        4 * againstSurroundings(red - green), 4 * againstSurroundings(blue - green)},

@@ -14,4 +14,7 @@ inline constexpr int seenChannels = 5;
 /// A factor on a whole colour channel (exposure, white balance, plain dye) changes nothing but in clipped pixels.
 torch::Tensor seenTexture(const torch::Tensor& photograph);
 
+/// [N, 1, H, W]: natural logarithm of brightness relative to its surroundings, which the first channel divides by its deviation.
+torch::Tensor seenContrast(const torch::Tensor& photograph);
+
 }  // namespace rendering::models

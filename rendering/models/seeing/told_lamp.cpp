@@ -7,6 +7,8 @@ namespace rendering::models {
 
 namespace {
 
+constexpr double middleDeg = 112.5, halfRangeDeg = 22.5;  ///< of the side of a lamp after turned(): top to upper left
+
 double inCircle(double degrees) { return std::fmod(std::fmod(degrees, 360) + 360, 360); }
 
 void mirror(cv::Mat& image, int turn)
@@ -24,12 +26,18 @@ double sideAfter(double lightDeg, int turn)
     return inCircle((turn & 2) != 0 ? -lightDeg : lightDeg);
 }
 
+std::optional<double> ToldLamp::sideDeg() const
+{
+    if (numbers[0] == 0) return std::nullopt;
+    return middleDeg + halfRangeDeg * double(numbers[1]);
+}
+
 ToldLamp toldLamp(const std::optional<double>& lightDeg)
 {
     if (!lightDeg) return {};
     for (int turn = 0; turn < 8; ++turn)
-        if (const double side = sideAfter(*lightDeg, turn); side >= 90 && side <= 135)
-            return {turn, {1, static_cast<float>((side - 112.5) / 22.5)}};
+        if (const double side = sideAfter(*lightDeg, turn); std::abs(side - middleDeg) <= halfRangeDeg)
+            return {turn, {1, static_cast<float>((side - middleDeg) / halfRangeDeg)}};
     return {};
 }
 

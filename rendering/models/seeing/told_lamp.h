@@ -14,6 +14,8 @@ inline constexpr int lampNumbers = 2;
 struct ToldLamp {
     int turn = 0;                              ///< symmetry of the square for turned()
     std::array<float, lampNumbers> numbers{};  ///< told (0 or 1); side from top (-1) to upper left (1)
+    /// Side of the lamp in the turned picture, 90 to 135 degrees; nullopt where nobody told it.
+    std::optional<double> sideDeg() const;
 };
 
 /// `lightDeg`: side from which the light comes, finite, 0 right, 90 top, anticlockwise; nullopt where nobody knows.

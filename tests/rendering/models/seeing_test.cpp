@@ -14,6 +14,7 @@
 #include "rendering/models/seeing/seen_texture.h"
 #include "rendering/models/seeing/shared_batch_norm.h"
 #include "rendering/models/seeing/told_lamp.h"
+#include "rendering/models/seeing/told_shading.h"
 #include "tests/rendering/refusal.h"
 
 using namespace rendering;
@@ -70,6 +71,27 @@ FacingCounts facingTheirLamp(const ClothBatch& batch)
         counts.facing += facingLamp.dot(light) > 0 ? 1 : 0;
     }
     return counts;
+}
+
+/// Slopes of cloth with bumps of several sizes, and its brightness under a lamp at the top with dye as strong as the shading.
+struct BumpyCloth {
+    cv::Mat height, contrast;
+};
+
+BumpyCloth bumpyCloth(int side)
+{
+    const auto bumps = [side](int seed) {
+        cv::Mat noise(side, side, CV_32F), slow;
+        cv::setRNGSeed(seed);
+        cv::randn(noise, 0, 1);
+        cv::GaussianBlur(noise, noise, {}, 2.5);
+        cv::GaussianBlur(noise, slow, {}, 12);
+        return cv::Mat(8 * (noise - slow));
+    };
+    BumpyCloth cloth{bumps(1), {}};
+    cv::Sobel(cloth.height, cloth.contrast, CV_32F, 0, 1, 1, 0.5);
+    cloth.contrast += 0.3 * bumps(2);
+    return cloth;
 }
 
 /// The scan under a lamp at the lower right (315 degrees).
@@ -212,7 +234,9 @@ private Q_SLOTS:
         QCOMPARE(lamp.numbers[0], 1.0F);
         QVERIFY(told >= 90 - 1e-6 && told <= 135 + 1e-6);
         QVERIFY2(std::abs(std::atan2(up, right) * 180 / std::numbers::pi - told) < 0.01, "the lamp stands elsewhere");
+        QVERIFY(std::abs(lamp.sideDeg().value() - told) < 1e-4);
         QCOMPARE(toldLamp(std::nullopt).numbers, (std::array<float, lampNumbers>{0, 0}));
+        QVERIFY(!toldLamp(std::nullopt).sideDeg());
     }
 
     void clothIsBrighterWhereItFacesAToldLamp()
@@ -221,6 +245,33 @@ private Q_SLOTS:
         const ClothBatch batch = drawClothBatch({}, options, 11, 0);
         const auto [told, facing] = facingTheirLamp(batch);
         QVERIFY2(told >= 8 && facing >= 0.8 * told, qPrintable(QString("%1 of %2").arg(facing).arg(told)));
+    }
+
+    void shadingOfAToldLampIsAdded()
+    {
+        const auto [height, contrast] = bumpyCloth(192);
+        // Networks that take dark for low and bright for high see nothing of slopes.
+        cv::Mat seen = 0.7 * contrast;
+        seen += 3;
+        const cv::Mat joined = withToldShading(seen, contrast, 90), opposite = withToldShading(seen, contrast, 270);
+        const auto fastOf = [](const cv::Mat& map) {
+            cv::Mat slow;
+            cv::GaussianBlur(map, slow, {}, 16, 16, cv::BORDER_REPLICATE);
+            return cv::Mat(map - slow);
+        };
+        const auto match = [&](const cv::Mat& map) {
+            const cv::Mat a = fastOf(map), b = fastOf(height);
+            return a.dot(b) / (cv::norm(a) * cv::norm(b));
+        };
+        QVERIFY2(match(joined) > match(seen) + 0.2, qPrintable(QString("%1, %2").arg(match(joined)).arg(match(seen))));
+        QVERIFY2(match(opposite) < match(seen) - 0.2, qPrintable(QString::number(match(opposite))));
+        QVERIFY2(std::abs(cv::norm(fastOf(joined)) / cv::norm(fastOf(seen)) - 1) < 0.02, "the deviation of the networks changed");
+        QVERIFY(std::abs(cv::mean(joined)[0] - cv::mean(seen)[0]) < 0.05);
+        const cv::Rect small(0, 0, 63, 100);
+        QCOMPARE(cv::norm(withToldShading(seen(small), contrast(small), 90), seen(small)), 0.0);
+        const cv::Mat even = cv::Mat::zeros(192, 192, CV_32F);
+        QCOMPARE(cv::norm(withToldShading(seen, even, 90), seen), 0.0);
+        QCOMPARE(cv::norm(withToldShading(even, contrast, 90), even), 0.0);
     }
 
     void scansArePhotographedAnewWithTheirSlopesAndWithoutFriction()

@@ -28,8 +28,8 @@ struct Preset {
     signals::ShadingQuality shading;          ///< of the linear method
     int phaseIterations;                      ///< Griffin-Lim iterations of a generated trace
     int pictures;                             ///< displaced pictures over which G_h averages
-    int marginPx;                             ///< pixels around a tile of G_h that are computed and cut off
-    int cropsAcross;                          ///< G_s averages over the square of this number of crops
+    int marginPx;     ///< pixels around G_h's picture that are cut off; at least 16 around each of several tiles
+    int cropsAcross;  ///< G_s averages over the square of this number of crops
     // The networks of the paper, which a laboratory may train anew.
     int turns;           ///< symmetries of the square over which G_h averages
     int cropTurns;       ///< quarter turns of each crop of G_s

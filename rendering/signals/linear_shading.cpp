@@ -19,10 +19,11 @@ constexpr int shadingWindowStepPx = 32, mostShadingWindows = 8;  ///< windows al
 constexpr int borderPx = 32;                                     ///< mirrored, so that the transform's borders do not meet
 /// Spatial frequencies from one wave per window to one per two pixels, evenly spaced in the logarithm.
 constexpr int ringCount = 14;
-constexpr double ringWidth = 1;            ///< standard deviation of the weight of a frequency for a ring, rings
-constexpr double farthestRing = 2.5;       ///< farther ones have no weight, standard deviations
-constexpr int directionBins = 6;           ///< of the squared cosine
-constexpr int fitRounds = 4;               ///< of the fit, whose weights follow the fitted powers
+constexpr double ringWidth = 1;                 ///< standard deviation of the weight of a frequency for a ring, rings
+constexpr double farthestRing = 2.5;            ///< farther ones have no weight, standard deviations
+constexpr int directionBins = 6;                ///< of the squared cosine
+constexpr double chanceShareOfOneWindow = 0.5;  ///< found with noise of several spectra in pictures of 64 to 1,024 px
+constexpr int fitRounds = 4;                    ///< of the fit, whose weights follow the fitted powers
 constexpr double shareOfOtherRings = 0.3;  ///< the share of a ring is drawn towards the mean share, which many more waves tell
 
 /// A frequency of a transform, relative to the lamp.
@@ -79,7 +80,7 @@ std::vector<int> windowCorners(int length)
     return corners;
 }
 
-/// Mean power over windows (Welch), CV_32FC1 [window x (window / 2 + 1)].
+/// Power summed over windows (Welch), CV_32FC1 [window x (window / 2 + 1)].
 cv::Mat windowPowers(const cv::Mat& contrast)
 {
     cv::Mat line(1, shadingWindowPx, CV_32F);
@@ -248,6 +249,8 @@ LinearShading linearShading(const cv::Mat& contrast, double lightDeg)
     const std::vector<WindowWave> waves = windowWaves(contrast, lightDeg);
     RingPowers rings;
     LinearShading result;
+    const auto windows = windowCorners(contrast.rows).size() * windowCorners(contrast.cols).size();
+    result.chanceShare = chanceShareOfOneWindow / std::sqrt(static_cast<double>(windows));
     for (int ring = 0; ring < ringCount; ++ring) {
         RingPower& power = rings[static_cast<std::size_t>(ring)] = ringPower(directionPowers(waves, ring));
         result.shadingShare += power.share() / ringCount;

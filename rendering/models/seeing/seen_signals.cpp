@@ -58,7 +58,7 @@ cv::Mat padded(const cv::Mat& rgb, int margin, const cv::Size& whole)
 }
 
 /// What the relief network sees and says of pictures [N, 3, H, W]. Pictures that come a second time are not computed again: of a
-/// small photograph `fast` takes one crop, which is the photograph.
+/// photograph as small as the crop for friction, `fast` takes one crop, which is the photograph.
 class ReliefReader {
 public:
     ReliefReader(ReliefNetwork network, const ToldLamp& lamp) : m_network(std::move(network)), m_lamp(lamp) {}
@@ -69,9 +69,9 @@ public:
     Seen of(const torch::Tensor& pictures)
     {
         if (!m_pictures.defined() || !m_pictures.sizes().equals(pictures.sizes()) || !torch::equal(m_pictures, pictures)) {
+            const torch::Tensor texture = seenTexture(pictures);
+            m_seen = {texture, m_network->forward(texture, tensorOf(m_lamp, pictures.size(0)))};
             m_pictures = pictures;
-            m_seen.texture = seenTexture(pictures);
-            m_seen.relief = m_network->forward(m_seen.texture, tensorOf(m_lamp, pictures.size(0)));
         }
         return m_seen;
     }
@@ -112,7 +112,10 @@ cv::Mat reliefPx(ReliefReader& reader, const cv::Mat& rgb, Quality quality)
                     {margin + moved.x, margin + moved.y, tile.width, tile.height});
             }
             cv::Mat(sum / static_cast<double>(displacements.size())).copyTo(relief(tile));
-            if (side) contrastOf(wide({x + border, y + border, tile.width, tile.height})).copyTo(contrast(tile));
+            if (side)
+                contrastOf(wide({x, y, tile.width + 2 * border, tile.height + 2 * border}))(
+                    {border, border, tile.width, tile.height})
+                    .copyTo(contrast(tile));
         }
     const cv::Rect shown(0, 0, rgb.cols, rgb.rows);
     return side ? withToldShading(relief(shown), contrast(shown), *side) : relief(shown).clone();

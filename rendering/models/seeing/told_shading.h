@@ -7,10 +7,11 @@
 
 namespace rendering::models {
 
-/// Relief of the networks plus that of the shading. The standard deviation of the added relief is at most half of the networks',
-/// and less where little of the picture is shading. Slow parts and the deviation of the fast part (slow_relief.h) stay those of
-/// the networks. `reliefPx`: CV_32FC1, px; `contrast`: CV_32FC1 of the same size (linear_shading.h). Pictures below
-/// signals::shadingWindowPx are returned as they are.
+/// Relief of the networks plus that of the shading. The standard deviation of the added relief is at most half of the networks'.
+/// It is less where little of the picture is shading, and 0 where chance explains the shading. The slow part (slow_relief.h) and
+/// the deviation of the rest stay about those of the networks. `reliefPx`: CV_32FC1, px; `contrast`: CV_32FC1 of the same size
+/// (linear_shading.h); `lightDeg`: 0 right, 90 top, anticlockwise. Pictures below signals::shadingWindowPx are returned as they
+/// are.
 cv::Mat withToldShading(const cv::Mat& reliefPx, const cv::Mat& contrast, double lightDeg);
 
 }  // namespace rendering::models

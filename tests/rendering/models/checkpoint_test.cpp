@@ -1,4 +1,4 @@
-// A training run that is killed a hundred times while it writes its checkpoint.
+// A training run that is killed forty times while it writes its checkpoint.
 #include <QElapsedTimer>
 #include <QFile>
 #include <QProcess>
@@ -77,14 +77,15 @@ private Q_SLOTS:
         fabrics::makeProceduralFabrics(text("fabrics").toStdString(), options);
     }
 
-    void checkpointLoadsAfterAHundredKillsDuringItsWriting()
+    void checkpointLoadsAfterKillsDuringItsWriting()
     {
+        constexpr int kills = 40;
         static const QRegularExpression resumed("resumed at step (\\d+)");
         killedWhileWriting(false, 300000);
         for (const QString& file : unfinished()) QFile::remove(m_folder.filePath(file));
         QVERIFY(QFile::exists(text("model.safetensors") + ".checkpoint"));
         int last = 0, interrupted = 0;
-        for (int i = 0; i < 100; ++i) {
+        for (int i = 0; i < kills; ++i) {
             const QString output = killedWhileWriting(true, i * 37 % 1500);
             const QRegularExpressionMatch match = resumed.match(output);
             QVERIFY2(match.hasMatch(), qPrintable(QString("kill %1: %2").arg(i).arg(output)));
@@ -97,7 +98,8 @@ private Q_SLOTS:
         }
         // Some kills came after a whole checkpoint. How many depends on the load of the machine.
         QVERIFY2(last > 2, qPrintable(QString::number(last)));
-        QVERIFY2(interrupted > 30, qPrintable(QString("%1 of 100 kills fell into the writing").arg(interrupted)));
+        QVERIFY2(interrupted > kills / 4,
+                 qPrintable(QString("%1 of %2 kills fell into the writing").arg(interrupted).arg(kills)));
     }
 };
 

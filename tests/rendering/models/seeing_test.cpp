@@ -9,8 +9,10 @@
 #include "rendering/fabrics/sample_places.h"
 #include "rendering/images/image_io.h"
 #include "rendering/models/seeing/cloth_batches.h"
+#include "rendering/models/seeing/friction_target.h"
 #include "rendering/models/seeing/relief_losses.h"
 #include "rendering/models/seeing/seeing_weights.h"
+#include "rendering/models/seeing/seen_signals.h"
 #include "rendering/models/seeing/seen_texture.h"
 #include "rendering/models/seeing/shared_batch_norm.h"
 #include "rendering/models/seeing/told_lamp.h"
@@ -269,9 +271,54 @@ private Q_SLOTS:
         QVERIFY(std::abs(cv::mean(joined)[0] - cv::mean(seen)[0]) < 0.05);
         const cv::Rect small(0, 0, 63, 100);
         QCOMPARE(cv::norm(withToldShading(seen(small), contrast(small), 90), seen(small)), 0.0);
+        // Faint contrast is not made high.
+        const cv::Mat faint = withToldShading(1000 * seen, contrast, 90);
+        QVERIFY(cv::norm(faint - 1000 * seen) < 0.05 * cv::norm(fastOf(1000 * seen)));
         const cv::Mat even = cv::Mat::zeros(192, 192, CV_32F);
         QCOMPARE(cv::norm(withToldShading(seen, even, 90), seen), 0.0);
         QCOMPARE(cv::norm(withToldShading(even, contrast, 90), even), 0.0);
+    }
+
+    void reliefOfAPhotographHoldsTheShadingOfItsLamp_data()
+    {
+        QTest::addColumn<double>("light");
+        QTest::addColumn<int>("width");
+        for (const double light : {20.0, 110.0, 200.0, 290.0}) QTest::addRow("lamp at %g", light) << light << 256;
+        QTest::newRow("two tiles") << 110.0 << 1040;
+    }
+
+    void reliefOfAPhotographHoldsTheShadingOfItsLamp()
+    {
+        QFETCH(double, light);
+        QFETCH(int, width);
+        // Networks without training see nothing. So what correlates with the relief comes from the shading.
+        torch::manual_seed(6);
+        Architecture architecture;
+        architecture.sees = true;
+        setSpectrogramShape(architecture);
+        SeeingNetworks networks = makeSeeingNetworks(architecture);
+        setTraining(networks, false);
+        const cv::Mat height = bumpyCloth(width).height(cv::Rect(0, 0, width, 256));
+        cv::Mat right, down;
+        cv::Sobel(height, right, CV_32F, 1, 0, 1, 0.5);
+        cv::Sobel(height, down, CV_32F, 0, 1, 1, 0.5);
+        const double angle = light * std::numbers::pi / 180;
+        cv::Mat lit = 110 - 90 * (right * std::cos(angle) - down * std::sin(angle)), rgb;
+        lit.convertTo(lit, CV_8U);
+        cv::merge(std::vector<cv::Mat>{lit, lit, lit}, rgb);
+        InputPhotograph photograph{rgb, 0.05};
+        GenerationOptions options;
+        options.quality = Quality::Fast;
+        options.friction = false;
+        const auto match = [&](double lightDeg) {
+            photograph.lightDeg = lightDeg;
+            cv::Mat table;
+            cv::matchTemplate(seenSignals(networks, architecture, photograph, options).heightMm, height, table,
+                              cv::TM_CCOEFF_NORMED);
+            return table.at<float>(0);
+        };
+        const float here = match(light), opposite = match(light + 180);
+        QVERIFY2(here > 0.15F && here > opposite + 0.3F, qPrintable(QString("%1, %2").arg(here).arg(opposite)));
     }
 
     void scansArePhotographedAnewWithTheirSlopesAndWithoutFriction()

@@ -260,7 +260,7 @@ LinearShading linearShading(const cv::Mat& contrast, double lightDeg)
         power = {power.mean() * (1 - share), 2 * power.mean() * share};
     }
     cv::Mat wide;
-    cv::copyMakeBorder(contrast, wide, borderPx, borderPx, borderPx, borderPx, cv::BORDER_REFLECT_101);
+    cv::copyMakeBorder(contrast, wide, borderPx, borderPx, borderPx, borderPx, cv::BORDER_REFLECT_101 | cv::BORDER_ISOLATED);
     cv::Mat transform = fourierTransform(wide);
     invertShading(transform, wide.size(), lightDeg, rings);
     result.relief = inverseFourierTransform(transform, wide.cols)({borderPx, borderPx, contrast.cols, contrast.rows}).clone();

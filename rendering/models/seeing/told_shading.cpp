@@ -20,7 +20,7 @@ constexpr double mostTangent = 4;   ///< of the lamp's elevation: faint contrast
 cv::Mat slowPart(const cv::Mat& relief)
 {
     cv::Mat slow;
-    cv::GaussianBlur(relief, slow, {}, slowSigmaPx, slowSigmaPx, cv::BORDER_REPLICATE);
+    cv::GaussianBlur(relief, slow, {}, slowSigmaPx, slowSigmaPx, cv::BORDER_REPLICATE | cv::BORDER_ISOLATED);
     return slow;
 }
 
@@ -42,6 +42,7 @@ cv::Mat withToldShading(const cv::Mat& reliefPx, const cv::Mat& contrast, double
     if (!(ofShading > 0)) return reliefPx.clone();
     const double trust = std::clamp((shading.shadingShare - shading.chanceShare) / wholeShare, 0.0, 1.0);
     const double weight = std::min(mostTangent, mostShading * trust * ofNetworks / ofShading);
+    if (!(weight > 0)) return reliefPx.clone();
     const cv::Mat joined = fast + weight * added;
     const double ofJoined = deviation(joined);
     if (!(ofJoined > 0)) return reliefPx.clone();

@@ -274,6 +274,11 @@ private Q_SLOTS:
         // Faint contrast is not made high.
         const cv::Mat faint = withToldShading(1000 * seen, contrast, 90);
         QVERIFY(cv::norm(faint - 1000 * seen) < 0.05 * cv::norm(fastOf(1000 * seen)));
+        // What lies beside a part of a picture does not count.
+        const cv::Rect part(10, 12, 176, 170);
+        QCOMPARE(cv::norm(withToldShading(seen(part), contrast(part), 90),
+                          withToldShading(seen(part).clone(), contrast(part).clone(), 90)),
+                 0.0);
         const cv::Mat even = cv::Mat::zeros(192, 192, CV_32F);
         QCOMPARE(cv::norm(withToldShading(seen, even, 90), seen), 0.0);
         QCOMPARE(cv::norm(withToldShading(even, contrast, 90), even), 0.0);

@@ -11,12 +11,16 @@ namespace {
 /// Below this variance (px^2) a map counts as flat, so that flat cloth gives no infinite loss.
 constexpr double flatVariance = 1e-4;
 
-torch::Tensor slowKernel()
+/// [length, length]: takes the Gaussian mean along an axis, whose ends are repeated. A matrix, because a convolution with so many
+/// taps is slow.
+torch::Tensor slowMeans(std::int64_t length)
 {
     constexpr int reach = static_cast<int>(2.5 * slowSigmaPx);
     const torch::Tensor place = torch::arange(2 * reach + 1) - static_cast<double>(reach);
     const torch::Tensor weights = torch::exp(-place.square() / (2 * slowSigmaPx * slowSigmaPx));
-    return weights / weights.sum();
+    const torch::Tensor wide = torch::nn::functional::pad(
+        torch::eye(length).unsqueeze(0), torch::nn::functional::PadFuncOptions({reach, reach}).mode(torch::kReplicate));
+    return torch::conv1d(wide.transpose(0, 1), (weights / weights.sum()).view({1, 1, -1})).squeeze(1).t().contiguous();
 }
 
 /// Mean of each map, [N]. `mask`: [N, 1, H, W], 1 where a point counts; undefined where all do.
@@ -76,11 +80,7 @@ torch::Tensor correlationOf(const torch::Tensor& a, const torch::Tensor& b, cons
 
 torch::Tensor slowPart(const torch::Tensor& maps)
 {
-    const torch::Tensor kernel = slowKernel();
-    const std::int64_t taps = kernel.size(0), reach = taps / 2;
-    const torch::Tensor wide = torch::nn::functional::pad(
-        maps, torch::nn::functional::PadFuncOptions({reach, reach, reach, reach}).mode(torch::kReplicate));
-    return torch::conv2d(torch::conv2d(wide, kernel.view({1, 1, 1, taps})), kernel.view({1, 1, taps, 1}));
+    return torch::matmul(torch::matmul(slowMeans(maps.size(2)), maps), slowMeans(maps.size(3)).t());
 }
 
 /// Without the slow part of the points that count; 0 elsewhere.

@@ -167,6 +167,12 @@ private Q_SLOTS:
     {
         QVERIFY(number(withoutSlowPart(wave(8, 1)).square().mean()) > 0.45);
         QVERIFY(number(withoutSlowPart(wave(640, 1)).narrow(3, 32, 64).square().mean()) < 1e-3);
+        torch::manual_seed(8);
+        const torch::Tensor map = torch::randn({1, 1, 96, 128}).contiguous();
+        cv::Mat slow, known(96, 128, CV_32F, map.data_ptr<float>());
+        cv::GaussianBlur(known, slow, {81, 81}, slowSigmaPx, slowSigmaPx, cv::BORDER_REPLICATE);
+        slow = known - slow;
+        QVERIFY(torch::allclose(withoutSlowPart(map), torch::from_blob(slow.data, {1, 1, 96, 128}), 1e-3, 1e-4));
         QVERIFY(number(reliefCorrelation(wave(8, 1), wave(8, 0.2) + wave(640, 2))) > 0.97);
         QVERIFY(number(reliefCorrelation(wave(8, 1), -wave(8, 1))) < -0.999);
     }

@@ -12,7 +12,8 @@
 // the long runs.
 //
 // A reader may return or refuse with protocols::Error. A crash, a report of a sanitizer, any other exception, and an input that
-// takes more than 5 s of the processor or 60 s in all end the run with exit code 1. The input is kept, and its name is printed.
+// takes more than 5 s of the processor or 60 s in all (pauses do not count) end the run with exit code 1. The input is kept, and
+// its name is printed.
 #include <fcntl.h>
 #include <sanitizer/common_interface_defs.h>
 #include <sys/time.h>
@@ -69,21 +70,30 @@ void keepPresent()
     present = nullptr;
 }
 
-void endSlowInput(int signal)
+[[noreturn]] void endSlowInput(unsigned seconds, const char* ofWhat)
 {
-    const bool isWork = signal == SIGPROF;
-    std::fprintf(stderr, "fuzz: an input took longer than %u s%s\n", isWork ? longestWorkS : longestInputS,
-                 isWork ? " of the processor" : "");
+    std::fprintf(stderr, "fuzz: an input took longer than %u s%s\n", seconds, ofWhat);
     keepPresent();
     std::_Exit(1);
 }
 
-/// 0 for both: no limit.
-void limit(unsigned workS, unsigned inputS)
+void endOfWork(int) { endSlowInput(longestWorkS, " of the processor"); }
+
+// Seconds of the present input. A process that is paused, or waits for its turn, misses signals; so this time does not count.
+volatile std::sig_atomic_t inputSeconds = 0;
+
+void countSecond(int)
 {
-    const itimerval work{{0, 0}, {static_cast<time_t>(workS), 0}};
+    inputSeconds = inputSeconds + 1;
+    if (inputSeconds >= static_cast<int>(longestInputS)) endSlowInput(longestInputS, "");
+}
+
+void limitInput(bool on)
+{
+    inputSeconds = 0;
+    const itimerval work{{0, 0}, {on ? longestWorkS : 0, 0}}, each{{on, 0}, {on, 0}};
     ::setitimer(ITIMER_PROF, &work, nullptr);
-    ::alarm(inputS);
+    ::setitimer(ITIMER_REAL, &each, nullptr);
 }
 
 enum class Outcome { Taken, Refused };
@@ -91,7 +101,7 @@ enum class Outcome { Taken, Refused };
 Outcome outcomeOf(const fuzz::Reader& reader, const std::string& bytes)
 {
     present = &bytes;
-    limit(longestWorkS, longestInputS);
+    limitInput(true);
     Outcome outcome = Outcome::Taken;
     try {
         reader.read(bytes);
@@ -102,7 +112,7 @@ Outcome outcomeOf(const fuzz::Reader& reader, const std::string& bytes)
         keepPresent();
         std::_Exit(1);
     }
-    limit(0, 0);
+    limitInput(false);
     present = nullptr;
     return outcome;
 }
@@ -295,8 +305,8 @@ int main(int argc, char** argv)
         return 2;
     }
     __sanitizer_set_death_callback(keepPresent);
-    std::signal(SIGALRM, endSlowInput);
-    std::signal(SIGPROF, endSlowInput);
+    std::signal(SIGALRM, countSecond);
+    std::signal(SIGPROF, endOfWork);
     if (call->isAll) return runAll(*call, argv[0]);
     if (call->owed) return showOwed(*call);
     if (!call->isList) return runReader(*call);

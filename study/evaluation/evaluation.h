@@ -45,6 +45,7 @@ struct PredictorResult {
     Predictor predictor;
     std::vector<FabricValues> fabrics;
     Values mean;                  ///< means over fabrics
+    Intervals ci95;               ///< 95 % intervals of the means; the unit is the fabric
     MeanComparison friction, sq;  ///< comparison with the measured means
 };
 

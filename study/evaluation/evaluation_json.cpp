@@ -41,6 +41,20 @@ void putValues(Json& json, const Values& values)
     for (const MeasureRow& row : measureTable()) put(json, row.field, at(values, row.measure));
 }
 
+/// Two numbers for each measure, or null and a reason.
+Json intervalsJson(const Intervals& intervals)
+{
+    Json json = Json::object();
+    for (const MeasureRow& row : measureTable()) {
+        const stats::Interval& interval = at(intervals, row.measure);
+        const std::string field(row.field);
+        const bool exists = interval.low.exists() && interval.high.exists();
+        json[field] = exists ? Json{*interval.low, *interval.high} : Json(nullptr);
+        if (!exists) json["why"][field] = interval.low.exists() ? interval.high.why() : interval.low.why();
+    }
+    return json;
+}
+
 Json meansJson(const std::string& measure, const MeanComparison& means)
 {
     const stats::EquivalenceTest& test = means.equivalence;
@@ -60,6 +74,7 @@ Json predictorJson(const PredictorResult& predictor)
 {
     Json json{{"id", predictor.predictor.id}, {"name", predictor.predictor.name}};
     putValues(json, predictor.mean);
+    json["ci95"] = intervalsJson(predictor.ci95);
     if (predictor.predictor.kind != PredictorKind::Measured)
         json["equal_means"] = {meansJson("mean_friction", predictor.friction), meansJson("sq_mm", predictor.sq)};
     json["fabrics"] = Json::array();

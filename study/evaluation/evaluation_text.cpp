@@ -72,6 +72,20 @@ bool hasAny(const PredictorResult& predictor, Section section)
                        [&](const MeasureRow& row) { return row.section == section && at(predictor.mean, row.measure).exists(); });
 }
 
+/// The 95 % intervals of a model's means, below them.
+Line intervalLine(const PredictorResult& predictor, Section section)
+{
+    Line line{"  95 % interval over fabrics"};
+    for (const MeasureRow& row : measureTable())
+        if (row.section == section) {
+            const stats::Interval& interval = at(predictor.ci95, row.measure);
+            line.push_back(interval.low.exists() && interval.high.exists()
+                               ? formatted(interval.low, row.format) + " to " + formatted(interval.high, row.format)
+                               : "-");
+        }
+    return line;
+}
+
 /// Table of one section with one row for each predictor. The reasons for missing values follow below.
 std::string sectionTable(const Evaluation& evaluation, const TitledSection& section)
 {
@@ -94,6 +108,8 @@ std::string sectionTable(const Evaluation& evaluation, const TitledSection& sect
                 if (!value.exists()) reasons.insert(value.why());
             }
         lines.push_back(line);
+        if (predictor.predictor.kind == PredictorKind::Generated || predictor.predictor.kind == PredictorKind::Against)
+            lines.push_back(intervalLine(predictor, section.section));
     }
     std::string text = title(evaluation, section.title) + table(lines) + meanings;
     for (const std::string& reason : reasons) text += "    -: " + reason + "\n";

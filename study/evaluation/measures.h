@@ -51,8 +51,13 @@ const std::array<MeasureRow, measureCount>& measureTable();
 const MeasureRow& rowOf(Measure measure);
 
 using Values = std::array<stats::Value, measureCount>;
+using Intervals = std::array<stats::Interval, measureCount>;
 
 inline stats::Value& at(Values& values, Measure measure) { return values[static_cast<std::size_t>(measure)]; }
+inline const stats::Interval& at(const Intervals& intervals, Measure measure)
+{
+    return intervals[static_cast<std::size_t>(measure)];
+}
 inline const stats::Value& at(const Values& values, Measure measure) { return values[static_cast<std::size_t>(measure)]; }
 
 }  // namespace study::evaluation

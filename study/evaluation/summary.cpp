@@ -1,21 +1,31 @@
 #include "study/evaluation/summary.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "stats/kernels/descriptive.h"
+#include "stats/tests/binomial.h"
 
 namespace study::evaluation {
 
 namespace {
 
+std::vector<stats::Value> valuesOf(const std::vector<const Values*>& all, Measure measure)
+{
+    std::vector<stats::Value> values;
+    for (const Values* one : all) values.push_back(at(*one, measure));
+    return values;
+}
+
 Values averages(const std::vector<const Values*>& all)
 {
     Values result;
-    for (const MeasureRow& row : measureTable()) {
-        std::vector<stats::Value> values;
-        for (const Values* one : all) values.push_back(at(*one, row.measure));
-        at(result, row.measure) = averageOf(row.measure, values);
-    }
+    for (const MeasureRow& row : measureTable()) at(result, row.measure) = averageOf(row.measure, valuesOf(all, row.measure));
     return result;
 }
+
+/// Whether the measure is a share of fabrics or pairs.
+bool isShare(Measure measure) { return measure == Measure::FrictionCovered || rowOf(measure).section == Section::Identification; }
 
 }  // namespace
 
@@ -37,9 +47,25 @@ stats::Value averageOf(Measure measure, std::span<const stats::Value> values)
     return geometric ? std::exp(sum / count) : sum / count;
 }
 
+stats::Interval intervalOf(Measure measure, std::span<const stats::Value> values)
+{
+    const bool geometric = rowOf(measure).averaging == Averaging::Geometric;
+    std::vector<double> numbers;
+    for (const stats::Value& value : values)
+        if (value.exists()) numbers.push_back(geometric ? std::log(*value) : *value);
+    const auto isWhole = [](double number) { return number == 0 || number == 1; };
+    if (isShare(measure) && numbers.size() > 1 && std::ranges::all_of(numbers, isWhole))
+        return stats::wilsonInterval(std::ranges::count(numbers, 1.0), std::ssize(numbers));
+    stats::Interval interval = stats::describe(numbers).ci95;
+    if (!interval.low.exists()) return interval;
+    if (geometric) return {std::exp(*interval.low), std::exp(*interval.high)};
+    if (isShare(measure)) return {std::max(0.0, *interval.low), std::min(1.0, *interval.high)};
+    return interval;
+}
+
 PredictorResult summarise(const Predictor& predictor, const TestPlan& plan, const std::vector<Values>& ofPairs)
 {
-    PredictorResult result{predictor, {}, {}, {}, {}};
+    PredictorResult result{predictor, {}, {}, {}, {}, {}};
     for (std::size_t fabric = 0; fabric < plan.fabrics.size(); ++fabric) {
         std::vector<const Values*> own;
         for (std::size_t i = 0; i < plan.pairs.size(); ++i)
@@ -49,6 +75,8 @@ PredictorResult summarise(const Predictor& predictor, const TestPlan& plan, cons
     std::vector<const Values*> all;
     for (const FabricValues& fabric : result.fabrics) all.push_back(&fabric.values);
     result.mean = averages(all);
+    for (const MeasureRow& row : measureTable())
+        result.ci95[static_cast<std::size_t>(row.measure)] = intervalOf(row.measure, valuesOf(all, row.measure));
     return result;
 }
 

@@ -1,7 +1,7 @@
 #include "study/evaluation/surfaces.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgproc.hpp>
@@ -13,6 +13,7 @@
 #include "rendering/models/model_card_fields.h"
 #include "rendering/signals/grey.h"
 #include "rendering/signals/shape_from_shading.h"
+#include "stats/kernels/descriptive.h"
 #include "study/evaluation/pixel_ridge.h"
 
 namespace study::evaluation {
@@ -132,35 +133,91 @@ SurfaceRow rowOf(const fabrics::Dataset& dataset, const fabrics::FabricInfo& fab
     return row;
 }
 
-std::string cell(const std::optional<double>& value)
+std::optional<double> valueOf(const SurfaceRow& row, SeenRelief source, bool isAt4Mm)
 {
-    const std::string text = value ? protocols::fixed(*value, 2) : "-";
-    return std::string(text.size() < 12 ? 12 - text.size() : 1, ' ') + text;
+    const SurfaceCorrelation& one = row.correlations.at(static_cast<std::size_t>(source));
+    return isAt4Mm ? one.at4Mm : std::optional(one.at16Px);
+}
+
+constexpr std::size_t cellWidth = 15;
+
+std::string cell(const std::string& text) { return std::string(cellWidth - std::min(cellWidth - 1, text.size()), ' ') + text; }
+
+std::string text(const std::optional<double>& value) { return value ? protocols::fixed(*value, 2) : "-"; }
+std::string text(const stats::Value& value) { return text(value.exists() ? std::optional(*value) : std::nullopt); }
+std::string text(const stats::Interval& ci95)
+{
+    return ci95.low.exists() && ci95.high.exists() ? text(ci95.low) + " to " + text(ci95.high) : "-";
+}
+
+/// One line of the table: its name and a cell for each source.
+std::string line(std::string name, const std::function<std::string(SeenRelief)>& cellOf)
+{
+    name.resize(std::max<std::size_t>(name.size(), 34), ' ');
+    for (const SeenRelief source : allSeenReliefs) name += cell(cellOf(source));
+    return name + "\n";
 }
 
 std::string linesOf(const std::vector<const SurfaceRow*>& rows, bool isAt4Mm)
 {
-    const auto value = [&](const SurfaceCorrelation& one) { return isAt4Mm ? one.at4Mm : std::optional(one.at16Px); };
-    std::string text = std::string("  high-passed at ") + (isAt4Mm ? "4 mm" : "16 px") + std::string(isAt4Mm ? 13 : 12, ' ');
-    for (const SeenRelief source : allSeenReliefs) {
-        const std::string name = nameOf(source);
-        text += std::string(12 - name.size(), ' ') + name;
+    std::string lines =
+        line(std::string("  high-passed at ") + (isAt4Mm ? "4 mm" : "16 px"), [](SeenRelief source) { return nameOf(source); });
+    for (const SurfaceRow* row : rows)
+        lines += line("  " + row->fabric.value + " " + row->name,
+                      [&](SeenRelief source) { return text(valueOf(*row, source, isAt4Mm)); });
+    const auto summary = [&](SeenRelief source) { return summaryOf(rows, source, isAt4Mm); };
+    const auto ofOthers = [](SeenRelief source, const std::string& entry) {
+        return source == SeenRelief::Generated ? std::string() : entry;
+    };
+    lines += line("  mean", [&](SeenRelief source) { return text(summary(source).mean); });
+    lines += line("    95 % interval over fabrics", [&](SeenRelief source) { return text(summary(source).ci95); });
+    lines +=
+        line("  generated minus it", [&](SeenRelief source) { return ofOthers(source, text(summary(source).generatedAbove)); });
+    lines += line("    95 % interval over fabrics",
+                  [&](SeenRelief source) { return ofOthers(source, text(summary(source).generatedAboveCi95)); });
+    lines += line("    above it", [&](SeenRelief source) {
+        const SourceSummary one = summary(source);
+        return ofOthers(source, std::to_string(one.fabricsBelow) + " of " + std::to_string(one.fabrics));
+    });
+    return lines;
+}
+
+/// The rows of each light, in the order of the report.
+std::vector<std::vector<const SurfaceRow*>> byLight(const SurfaceReport& surfaces)
+{
+    std::vector<std::vector<const SurfaceRow*>> lights;
+    for (const SurfaceRow& row : surfaces.rows) {
+        if (lights.empty() || lights.back().front()->light != row.light) lights.emplace_back();
+        lights.back().push_back(&row);
     }
-    text += "\n";
-    std::vector<double> sums(std::size(allSeenReliefs));
-    for (const SurfaceRow* row : rows) {
-        std::string name = row->fabric.value + " " + row->name;
-        name.resize(32, ' ');
-        text += "  " + name;
-        for (std::size_t source = 0; source < sums.size(); ++source) {
-            text += cell(value(row->correlations[source]));
-            sums[source] += value(row->correlations[source]).value_or(0) / double(rows.size());
+    return lights;
+}
+
+nlohmann::ordered_json numberJson(const stats::Value& value) { return value.exists() ? nlohmann::ordered_json(*value) : nullptr; }
+
+nlohmann::ordered_json meanJson(const stats::Value& mean, const stats::Interval& ci95)
+{
+    nlohmann::ordered_json json{{"mean", numberJson(mean)}, {"ci95", {numberJson(ci95.low), numberJson(ci95.high)}}};
+    if (!mean.exists()) json["why"]["mean"] = mean.why();
+    if (!ci95.low.exists()) json["why"]["ci95"] = ci95.low.why();
+    return json;
+}
+
+nlohmann::ordered_json meansJson(const std::vector<const SurfaceRow*>& rows)
+{
+    nlohmann::ordered_json json{{"light", rows.front()->light}, {"unit", "fabric"}};
+    for (const SeenRelief source : allSeenReliefs)
+        for (const bool isAt4Mm : {false, true}) {
+            const SourceSummary one = summaryOf(rows, source, isAt4Mm);
+            nlohmann::ordered_json entry = meanJson(one.mean, one.ci95);
+            entry["fabrics"] = one.fabrics;
+            if (source != SeenRelief::Generated) {
+                entry["generated_minus"] = meanJson(one.generatedAbove, one.generatedAboveCi95);
+                entry["generated_minus"]["fabrics_above"] = one.fabricsBelow;
+            }
+            json[nameOf(source)][isAt4Mm ? "at_4_mm" : "at_16_px"] = entry;
         }
-        text += "\n";
-    }
-    text += "  mean" + std::string(28, ' ');
-    for (const double sum : sums) text += cell(sum);
-    return text + "\n";
+    return json;
 }
 
 }  // namespace
@@ -178,6 +235,28 @@ std::string nameOf(SeenRelief source)
             return "ridge";
     }
     return {};
+}
+
+SourceSummary summaryOf(const std::vector<const SurfaceRow*>& rows, SeenRelief source, bool isAt4Mm)
+{
+    if (source == SeenRelief::Ridge && rows.size() < 2) {
+        const auto none = stats::Value::undefined("there is no other fabric to learn from");
+        return {none, {none, none}, none, {none, none}};
+    }
+    std::vector<double> values, above;
+    for (const SurfaceRow* row : rows) {
+        const auto value = valueOf(*row, source, isAt4Mm), generated = valueOf(*row, SeenRelief::Generated, isAt4Mm);
+        if (!value || !generated) continue;
+        values.push_back(*value);
+        above.push_back(*generated - *value);
+    }
+    const stats::Description own = stats::describe(values), difference = stats::describe(above);
+    return {own.mean,
+            own.ci95,
+            difference.mean,
+            difference.ci95,
+            static_cast<int>(values.size()),
+            static_cast<int>(std::ranges::count_if(above, [](double one) { return one > 0; }))};
 }
 
 bool hasSurfaces(const fabrics::Dataset& dataset)
@@ -236,7 +315,13 @@ nlohmann::ordered_json surfacesJson(const SurfaceReport& surfaces)
         }
         rows.push_back(entry);
     }
-    return {{"schema", "vis2hap.evaluation/1"}, {"dataset", surfaces.dataset}, {"model", surfaces.model}, {"surfaces", rows}};
+    nlohmann::ordered_json means = nlohmann::ordered_json::array();
+    for (const auto& light : byLight(surfaces)) means.push_back(meansJson(light));
+    return {{"schema", "vis2hap.evaluation/1"},
+            {"dataset", surfaces.dataset},
+            {"model", surfaces.model},
+            {"surfaces", rows},
+            {"surface_means", means}};
 }
 
 std::string surfacesText(const SurfaceReport& surfaces)
@@ -244,16 +329,11 @@ std::string surfacesText(const SurfaceReport& surfaces)
     std::string text = "Relief of photographs against the surface that they show: model \"" + surfaces.model + "\" on \"" +
                        surfaces.dataset +
                        "\"\n  correlation pixel by pixel; ridge: 15 x 15 pixels, fitted on the other fabrics\n";
-    std::vector<std::string> lights;
-    for (const SurfaceRow& row : surfaces.rows)
-        if (lights.empty() || lights.back() != row.light) lights.push_back(row.light);
-    for (const std::string& light : lights) {
-        std::vector<const SurfaceRow*> rows;
-        for (const SurfaceRow& row : surfaces.rows)
-            if (row.light == light) rows.push_back(&row);
-        text += "\n" + (light.empty() ? std::string("light unknown") : light) + ", " + std::to_string(rows.front()->photographs) +
-                " photographs of each fabric" + (rows.front()->lampTold ? ", the side of the lamp is told" : "") + "\n" +
-                linesOf(rows, false) + linesOf(rows, true);
+    for (const auto& rows : byLight(surfaces)) {
+        const SurfaceRow& first = *rows.front();
+        text += "\n" + (first.light.empty() ? std::string("light unknown") : first.light) + ", " +
+                std::to_string(first.photographs) + " photographs of each fabric" +
+                (first.lampTold ? ", the side of the lamp is told" : "") + "\n" + linesOf(rows, false) + linesOf(rows, true);
     }
     return text;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "stats/kernels/value.h"
 #include "study/evaluation/evaluation.h"
 
 namespace study::evaluation {
@@ -32,10 +33,22 @@ struct SurfaceRow {
     std::vector<SurfaceCorrelation> correlations;  ///< in the order of allSeenReliefs; Ridge is 0 without other fabrics
 };
 
+/// A source of relief over the fabrics of one light.
+struct SourceSummary {
+    stats::Value mean;
+    stats::Interval ci95;         ///< Student's t over fabrics; undefined with one fabric
+    stats::Value generatedAbove;  ///< mean over fabrics of the generated relief's correlation minus this one's
+    stats::Interval generatedAboveCi95;
+    int fabrics = 0, fabricsBelow = 0;  ///< with a correlation; with one below that of the generated relief
+};
+
 struct SurfaceReport {
     std::string dataset, model;
     std::vector<SurfaceRow> rows;  ///< by light, then in the order of the fabrics
 };
+
+/// One source over `rows`, high-passed at 16 px or at 4 mm. Fabrics without a known scale have no correlation at 4 mm.
+SourceSummary summaryOf(const std::vector<const SurfaceRow*>& rows, SeenRelief source, bool isAt4Mm);
 
 /// True where a photograph has its surface.
 bool hasSurfaces(const rendering::fabrics::Dataset& dataset);
@@ -46,7 +59,7 @@ bool hasSurfaces(const rendering::fabrics::Dataset& dataset);
 SurfaceReport evaluateSurfaces(const rendering::fabrics::Dataset& dataset, const EvaluationRequest& request,
                                const Report& report = {}, const Generate& generate = rendering::models::generate);
 
-/// The report as JSON, schema vis2hap.evaluation/1.
+/// The report as JSON, schema vis2hap.evaluation/1: "surfaces" has the fabrics, "surface_means" the means of each light.
 nlohmann::ordered_json surfacesJson(const SurfaceReport& surfaces);
 std::string surfacesText(const SurfaceReport& surfaces);
 

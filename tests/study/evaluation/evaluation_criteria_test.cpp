@@ -13,7 +13,7 @@ namespace {
 
 PredictorResult predictor(PredictorKind kind, const std::string& name, double badness)
 {
-    PredictorResult result{{kind, name, name, kind == PredictorKind::Against ? 1u : 0u}, {}, {}, {}, {}};
+    PredictorResult result{{kind, name, name, kind == PredictorKind::Against ? 1u : 0u}, {}, {}, {}, {}, {}};
     for (int i = 1; i <= 3; ++i) result.fabrics.push_back({protocols::FabricId("F0" + std::to_string(i)), 4, {}});
     for (const MeasureRow& row : measureTable()) {
         const bool larger = row.better == Better::Larger;

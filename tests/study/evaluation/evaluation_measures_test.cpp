@@ -232,6 +232,25 @@ private Q_SLOTS:
         QCOMPARE(result.fabrics[0].pairs, 3);
     }
 
+    /// Expected numbers: the formulas of Student and Wilson, computed in Python.
+    void meansHaveIntervalsOverFabrics()
+    {
+        const auto interval = [](Measure measure, const std::vector<stats::Value>& values) {
+            return intervalOf(measure, values);
+        };
+        const auto isNear = [](const stats::Interval& found, double low, double high) {
+            return std::abs(*found.low - low) < 1e-4 && std::abs(*found.high - high) < 1e-4;
+        };
+        const auto none = stats::Value::undefined("none here");
+        QVERIFY(isNear(interval(Measure::FrictionMae, {1.0, 3.0, none, 2.5}), -0.4189, 4.7522));
+        QVERIFY(isNear(interval(Measure::SqRatio, {1.0, 4.0, 2.0}), 0.3575, 11.1900));  // of the logarithms
+        QVERIFY(isNear(interval(Measure::FrictionCovered, {1.0, 1.0, 0.0, 1.0}), 0.3006, 0.9544));
+        QVERIFY(isNear(interval(Measure::IdentifiedByBoth, {1.0, 1.0, 1.0}), 0.4385, 1));
+        QVERIFY(isNear(interval(Measure::IdentifiedByBoth, {1.0, 0.5, 1.0}), 0.1162, 1));  // several pairs of a fabric
+        QVERIFY(!interval(Measure::FrictionMae, {1.0, none}).low.exists());
+        QVERIFY(!interval(Measure::FrictionMae, {}).high.exists());
+    }
+
     void equalMeansAreShownByEquivalenceNotByALargeP()
     {
         PredictorResult measured, close, wild;

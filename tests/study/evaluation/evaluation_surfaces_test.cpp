@@ -108,6 +108,42 @@ private Q_SLOTS:
         QCOMPARE(json.at("surfaces").at(0).at("lamp_told").get<bool>(), false);
     }
 
+    /// Expected numbers: Student's t, computed in Python, also of the differences.
+    void meansOverFabricsHaveIntervals()
+    {
+        std::vector<SurfaceRow> rows;
+        const auto add = [&](double generated, double ridge, std::optional<double> at4Mm) {
+            rows.push_back({FabricId("F0" + std::to_string(rows.size() + 1)), "cloth", "colour", 1, false, {}});
+            rows.back().correlations = {{generated, at4Mm}, {}, {}, {ridge, at4Mm}};
+        };
+        add(0.5, 0.4, 0.3);
+        add(0.7, 0.3, std::nullopt);
+        add(0.6, 0.65, std::nullopt);
+        std::vector<const SurfaceRow*> all{&rows[0], &rows[1], &rows[2]};
+        const SourceSummary own = summaryOf(all, SeenRelief::Generated, false), ridge = summaryOf(all, SeenRelief::Ridge, false);
+        const auto isNear = [](const stats::Interval& found, double low, double high) {
+            return std::abs(*found.low - low) < 1e-4 && std::abs(*found.high - high) < 1e-4;
+        };
+        QCOMPARE(*own.mean, 0.6);
+        QVERIFY(isNear(own.ci95, 0.3516, 0.8484));
+        QVERIFY(isNear(ridge.generatedAboveCi95, -0.4192, 0.7192));
+        QCOMPARE(ridge.fabricsBelow, 2);
+        QCOMPARE(ridge.fabrics, 3);
+        const SourceSummary at4Mm = summaryOf(all, SeenRelief::Generated, true);
+        QCOMPARE(at4Mm.fabrics, 1);
+        QVERIFY(*at4Mm.mean == 0.3 && !at4Mm.ci95.low.exists());
+        QVERIFY(!summaryOf({&rows[0]}, SeenRelief::Ridge, false).mean.exists());
+
+        SurfaceReport report{"scans", "model", rows};
+        const QString text = QString::fromStdString(surfacesText(report));
+        QVERIFY2(text.contains("0.35 to 0.85") && text.contains("-0.42 to 0.72") && text.contains("2 of 3"), qPrintable(text));
+        const auto json = surfacesJson(report).at("surface_means").at(0);
+        QCOMPARE(json.at("light").get<std::string>(), std::string("colour"));
+        QCOMPARE(json.at("ridge").at("at_16_px").at("generated_minus").at("fabrics_above").get<int>(), 2);
+        QVERIFY(json.at("generated").at("at_4_mm").at("ci95").at(0).is_null());
+        QVERIFY(!json.at("generated").at("at_4_mm").at("why").at("ci95").get<std::string>().empty());
+    }
+
     void onlyTheOneLampIsTold()
     {
         makeSet(2, {});

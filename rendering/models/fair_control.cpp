@@ -10,18 +10,23 @@ namespace {
 /// An option of `train` that only the training command of a card records.
 struct CommandOption {
     const char* name;
-    const char* usual;  ///< value where the command does not name the option
+    const char *usual, *usualDrawn;  ///< values where the command does not name the option: of `train DATASET`, of `--drawn`
     const char* difference;
 };
-constexpr CommandOption commandOptions[] = {{"--batch", "8", "another batch"},
-                                            {"--learning-rate", "0.001", "another learning rate"}};
+constexpr CommandOption commandOptions[] = {{"--batch", "8", "8", "another batch"},
+                                            {"--learning-rate", "0.001", "0.002", "another learning rate"}};
+
+const char* usualOf(const CommandOption& option, const ModelCardFields& card)
+{
+    return card.architecture.sees ? option.usualDrawn : option.usual;
+}
 
 std::string valueOf(const CommandOption& option, const ModelCardFields& card)
 {
     std::istringstream words(card.summary.trainingCommand);
     for (std::string word; words >> word;)
         if (word == option.name && words >> word) return word;
-    return option.usual;
+    return usualOf(option, card);
 }
 
 /// 6000 becomes "6,000".
@@ -53,6 +58,8 @@ std::vector<std::string> trainingDifferences(const ModelCardFields& model, const
     const auto unlike = [&](bool different, const char* what) {
         if (different) differences.emplace_back(what);
     };
+    unlike(model.architecture.sees != control.architecture.sees, "other networks");
+    unlike(model.fromHash != control.fromHash, "another model to start from");
     unlike(model.datasetHash != control.datasetHash, "another data set");
     unlike(model.split != control.split || model.splitSeed != control.splitSeed, "another split");
     unlike(joined(model.heldOut) != joined(control.heldOut), "other fabrics held out");
@@ -67,15 +74,18 @@ std::vector<std::pair<std::string, std::string>> controlOptions(const ModelCardF
 {
     std::vector<std::pair<std::string, std::string>> options{{"--l1-only", ""},
                                                              {"--steps", std::to_string(model.steps)},
-                                                             {"--patience", std::to_string(std::max(1, model.steps))},
                                                              {"--seed", std::to_string(model.seed)},
-                                                             {"--split", model.split},
-                                                             {"--split-seed", std::to_string(model.splitSeed)},
                                                              {"--channels", std::to_string(model.architecture.baseChannels)},
                                                              {"--crop", std::to_string(model.architecture.crop)}};
+    if (!model.architecture.sees) {  // Drawn fabrics are not split, and their training does not stop early.
+        options.emplace_back("--patience", std::to_string(std::max(1, model.steps)));
+        options.emplace_back("--split", model.split);
+        options.emplace_back("--split-seed", std::to_string(model.splitSeed));
+    }
     if (!model.heldOut.empty()) options.emplace_back("--hold-out", joined(model.heldOut));
     for (const CommandOption& option : commandOptions)
-        if (const std::string value = valueOf(option, model); value != option.usual) options.emplace_back(option.name, value);
+        if (const std::string value = valueOf(option, model); value != usualOf(option, model))
+            options.emplace_back(option.name, value);
     return options;
 }
 

@@ -74,14 +74,30 @@ struct TrainCall {
     JsonTarget json;
 };
 
-/// Options that a control takes from its model, so that both are trained alike.
-std::vector<std::string> optionsOfControl(const TrainCall& call)
+/// Refuses a model whose control could not be trained as it was.
+void requireSameTraining(const TrainCall& call, const rendering::models::ModelCardFields& model)
 {
-    const auto model = rendering::models::readModelCardFields(call.controlOf);
+    if (call.drawn) {
+        if (!model.architecture.sees || !model.datasetHash.empty() || !model.fromHash.empty())
+            throw protocols::badInput({"the model was not trained on drawn fabrics alone, from new networks", call.controlOf,
+                                       "a model of `vis2hap train --drawn` without --scans and --from",
+                                       "name such a model, or name its data set instead of --drawn"});
+        return;
+    }
+    if (model.architecture.sees)
+        throw protocols::badInput({"the model was trained on drawn fabrics", call.controlOf, "a model of this data set",
+                                   "give --drawn instead of the data set"});
     if (rendering::fabrics::hashOf(rendering::fabrics::readDataset(call.dataset)) != model.datasetHash)
         throw protocols::badInput({"the model was trained on another data set, so this would not be a fair control", call.dataset,
                                    "the data set \"" + model.datasetName + "\" of " + call.controlOf,
                                    "name that data set, or train a control with --l1-only and your own --steps"});
+}
+
+/// Options that a control takes from its model, so that both are trained alike.
+std::vector<std::string> optionsOfControl(const TrainCall& call)
+{
+    const auto model = rendering::models::readModelCardFields(call.controlOf);
+    requireSameTraining(call, model);
     std::vector<std::string> arguments;
     for (const auto& [name, value] : rendering::models::controlOptions(model)) {
         arguments.push_back(name);
@@ -226,9 +242,11 @@ void addTrain(CLI::App& app, Action& action)
         command->add_option("--steps", call->steps, "training steps (default 5000); the same number gives the same weights");
     command->add_option("--minutes", call->minutes, "minutes of training instead of a number of steps")->excludes(steps);
     for (PassedOption& one : call->passed) command->add_option(one.name, one.value, one.meaning);
-    auto* reference = command->add_flag("--reference", call->reference, "use the losses of the paper");
-    auto* l1Only = command->add_flag("--l1-only", call->l1Only, "use only the L1 loss of the paper: a control for evaluate")
-                       ->excludes(reference);
+    auto* reference = command->add_flag("--reference", call->reference, "use the losses of the paper, also with --drawn");
+    auto* l1Only =
+        command
+            ->add_flag("--l1-only", call->l1Only, "use only the L1 loss of the paper, also with --drawn: a control for evaluate")
+            ->excludes(reference);
     auto* controlOf = command
                           ->add_option("--control-of", call->controlOf,
                                        "train the L1-only control of this model: with its steps, seed, split, held-out fabrics, "

@@ -10,16 +10,9 @@ namespace rendering::models {
 
 namespace {
 
-/// Learning rate of the discriminator relative to the generators'. At equal rates the discriminator wins immediately.
-constexpr double discriminatorRateShare = 0.5;
 constexpr int warmUpSteps = 50;
 /// Decay of the exponential moving average: the share of the average that remains after each step.
 constexpr double averageDecay = 0.995;
-
-torch::optim::Adam adam(std::vector<torch::Tensor> parameters, double learningRate)
-{
-    return torch::optim::Adam(std::move(parameters), torch::optim::AdamOptions(learningRate).betas(std::make_tuple(0.5, 0.999)));
-}
 
 /// Parameters and running statistics in a fixed order.
 std::vector<torch::Tensor> stateOf(const Generators& generators)
@@ -43,17 +36,6 @@ void moveTowards(const Generators& to, const Generators& from, double share)
         else
             target.lerp_(sources[i], share);
     }
-}
-
-void setRate(torch::optim::Adam& optimiser, double rate)
-{
-    for (torch::optim::OptimizerParamGroup& group : optimiser.param_groups())
-        static_cast<torch::optim::AdamOptions&>(group.options()).lr(rate);
-}
-
-void requireGradients(torch::nn::Module& module, bool wanted)
-{
-    for (torch::Tensor& parameter : module.parameters()) parameter.set_requires_grad(wanted);
 }
 
 }  // namespace
@@ -83,11 +65,9 @@ AdversarialTraining::AdversarialTraining(const TrainingData& data, const Trainin
       m_generators(makeGenerators(data.architecture)),
       m_average(makeGenerators(data.architecture)),
       m_best(makeGenerators(data.architecture)),
-      m_discriminator(data.architecture, m_weights.adversary == Adversary::Hinge),
-      m_generatorSteps(adam(parametersOf(m_generators), options.learningRate)),
-      m_discriminatorSteps(adam(m_discriminator->parameters(), options.learningRate * discriminatorRateShare))
+      m_discriminator(data.architecture, m_weights.adversary),
+      m_generatorSteps(adversarialAdam(parametersOf(m_generators)))
 {
-    orderChannelsLast(*m_discriminator);
     moveTowards(m_average, m_generators, 1);
     moveTowards(m_best, m_generators, 1);
 }
@@ -111,17 +91,16 @@ AdversarialTraining::DrawnBatches AdversarialTraining::takeBatches(int number)
     return now;
 }
 
-void AdversarialTraining::setRates(int number, double fraction)
+double AdversarialTraining::rateAt(int number, double fraction) const
 {
     const double fall = 0.02 + 0.98 * 0.5 * (1 + std::cos(std::numbers::pi * fraction));
-    const double rate = m_options.learningRate * fall * std::min(1.0, (number + 1.0) / warmUpSteps);
-    setRate(m_generatorSteps, rate);
-    setRate(m_discriminatorSteps, rate * discriminatorRateShare);
+    return m_options.learningRate * fall * std::min(1.0, (number + 1.0) / warmUpSteps);
 }
 
 StepLosses AdversarialTraining::step(int number, double fraction)
 {
-    setRates(number, fraction);
+    const double rate = rateAt(number, fraction);
+    setLearningRate(m_generatorSteps, rate);
     DrawnBatches both = takeBatches(number);
     const TensorBatch pairs = tensorsOf(std::move(both.pairs)), strokes = tensorsOf(std::move(both.strokes));
     // G_s is cheap and its target is noisy, so it gets twice as many photographs and strokes.
@@ -133,7 +112,7 @@ StepLosses AdversarialTraining::step(int number, double fraction)
         m_generators.height->forward(pairs.photograph), rings, {all.logRatio.narrow(0, 0, size), all.mean.narrow(0, 0, size)}};
     const BatchSignals measured = pairs.measuredFor(generated.height);
     StepLosses losses;
-    if (m_weights.adversarial > 0) losses.discriminator = stepDiscriminator(pairs.photograph, measured, generated);
+    if (m_weights.adversarial > 0) losses.discriminator = m_discriminator.step(pairs.photograph, measured, generated, rate);
 
     m_generatorSteps.zero_grad();
     const BatchSignals compared{generated.height, rings, all};
@@ -144,31 +123,15 @@ StepLosses AdversarialTraining::step(int number, double fraction)
     const torch::Tensor weightedDistance = distance(compared, truth, m_weights, scalesOf(m_data));
     torch::Tensor sum = weightedDistance;
     if (m_weights.adversarial > 0) {
-        requireGradients(*m_discriminator, false);
-        const torch::Tensor adversarial = adversarialLoss(
-            m_discriminator->forward(pairs.photograph, generated.friction, generated.height), m_weights.adversary);
+        const torch::Tensor adversarial = m_discriminator.lossOf(pairs.photograph, generated);
         losses.generators = adversarial.item<double>();
         sum = sum + m_weights.adversarial * adversarial;
     }
     sum.backward();
     m_generatorSteps.step();
-    requireGradients(*m_discriminator, true);
     losses.distance = weightedDistance.item<double>();
     updateAverage(number);
     return losses;
-}
-
-double AdversarialTraining::stepDiscriminator(const torch::Tensor& photograph, const BatchSignals& measured,
-                                              const BatchSignals& generated)
-{
-    m_discriminatorSteps.zero_grad();
-    const torch::Tensor real = m_discriminator->forward(photograph, measured.friction, measured.height);
-    const FrictionOutput generatedFriction{generated.friction.logRatio.detach(), generated.friction.mean.detach()};
-    const torch::Tensor fake = m_discriminator->forward(photograph, generatedFriction, generated.height.detach());
-    const torch::Tensor loss = discriminatorLoss(real, fake, m_weights.adversary);
-    loss.backward();
-    m_discriminatorSteps.step();
-    return loss.item<double>();
 }
 
 /// The average follows faster during the first steps, because the early networks are still poor.
@@ -191,11 +154,11 @@ std::vector<NamedTensor> AdversarialTraining::networkTensors() const
     const std::pair<const char*, const torch::nn::Module*> networks[] = {
         {"height.", m_generators.height.get()},      {"friction.", m_generators.friction.get()},
         {"average_height.", m_average.height.get()}, {"average_friction.", m_average.friction.get()},
-        {"best_height.", m_best.height.get()},       {"best_friction.", m_best.friction.get()},
-        {"discriminator.", m_discriminator.get()}};
+        {"best_height.", m_best.height.get()},       {"best_friction.", m_best.friction.get()}};
     std::vector<NamedTensor> all;
     for (const auto& [prefix, network] : networks)
         for (NamedTensor& one : tensorsOfModule(prefix, *network)) all.push_back(std::move(one));
+    for (NamedTensor& one : m_discriminator.networkTensors()) all.push_back(std::move(one));
     return all;
 }
 
@@ -204,7 +167,7 @@ std::vector<StoredTensor> AdversarialTraining::tensors()
     std::vector<StoredTensor> all;
     for (const NamedTensor& one : networkTensors()) all.push_back(storedTensor(one.name, one.tensor));
     for (StoredTensor& one : momentsOf("generator_steps.", m_generatorSteps)) all.push_back(std::move(one));
-    for (StoredTensor& one : momentsOf("discriminator_steps.", m_discriminatorSteps)) all.push_back(std::move(one));
+    for (StoredTensor& one : momentsOf("discriminator_steps.", m_discriminator.optimiser())) all.push_back(std::move(one));
     return all;
 }
 
@@ -213,7 +176,7 @@ void AdversarialTraining::continueFrom(const std::vector<StoredTensor>& tensors)
     std::size_t next = 0;
     for (NamedTensor& one : networkTensors()) copyInto(one.tensor, tensors.at(next++));
     setMoments(m_generatorSteps, tensors, next);
-    setMoments(m_discriminatorSteps, tensors, next);
+    setMoments(m_discriminator.optimiser(), tensors, next);
 }
 
 }  // namespace rendering::models

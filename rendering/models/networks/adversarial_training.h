@@ -5,11 +5,10 @@
 #include <future>
 
 #include "rendering/models/networks/batches.h"
-#include "rendering/models/networks/losses.h"
+#include "rendering/models/networks/discriminator_training.h"
 #include "rendering/models/networks/progress_lines.h"
 #include "rendering/models/networks/training.h"
 #include "rendering/models/networks/weights.h"
-#include "rendering/models/seeing/plain_tensors.h"
 
 namespace rendering::models {
 
@@ -45,8 +44,7 @@ private:
     DrawnBatches drawBatches(int number) const;
     DrawnBatches takeBatches(int number);
     bool averages() const { return m_options.objective != Objective::Reference; }
-    void setRates(int number, double fraction);
-    double stepDiscriminator(const torch::Tensor& photograph, const BatchSignals& measured, const BatchSignals& generated);
+    double rateAt(int number, double fraction) const;
     void updateAverage(int number);
     std::vector<NamedTensor> networkTensors() const;
 
@@ -54,8 +52,8 @@ private:
     const TrainingOptions& m_options;
     LossWeights m_weights;
     Generators m_generators, m_average, m_best;
-    Discriminator m_discriminator;
-    torch::optim::Adam m_generatorSteps, m_discriminatorSteps;
+    DiscriminatorTraining m_discriminator;
+    torch::optim::Adam m_generatorSteps;
     std::future<DrawnBatches> m_next;  ///< drawn during the computation of the present step
     int m_nextNumber = -1;
 };

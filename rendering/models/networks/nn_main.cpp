@@ -21,6 +21,7 @@
 #include "rendering/models/lab/lab_training.h"
 #include "rendering/models/networks/inference.h"
 #include "rendering/models/networks/nn_bench.h"
+#include "rendering/models/networks/paper_objective.h"
 #include "rendering/models/networks/peer_step.h"
 #include "rendering/models/networks/training.h"
 #include "rendering/models/process/child_process.h"
@@ -30,6 +31,24 @@ namespace {
 
 using namespace rendering;
 
+/// The flags of the paper's losses.
+struct ObjectiveFlags {
+    bool reference = false, l1Only = false;
+
+    void offer(CLI::App& train)
+    {
+        train.add_flag("--reference", reference, "use exactly the losses of the paper");
+        train.add_flag("--l1-only", l1Only, "use only the paper's L1 loss, without a discriminator: a control for evaluate");
+    }
+    models::Objective chosen() const
+    {
+        if (reference && l1Only)
+            throw protocols::badInput(
+                {"both --reference and --l1-only were given", "train", "only one of them", "omit one of them"});
+        return reference ? models::Objective::Reference : l1Only ? models::Objective::L1Only : models::Objective::Default;
+    }
+};
+
 void offerTraining(CLI::App& app, const std::string& command)
 {
     struct TrainingCall {
@@ -38,7 +57,7 @@ void offerTraining(CLI::App& app, const std::string& command)
         std::vector<std::string> heldOut;
         int steps = 0;
         double minutes = 0;
-        bool reference = false, l1Only = false;
+        ObjectiveFlags losses;
     };
     auto call = std::make_shared<TrainingCall>();
     CLI::App* train = app.add_subcommand("train", "train the generators on a data set");
@@ -50,8 +69,7 @@ void offerTraining(CLI::App& app, const std::string& command)
     train->add_option("--seed", options.seed, "seed of the initial weights, batches and augmentation (default 1)");
     train->add_option("--split-seed", options.splitSeed, "seed of the 8:1:1 split (default 1)");
     train->add_option("--hold-out", call->heldOut, "fabrics to leave out, F03,F07")->delimiter(',');
-    train->add_flag("--reference", call->reference, "use exactly the losses of the paper");
-    train->add_flag("--l1-only", call->l1Only, "use only the paper's L1 loss, without a discriminator: a control for evaluate");
+    call->losses.offer(*train);
     train
         ->add_option("--split", options.split,
                      "units of the 8:1:1 split: location (default), sample, augmented (as in the paper, with its leak)")
@@ -76,12 +94,7 @@ void offerTraining(CLI::App& app, const std::string& command)
         else
             chosen.steps = steps->count() > 0 ? call->steps : 5000;
         for (const std::string& id : call->heldOut) chosen.heldOut.emplace_back(id);
-        if (call->reference && call->l1Only)
-            throw protocols::badInput(
-                {"both --reference and --l1-only were given", "train", "only one of them", "omit one of them"});
-        chosen.objective = call->reference ? models::Objective::Reference
-                           : call->l1Only  ? models::Objective::L1Only
-                                           : models::Objective::Default;
+        chosen.objective = call->losses.chosen();
         chosen.command = command;
         models::train(fabrics::readDataset(call->dataset), chosen, std::cout, isatty(STDOUT_FILENO) == 1);
     });
@@ -102,6 +115,7 @@ void offerClothTraining(CLI::App& app, const std::string& command)
         std::vector<std::string> heldOut;
         int steps = 0;
         double minutes = 0;
+        ObjectiveFlags losses;
     };
     auto call = std::make_shared<ClothCall>();
     CLI::App* train = app.add_subcommand("train-cloth", "train the networks that see on drawn fabrics and on scans");
@@ -118,6 +132,7 @@ void offerClothTraining(CLI::App& app, const std::string& command)
     CLI::Option* minutes = train->add_option("--minutes", call->minutes, "wall time instead of steps")->excludes(steps);
     train->add_option("--seed", options.seed, "seed of the first weights and of the drawn fabrics (default 1)");
     train->add_option("--hold-out", call->heldOut, "scans to leave out, F03,F07")->delimiter(',');
+    call->losses.offer(*train);
     train->add_flag("--resume", options.resume, "continue from the last checkpoint of an interrupted run");
     train->add_option("--batch", options.batch, "patches per step (default 8)");
     train->add_option("--crop", options.side, "side of a patch in px (default 128)");
@@ -144,6 +159,7 @@ void offerClothTraining(CLI::App& app, const std::string& command)
         else
             chosen.steps = steps->count() > 0 ? call->steps : 15000;
         for (const std::string& id : call->heldOut) chosen.heldOut.emplace_back(id);
+        chosen.makeObjective = models::paperObjective(call->losses.chosen());
         if (!chosen.from.empty() && rate->count() == 0) chosen.learningRate = ofLab ? rateForLab : rateFromModel;
         if (ofLab && checkpoints->count() == 0) chosen.checkpointEvery = labCheckpointEvery;
         chosen.command = command;

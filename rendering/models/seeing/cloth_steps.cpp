@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "rendering/models/seeing/cloth_tensors.h"
 #include "rendering/models/seeing/relief_losses.h"
 #include "rendering/models/seeing/seen_texture.h"
 #include "rendering/models/seeing/told_lamp.h"
@@ -55,9 +54,22 @@ double sixDecimals(double value) { return std::round(value * 1e6) / 1e6; }
 
 }  // namespace
 
+ClothObjective::Losses ClothObjective::of(const ClothTensors& batch, const torch::Tensor& relief, const SeenFriction& friction,
+                                          double)
+{
+    return {reliefLoss(relief, batch.reliefs, {}), frictionLoss(friction, batch.logFrictions),
+            spectrogramLoss(friction, batch.logRatios)};
+}
+
+void ClothObjective::continueFrom(const std::vector<StoredTensor>&, std::size_t&) {}
+
 ClothTraining::ClothTraining(const Architecture& architecture, const std::vector<ScannedCloth>& scans,
                              const ClothTrainingOptions& options)
-    : m_scans(scans), m_architecture(architecture), m_options(options), m_trained(architecture)
+    : m_scans(scans),
+      m_architecture(architecture),
+      m_options(options),
+      m_trained(architecture),
+      m_objective(options.makeObjective ? options.makeObjective(architecture) : std::make_unique<ClothObjective>())
 {
 }
 
@@ -88,10 +100,8 @@ ClothLosses ClothTraining::step(int number, double fraction)
     const torch::Tensor texture = seenTexture(batch.photographs);
     const torch::Tensor relief = m_trained.now().relief->forward(texture, batch.lamps);
     const SeenFriction friction = m_trained.now().friction->forward(texture, relief, batch.logPitches);
-    const torch::Tensor ofRelief = reliefLoss(relief, batch.reliefs, {});
-    const torch::Tensor ofFriction = frictionLoss(friction, batch.logFrictions);
-    const torch::Tensor ofSpectrogram = spectrogramLoss(friction, batch.logRatios);
     const double rate = learningRateAt(m_options.learningRate, fraction, number, warmUpSteps);
+    const auto [ofRelief, ofFriction, ofSpectrogram] = m_objective->of(batch, relief, friction, rate);
     if (m_peers == nullptr) {
         m_trained.step(ofRelief + ofFriction + ofSpectrogram, rate, number);
         return {ofRelief.item<double>(), ofFriction.item<double>(), ofSpectrogram.item<double>()};
@@ -114,10 +124,18 @@ void ClothTraining::shareWith(const TrainingPeers& peers)
     m_peers = &peers;
 }
 
+std::vector<StoredTensor> ClothTraining::tensors()
+{
+    std::vector<StoredTensor> all = m_trained.tensors();
+    for (StoredTensor& one : m_objective->tensors()) all.push_back(std::move(one));
+    return all;
+}
+
 void ClothTraining::continueFrom(const std::vector<StoredTensor>& tensors)
 {
     std::size_t next = 0;
     m_trained.continueFrom(tensors, next);
+    m_objective->continueFrom(tensors, next);
 }
 
 std::vector<ClothBatch> drawnBatches(const Architecture& architecture, int patches, std::uint64_t family)

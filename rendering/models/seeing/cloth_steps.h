@@ -4,19 +4,40 @@
 
 #include <cmath>
 #include <future>
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 
 #include "rendering/models/seeing/averaged_networks.h"
 #include "rendering/models/seeing/cloth_batches.h"
+#include "rendering/models/seeing/cloth_tensors.h"
 #include "rendering/models/seeing/cloth_training.h"
 #include "rendering/models/seeing/training_peers.h"
 
 namespace rendering::models {
 
+/// The losses of a step by our objective: reliefLoss(), the mean negative log-likelihood of log friction, and the mean absolute
+/// difference of logarithms of magnitudes. Other objectives have their own.
 struct ClothLosses {
-    double relief = 0;       ///< reliefLoss()
-    double friction = 0;     ///< mean negative log-likelihood of log friction
-    double spectrogram = 0;  ///< mean absolute difference of logarithms of magnitudes
+    double relief = 0, friction = 0, spectrogram = 0;
+};
+
+/// What a training descends: the sum of three losses, each a scalar.
+class ClothObjective {
+public:
+    struct Losses {
+        torch::Tensor relief, friction, spectrogram;
+    };
+
+    virtual ~ClothObjective() = default;
+    /// "default", or the name of a control, as in the model card.
+    virtual std::string name() const { return "default"; }
+    /// Asked once in each step, in order. `learningRate`: that of the networks in this step.
+    virtual Losses of(const ClothTensors& batch, const torch::Tensor& relief, const SeenFriction& friction, double learningRate);
+
+    /// What the objective learns itself, always the same tensors in the same order.
+    virtual std::vector<StoredTensor> tensors() { return {}; }
+    /// Takes them from `tensors`, beginning at `next`, which moves behind them.
+    virtual void continueFrom(const std::vector<StoredTensor>& tensors, std::size_t& next);
 };
 
 class ClothTraining {
@@ -36,11 +57,13 @@ public:
     /// Starts from trained networks instead of new ones.
     void startFrom(SeeingNetworks& networks) { m_trained.startFrom(networks); }
 
+    std::string objective() const { return m_objective->name(); }
+
     /// Moving average of the weights: the result.
     SeeingNetworks& result() { return m_trained.average(); }
 
-    /// Networks and optimiser, always the same tensors in the same order.
-    std::vector<StoredTensor> tensors() { return m_trained.tensors(); }
+    /// Networks, optimiser and objective, always the same tensors in the same order.
+    std::vector<StoredTensor> tensors();
     void continueFrom(const std::vector<StoredTensor>& tensors);
 
 private:
@@ -50,6 +73,7 @@ private:
     const Architecture m_architecture;
     const ClothTrainingOptions& m_options;
     AveragedNetworks m_trained;
+    std::unique_ptr<ClothObjective> m_objective;
     std::future<ClothBatch> m_next;  ///< drawn during the computation of the present step
     int m_nextNumber = -1;
     const TrainingPeers* m_peers = nullptr;

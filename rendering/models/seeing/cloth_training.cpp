@@ -36,7 +36,8 @@ Architecture architectureFor(const ClothTrainingOptions& options, const std::opt
 }
 
 /// The settings that must agree for a checkpoint to be resumed.
-std::string fingerprint(const ClothTrainingOptions& options, const std::string& scansHash, const std::string& startHash)
+std::string fingerprint(const ClothTrainingOptions& options, const std::string& scansHash, const std::string& startHash,
+                        const std::string& objective)
 {
     std::string text =
         "cloth|" + scansHash + "|" + startHash + "|" + std::to_string(options.seed) + "|" + std::to_string(options.scanShare) +
@@ -44,7 +45,7 @@ std::string fingerprint(const ClothTrainingOptions& options, const std::string& 
         (options.steps ? "steps " + std::to_string(*options.steps) : "minutes " + std::to_string(*options.minutes));
     for (const int number : {options.batch, options.side, options.baseChannels}) text += "|" + std::to_string(number);
     for (const protocols::FabricId& id : options.heldOut) text += "|" + id.value;
-    return text;
+    return objective == "default" ? text : text + "|" + objective;
 }
 
 /// The loop around ClothTraining::step with its time, checkpoints and model card.
@@ -69,7 +70,7 @@ public:
         torch::manual_seed(m_options.seed);
         ClothTraining training(m_architecture, m_scans, m_options);
         Checkpoint state;
-        state.fingerprint = fingerprint(m_options, m_scansHash, m_start ? m_start->summary.sha256 : "");
+        state.fingerprint = fingerprint(m_options, m_scansHash, m_start ? m_start->summary.sha256 : "", training.objective());
         const std::filesystem::path checkpoint = checkpointOf(m_options.out);
         if (writes() && m_options.resume) {
             StoredRun stored = readCheckpoint(checkpoint, state.fingerprint, kindsOf(training.tensors()));
@@ -211,6 +212,7 @@ private:
     {
         ModelCardFields card;
         card.summary.trainedOnProceduralSet = m_dataset == nullptr;
+        card.objective = training.objective();
         card.seed = m_options.seed;
         card.steps = card.bestStep = state.step;
         card.trainingMinutes = std::round(state.elapsedS / 6) / 10;
@@ -321,6 +323,9 @@ ModelCardFields cardOfSeeingModel(const std::filesystem::path& model)
 void trainOnCloth(const fabrics::Dataset* scans, const ClothTrainingOptions& options, std::ostream& log, bool terminal)
 {
     requireUsable(options);
+    if (options.makeObjective && (scans != nullptr || !options.from.empty() || !options.place.isAlone()))
+        throw protocols::badInput({"the losses of the paper were given together with --scans, --from or --processes", "train",
+                                   "a control: new networks, drawn fabrics and one process", "leave the other option out"});
     if (options.place.isFirst()) protocols::requireWritable(options.out);
     setTrainingThreads(options);
     ClothRun(scans, options, log, terminal).run();

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -14,6 +16,8 @@
 #include "rendering/models/seeing/training_place.h"
 
 namespace rendering::models {
+
+class ClothObjective;
 
 struct ClothTrainingOptions {
     std::filesystem::path out;                 ///< weights file; the model card is written beside it
@@ -36,6 +40,8 @@ struct ClothTrainingOptions {
     int validationPatches = 96;
     int threads = 0;      ///< 0: all threads of the machine
     TrainingPlace place;  ///< `batch` is that of all processes together
+    /// Makes the losses of a control (cloth_steps.h); empty: our losses. Controls see drawn fabrics only, in one process.
+    std::function<std::unique_ptr<ClothObjective>(const Architecture&)> makeObjective = {};
     std::string command;  ///< as typed, for the model card
 };
 

@@ -11,10 +11,12 @@
 #include <opencv2/core.hpp>
 
 #include "rendering/fabrics/drawn/drawn_patch.h"
+#include "rendering/models/fair_control.h"
 #include "rendering/models/generation.h"
 #include "rendering/models/model_card.h"
 #include "rendering/models/model_card_fields.h"
 #include "rendering/models/process/child_process.h"
+#include "tests/support/program.h"
 
 using namespace rendering;
 
@@ -105,22 +107,51 @@ private Q_SLOTS:
         QVERIFY(QFile::exists(at("model.safetensors.log/losses.csv")));
     }
 
+    void killedRunResumesToTheSameWeights_data()
+    {
+        QTest::addColumn<QStringList>("losses");
+        QTest::newRow("the losses of the paper, with a discriminator") << QStringList{"--reference"};
+        QTest::newRow("our losses") << QStringList();
+    }
     void killedRunResumesToTheSameWeights()
     {
-        const Outcome whole = run(smallRun("whole.safetensors", 12));
+        QFETCH(QStringList, losses);
+        const Outcome whole = run(smallRun("whole.safetensors", 12, losses));
         QVERIFY2(whole.exitCode == 0, qPrintable(whole.errors));
+        QFile::remove(at("broken.safetensors"));
         QProcess broken;
-        broken.start(program(), smallRun("broken.safetensors", 12));
+        broken.start(program(), smallRun("broken.safetensors", 12, losses));
         QElapsedTimer waited;
         waited.start();
         while (!QFile::exists(at("broken.safetensors.checkpoint")) && waited.elapsed() < 120000) QTest::qWait(2);
         broken.kill();
         broken.waitForFinished();
         QVERIFY2(!QFile::exists(at("broken.safetensors")), "the run ended before it was interrupted");
-        const Outcome resumed = run(smallRun("broken.safetensors", 12, {"--resume"}));
+        const Outcome resumed = run(smallRun("broken.safetensors", 12, losses + QStringList{"--resume"}));
         QVERIFY2(resumed.exitCode == 0, qPrintable(resumed.errors));
         QVERIFY(resumed.output.contains("resumed at step"));
         QCOMPARE(bytesOf(at("broken.safetensors")), bytesOf(at("whole.safetensors")));
+    }
+
+    /// A control sees the fabrics that its model saw, in networks of the same size, and learns by other losses.
+    void controlsTrainOnTheSameDrawnFabrics()
+    {
+        const auto cardOf = [&](const char* name) { return models::readModelCardFields(at(name).toStdString()); };
+        const auto control = support::runProgram(
+            {"train", "--drawn", "--control-of", at("whole.safetensors"), "--out", at("control.safetensors"), "--threads", "1"});
+        QVERIFY2(control.exitCode == 0, qPrintable(control.err));
+        QCOMPARE(cardOf("control.safetensors").objective, std::string("l1-only"));
+        QCOMPARE(models::trainingDifferences(cardOf("whole.safetensors"), cardOf("control.safetensors")),
+                 std::vector<std::string>());
+        const Outcome paper = run(smallRun("paper.safetensors", 12, {"--reference"}));
+        QVERIFY2(paper.exitCode == 0, qPrintable(paper.errors));
+        QCOMPARE(cardOf("paper.safetensors").objective, std::string("reference"));
+        QVERIFY(bytesOf(at("paper.safetensors")) != bytesOf(at("control.safetensors")));
+        const auto refused =
+            support::runProgram({"train", "--drawn", "--control-of", QString::fromStdString(models::shippedModel().string()),
+                                 "--out", at("refused.safetensors")});
+        QCOMPARE(refused.exitCode, 2);
+        QVERIFY2(refused.err.contains("not trained on drawn fabrics alone"), qPrintable(refused.err));
     }
 
     void weightsBetweenTwoModelsAreBetweenTheirAnswers()
@@ -232,6 +263,9 @@ private Q_SLOTS:
         QTest::newRow("batch") << QStringList{"--batch", "1"} << "batch of at least 2";
         QTest::newRow("share") << QStringList{"--scan-share", "2"} << "--scan-share is out of range";
         QTest::newRow("scans") << QStringList{"--scans", "nowhere"} << "nowhere";
+        QTest::newRow("a control from a model") << QStringList{"--reference", "--from", at("model.safetensors")}
+                                                << "the losses of the paper were given together with";
+        QTest::newRow("two controls") << QStringList{"--reference", "--l1-only"} << "both --reference and --l1-only";
     }
     void badOptionsAreRefused()
     {

@@ -41,7 +41,8 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("what");
         for (const char* what : {"800 steps (the model: 6,000)", "another data set", "another split", "other fabrics held out",
-                                 "another width of the networks", "another crop", "another batch", "another learning rate"})
+                                 "another width of the networks", "another crop", "another batch", "another learning rate",
+                                 "another model to start from"})
             QTest::newRow(what) << what;
     }
 
@@ -57,7 +58,8 @@ private Q_SLOTS:
             {"another width of the networks", [&] { control.architecture.baseChannels += 1; }},
             {"another crop", [&] { control.architecture.crop *= 2; }},
             {"another batch", [&] { control.summary.trainingCommand += " --batch 4"; }},
-            {"another learning rate", [&] { control.summary.trainingCommand += " --learning-rate 0.01"; }}};
+            {"another learning rate", [&] { control.summary.trainingCommand += " --learning-rate 0.01"; }},
+            {"another model to start from", [&] { control.fromHash = "cc"; }}};
         changes.at(what)();
         QCOMPARE(trainingDifferences(trained(6000), control), std::vector<std::string>{what.toStdString()});
     }
@@ -77,6 +79,21 @@ private Q_SLOTS:
         QCOMPARE(options.at("--batch"), std::string("4"));
         QVERIFY(options.contains("--l1-only") && !options.contains("--learning-rate"));
         QVERIFY(std::stoi(options.at("--patience")) >= 6000 / 250);  // no early stop: a validation every 250 steps
+    }
+
+    /// Networks for any cloth train on drawn fabrics, without a split and to the last step, at twice the usual learning rate.
+    void controlOfDrawnFabricsNeedsNoSplit()
+    {
+        ModelCardFields model = trained(2500), control = trained(2500);
+        model.architecture.sees = control.architecture.sees = true;
+        control.summary.trainingCommand += " --learning-rate 0.002 --l1-only";
+        QVERIFY(trainingDifferences(model, control).empty());
+        QCOMPARE(trainingDifferences(trained(2500), control),
+                 (std::vector<std::string>{"other networks", "another learning rate"}));
+        const auto list = controlOptions(control);
+        const std::map<std::string, std::string> options(list.begin(), list.end());
+        QCOMPARE(options.at("--steps"), std::string("2500"));
+        for (const char* none : {"--split", "--split-seed", "--patience", "--learning-rate"}) QVERIFY(!options.contains(none));
     }
 };
 

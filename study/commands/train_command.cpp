@@ -150,18 +150,32 @@ std::string outOf(const TrainCall& call)
     return folder.string() + ".safetensors";
 }
 
+/// Refuses options that belong to another kind of training.
+void refuseOptions(const TrainCall& call, std::initializer_list<const char*> names, const std::string& given,
+                   const std::string& expected)
+{
+    for (const char* name : names)
+        if (!valueOf(call, name).empty())
+            throw protocols::badInput({std::string(name) + " was given " + given, "train", expected, "leave the option out"});
+}
+
 std::vector<std::string> argumentsOf(const TrainCall& call)
 {
     if (call.drawn != call.dataset.empty())
         throw protocols::badInput({call.drawn ? "both DATASET and --drawn were given" : "neither DATASET nor --drawn was given",
                                    "train", "a data set, or --drawn for fabrics that are drawn without end",
                                    "give one of them; scans join drawn fabrics by --scans DATASET"});
-    if (!call.drawn)
-        for (const char* name : {"--processes", "--rank", "--master", "--wait"})
-            if (!valueOf(call, name).empty())
-                throw protocols::badInput({std::string(name) + " was given together with DATASET", "train",
-                                           "a training with --drawn, or one process", "leave the option out"});
-    if (adapts(call)) refuseOptionsOfNewNetworks(call);
+    if (call.drawn)
+        refuseOptions(call, {"--split", "--split-seed", "--patience", "--validation-pairs"}, "together with --drawn",
+                      "a training of a data set, whose samples are split");
+    else
+        refuseOptions(call, {"--processes", "--rank", "--master", "--wait"}, "together with DATASET",
+                      "a training with --drawn, or one process");
+    if (adapts(call))
+        refuseOptionsOfNewNetworks(call);
+    else if (!call.drawn)
+        refuseOptions(call, {"--towards", "--way", "--scans", "--scan-share"}, "together with DATASET",
+                      "a training with --drawn, or an adaptation with --from");
     std::vector<std::string> arguments{call.drawn || adapts(call) ? "train-cloth" : "train"};
     if (adapts(call))
         arguments.insert(arguments.end(), {"--lab", call.dataset});

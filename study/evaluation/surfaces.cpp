@@ -175,7 +175,7 @@ std::string linesOf(const std::vector<const SurfaceRow*>& rows, bool isAt4Mm)
         line("  generated minus it", [&](SeenRelief source) { return ofOthers(source, text(summary(source).generatedAbove)); });
     lines += line("    95 % interval over fabrics",
                   [&](SeenRelief source) { return ofOthers(source, text(summary(source).generatedAboveCi95)); });
-    lines += line("    above it", [&](SeenRelief source) {
+    lines += line("    fabrics above it", [&](SeenRelief source) {
         const SourceSummary one = summary(source);
         return ofOthers(source, std::to_string(one.fabricsBelow) + " of " + std::to_string(one.fabrics));
     });

@@ -276,6 +276,26 @@ private Q_SLOTS:
         QVERIFY2(outcome.errors.contains(named), qPrintable(outcome.errors));
         QVERIFY(!QFile::exists(at("refused.safetensors")));
     }
+
+    /// Through `vis2hap train`, in whose words the options are refused.
+    void optionsOfAnotherTrainingAreRefused_data()
+    {
+        QTest::addColumn<QStringList>("options");
+        QTest::addColumn<QString>("named");
+        for (const char* name : {"--split", "--split-seed", "--patience", "--validation-pairs"})
+            QTest::addRow("%s", name) << QStringList{"--drawn", name, "3"} << QString(name) + " was given together with --drawn";
+        for (const char* name : {"--towards", "--way", "--scans", "--scan-share"})
+            QTest::addRow("%s", name) << QStringList{"cloths", name, "1"} << QString(name) + " was given together with DATASET";
+    }
+    void optionsOfAnotherTrainingAreRefused()
+    {
+        QFETCH(QStringList, options);
+        QFETCH(QString, named);
+        const auto refused = support::runProgram(QStringList{"train", "--out", at("refused.safetensors")} + options);
+        QCOMPARE(refused.exitCode, 2);
+        QVERIFY2(refused.err.contains(named) && refused.err.contains("; expected a training"), qPrintable(refused.err));
+        QVERIFY(!QFile::exists(at("refused.safetensors")));
+    }
 };
 
 QTEST_GUILESS_MAIN(ClothTrainingTest)

@@ -10,8 +10,8 @@
 namespace rendering::models {
 
 /// Differences between the training of a control and of a model, each as a clause such as "800 steps (the model: 6,000)": steps,
-/// kind of networks, model to start from, data set, split, fabrics held out, width of the networks, crop, batch and learning rate. Empty where the control is fair.
-/// Seeds, losses and stopping rules do not count.
+/// kind of networks, model to start from, data set, split, fabrics held out, width of the networks, crop, batch and learning
+/// rate. Empty where the control is fair. Seeds, losses and stopping rules do not count.
 std::vector<std::string> trainingDifferences(const ModelCardFields& model, const ModelCardFields& control);
 
 /// Options of `vis2hap train` that train a fair L1-only control of the model, name and value. They include the steps that the

@@ -234,6 +234,10 @@ private Q_SLOTS:
         QVERIFY(!evaluation.predictors[0].friction.equivalence.why.empty());
         QVERIFY(!contains(evaluationText(evaluation), "nan"));
         QVERIFY(contains(evaluationJson(evaluation).dump(), "vis2hap.evaluation/1"));
+        // One fabric has no interval over fabrics; its place in table and JSON stays.
+        QVERIFY(contains(evaluationText(evaluation), "95 % interval over fabrics"));
+        const auto ci95 = evaluationJson(evaluation).at("speakers").at(0).at("ci95");
+        QVERIFY(ci95.at("friction_mae").is_null() && !ci95.at("why").at("friction_mae").get<std::string>().empty());
     }
 
 private:

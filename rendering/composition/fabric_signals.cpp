@@ -159,6 +159,7 @@ FabricSignals SignalComputation::measured(const protocols::FabricId& fabric, con
 {
     FabricSignals result;
     result.photographMmPerPixel = m_views.mmPerPixel(fabric, samples.visual);
+    result.fibre = m_dataset.fabric(fabric).fibre;
     result.photographLightDeg = m_views.lightDeg(fabric, samples.visual);
     result.tactileMmPerPixel = m_dataset.tactileMmPerPixel;
     const auto compute = [&](Signal signal, const auto& work) {
@@ -272,7 +273,7 @@ void addMissing(FabricSignals& signals, const FabricSignals& other)
          &FabricSignals::shapeLeftOut, &FabricSignals::colourVariation, &FabricSignals::photograph,
          &FabricSignals::photographMmPerPixel, &FabricSignals::tactileMmPerPixel, &FabricSignals::generatedMmPerPixel,
          &FabricSignals::traceMmPerSample, &FabricSignals::generatedTraceMmPerSample, &FabricSignals::likeness,
-         &FabricSignals::photographLightDeg);
+         &FabricSignals::photographLightDeg, &FabricSignals::fibre);
 }
 
 Sources sourcesOf(const protocols::Condition& condition, const FabricSignals& signals)

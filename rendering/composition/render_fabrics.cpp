@@ -85,7 +85,8 @@ void generate(const RenderPlan& plan, models::Quality quality, const RenderReque
         auto& signals = all.at(fabric);
         signals.likeness = models::shippedClothCheck().judge(signals.images.at(Signal::Photograph));
         fabrics.push_back(fabric);
-        photographs.push_back({signals.images.at(Signal::Photograph), signals.photographMmPerPixel, signals.photographLightDeg});
+        photographs.push_back(
+            {signals.images.at(Signal::Photograph), signals.photographMmPerPixel, signals.photographLightDeg, signals.fibre});
     }
     if (fabrics.empty()) return;
     auto options = request.generation;

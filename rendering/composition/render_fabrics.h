@@ -67,6 +67,7 @@ struct FabricSignals {
     std::optional<double> photographMmPerPixel, tactileMmPerPixel, generatedMmPerPixel, traceMmPerSample,
         generatedTraceMmPerSample;
     std::optional<models::ClothLikeness> likeness;  ///< of the photograph, where signals are generated from it
+    std::optional<fabrics::Fibre> fibre = {};       ///< as dataset.json states it
     std::optional<double> photographLightDeg;       ///< side of the lamp, where samples.csv states it
     /// Time of each signal; that of a trace is part of its spectrogram's. Starting vis2hap-nn and loading weights are left out.
     std::map<Signal, double> milliseconds = {};

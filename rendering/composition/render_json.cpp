@@ -197,6 +197,7 @@ std::string renderJson(const fabrics::Dataset& dataset, const RenderRequest& req
     for (const auto& [fabric, computed] : rendering.signals)
         if (computed.photograph && isRendered(fabric)) {
             json["photographs"][fabric.value] = jsonOf(*computed.photograph);
+            if (computed.fibre) json["photographs"][fabric.value]["fibre"] = nameOf(*computed.fibre);
             if (computed.likeness) json["photographs"][fabric.value]["likeness"] = models::nameOf(*computed.likeness);
         }
     return json.dump(2) + "\n";

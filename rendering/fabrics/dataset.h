@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "protocols/ids.h"
+#include "rendering/fabrics/fibre.h"
 
 namespace rendering::fabrics {
 
@@ -28,6 +29,7 @@ struct FabricInfo {
     std::string structure;  ///< "twill 2/2", "jersey"; empty where unknown
     /// False: its surfaces have an unknown amplitude, from 0 to 1, so that they serve for correlation only.
     bool surfaceInMm = true;
+    std::optional<Fibre> fibre = {};  ///< as the label says; nullopt where nobody knows, and for mixtures
 };
 
 /// How the friction records of a data set were recorded.

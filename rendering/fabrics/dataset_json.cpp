@@ -43,6 +43,14 @@ public:
         return value.get<std::string>();
     }
 
+    std::optional<Fibre> fibre(const char* name) const
+    {
+        if (!find(name)) return std::nullopt;
+        const std::string given = text(name);
+        if (const std::optional<Fibre> known = fibreFrom(given)) return known;
+        throw fault(name, "is \"" + given + "\"", "null, or one of " + fibreNames());
+    }
+
     std::optional<double> positive(const char* name) const
     {
         const json* value = find(name);
@@ -83,8 +91,8 @@ std::vector<FabricInfo> fabricsIn(const Fields& fields, const std::string& where
         if (const std::string why = protocols::faultOfId(id); !why.empty())
             throw entry.fault("id", "is \"" + id + "\", which " + why, protocols::idRule());
         if (!seen.insert(id).second) throw entry.fault("id", "repeats \"" + id + "\"", "each id once");
-        fabrics.push_back(
-            {protocols::FabricId(id), entry.text("name", id), entry.text("structure", ""), entry.yesOrNo("surface_in_mm", true)});
+        fabrics.push_back({protocols::FabricId(id), entry.text("name", id), entry.text("structure", ""),
+                           entry.yesOrNo("surface_in_mm", true), entry.fibre("fibre")});
     }
     return fabrics;
 }
@@ -152,6 +160,7 @@ std::string toJson(const Dataset& dataset)
         entry["name"] = fabric.name;
         entry["structure"] = fabric.structure;
         if (!fabric.surfaceInMm) entry["surface_in_mm"] = false;
+        if (fabric.fibre) entry["fibre"] = nameOf(*fabric.fibre);
         document["fabrics"].push_back(entry);
     }
     document["camera"]["mm_per_pixel"] = orNull(dataset.cameraMmPerPixel);

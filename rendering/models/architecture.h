@@ -2,6 +2,8 @@
 // program version are refused with a clear message.
 #pragma once
 
+#include "rendering/models/told_fibre.h"
+
 namespace rendering::models {
 
 /// Upper bounds that keep the memory of training, and of reading a card, within reason.
@@ -31,6 +33,7 @@ struct Architecture {
     /// What a laboratory measured over what networks that see generate (lab/lab_training.h): its rig and its sensor have their
     /// own scales. Friction and relief are multiplied with them.
     double frictionFactor = 1, reliefFactor = 1;
+    FibreReadings fibres = {};
     bool operator==(const Architecture&) const = default;
 };
 

@@ -106,6 +106,16 @@ GeneratedSignals answerIn(const fs::path& folder, const nlohmann::json& item)
 
 }  // namespace
 
+namespace {
+
+fabrics::Fibre fibreNamed(const std::string& name)
+{
+    if (const auto fibre = fabrics::fibreFrom(name)) return *fibre;
+    throw std::invalid_argument("unknown fibre '" + name + "'");
+}
+
+}  // namespace
+
 Quality qualityNamed(std::string_view name)
 {
     if (const auto quality = protocols::qualityFrom(name)) return *quality;
@@ -123,15 +133,17 @@ void RequestWriter::add(const InputPhotograph& photograph)
     const std::string name = "photo" + std::to_string(m_photographs.size()) + ".npy";
     const cv::Mat whole = photograph.photograph.isContinuous() ? photograph.photograph : photograph.photograph.clone();
     writeNpy(m_folder / name, whole.reshape(1), protocols::Sync::Later);
-    m_photographs.push_back({name, photograph.mmPerPixel, photograph.lightDeg});
+    m_photographs.push_back({name, photograph.mmPerPixel, photograph.lightDeg, photograph.fibre});
 }
 
 void RequestWriter::finish() const
 {
     ordered_json photographs = ordered_json::array();
-    for (const auto& [file, mmPerPixel, lightDeg] : m_photographs)
-        photographs.push_back(
-            {{"file", file.string()}, {"mm_per_pixel", numberOrNull(mmPerPixel)}, {"light_deg", numberOrNull(lightDeg)}});
+    for (const auto& [file, mmPerPixel, lightDeg, fibre] : m_photographs)
+        photographs.push_back({{"file", file.string()},
+                               {"mm_per_pixel", numberOrNull(mmPerPixel)},
+                               {"light_deg", numberOrNull(lightDeg)},
+                               {"fibre", fibre ? ordered_json(nameOf(*fibre)) : ordered_json()}});
     const ordered_json json{
         {"schema", requestSchema},    {"model", m_options.model.string()}, {"quality", nameOf(m_options.quality)},
         {"height", m_options.height}, {"friction", m_options.friction},    {"photographs", photographs}};
@@ -157,6 +169,8 @@ GenerationRequest readRequest(const fs::path& folder)
             RequestedPhotograph photograph{fileIn(folder, item.at("file"))};
             if (!item.at("mm_per_pixel").is_null()) photograph.mmPerPixel = positive(item, "mm_per_pixel");
             if (!item.at("light_deg").is_null()) photograph.lightDeg = item.at("light_deg").get<double>();
+            if (item.contains("fibre") && !item.at("fibre").is_null())
+                photograph.fibre = fibreNamed(item.at("fibre").get<std::string>());
             request.photographs.push_back(photograph);
         }
     } catch (const nlohmann::json::exception& fault) {
@@ -173,7 +187,7 @@ InputPhotograph readPhotograph(const RequestedPhotograph& photograph)
     if (flat.type() != CV_8UC1 || flat.cols < 3 || flat.cols % 3 != 0)
         throw protocols::badInput(
             {"is not a photograph", photograph.file.string(), "uint8 [height x 3 width]", "build both executables again"});
-    return {flat.reshape(3), photograph.mmPerPixel, photograph.lightDeg};
+    return {flat.reshape(3), photograph.mmPerPixel, photograph.lightDeg, photograph.fibre};
 }
 
 AnswerWriter::AnswerWriter(fs::path folder) : m_folder(std::move(folder)) {}

@@ -22,6 +22,7 @@ namespace rendering::models {
 struct RequestedPhotograph {
     std::filesystem::path file;
     std::optional<double> mmPerPixel = {}, lightDeg = {};
+    std::optional<fabrics::Fibre> fibre = {};
 };
 
 struct GenerationRequest {

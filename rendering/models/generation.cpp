@@ -63,7 +63,7 @@ std::vector<GeneratedSignals> generate(std::span<const InputPhotograph> photogra
         const double pitchOfNetworks = card.architecture.sees ? pitch : card.architecture.mmPerPixel;
         const PhotographAtPitch seen = photographAtPitch({photograph.photograph, pitch}, pitchOfNetworks);
         megapixels += static_cast<double>(seen.rgb.total()) / 1e6;
-        request.add({seen.rgb, pitchOfNetworks, photograph.lightDeg});
+        request.add({seen.rgb, pitchOfNetworks, photograph.lightDeg, photograph.fibre});
         parts.push_back({seen.part.size(), seen.middleOnly, photograph.mmPerPixel ? std::nullopt : std::optional(pitch)});
     }
     request.finish();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "protocols/quality.h"
+#include "rendering/fabrics/fibre.h"
 #include "rendering/models/model_card.h"
 #include "rendering/signals/spectrogram.h"
 
@@ -28,6 +29,7 @@ struct InputPhotograph {
     std::optional<double> mmPerPixel;  ///< nullopt: assumedMmPerPixel() of photograph_at_pitch.h is used
     /// Side from which a single lamp lights the cloth, degrees: 0 right, 90 top, anticlockwise. nullopt: nobody knows.
     std::optional<double> lightDeg = {};
+    std::optional<fabrics::Fibre> fibre = {};  ///< told_fibre.h; nullopt: nobody knows
 };
 
 /// 90 % interval of a mean coefficient of friction, as the networks judge a photograph. Never checked on fabrics whose measured

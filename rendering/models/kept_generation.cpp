@@ -39,6 +39,7 @@ std::string keyOf(cache::ResultCache& cache, Kept part, const std::string& gener
         .add("pixels", hashOfPixels(photograph.photograph))
         .add("mm_per_pixel", photograph.mmPerPixel)
         .add("light_deg", photograph.lightDeg)
+        .add("fibre", photograph.fibre && part == Kept::Friction ? nameOf(*photograph.fibre) : std::string())
         .hex();
 }
 
@@ -145,7 +146,7 @@ void join(GeneratedSignals& into, GeneratedSignals&& from, bool height, bool fri
 std::string identityOfGenerators(cache::ResultCache& cache, const GenerationOptions& options)
 {
     const auto model = options.model.empty() ? shippedModel() : options.model;
-    return readModelCard(model).sha256 + " " + cache.hashOfFile(generatorProgram());
+    return readModelCard(model).sha256 + " " + cache.hashOfFile(cardOf(model)) + " " + cache.hashOfFile(generatorProgram());
 }
 
 std::vector<GeneratedSignals> KeptGeneration::operator()(std::span<const InputPhotograph> photographs,

@@ -24,6 +24,26 @@ constexpr std::uint64_t largestCard = std::uint64_t{256} << 20, largestWeights =
 /// Parameters of the one layer whose size grows with the spectrogram; the shipped weights have 73,728.
 constexpr double mostSeedParameters = 1 << 27;
 
+ordered_json fibresJson(const FibreReadings& readings)
+{
+    ordered_json json = ordered_json::object();
+    for (std::size_t i = 0; i < readings.size(); ++i)
+        if (const auto& one = readings[i])
+            json[nameOf(fabrics::Fibre(i))] = {{"constant", one->constant}, {"gain", one->gain}, {"narrowing", one->narrowing}};
+    return json;
+}
+
+/// Names of other fibres are skipped: a later program may know more of them.
+FibreReadings fibresFrom(const ordered_json& json)
+{
+    FibreReadings readings;
+    for (const auto& [name, one] : json.items())
+        if (const auto fibre = fabrics::fibreFrom(name))
+            readings[std::size_t(*fibre)] =
+                FibreReading{one.at("constant").get<double>(), one.at("gain").get<double>(), one.at("narrowing").get<double>()};
+    return readings;
+}
+
 ordered_json architectureJson(const Architecture& a)
 {
     const ordered_json spectrogram{{"window", a.window}, {"hop", a.hop},       {"samples", a.traceSamples},
@@ -33,6 +53,7 @@ ordered_json architectureJson(const Architecture& a)
                           {"crop", a.crop},     {"interval_factor", a.intervalFactor}, {"spectrogram", spectrogram}};
         if (a.frictionFactor != 1 || a.reliefFactor != 1)
             json["lab_factors"] = {{"friction", a.frictionFactor}, {"relief", a.reliefFactor}};
+        if (const ordered_json fibres = fibresJson(a.fibres); !fibres.empty()) json["fibres"] = fibres;
         return json;
     }
     return {{"kind", architectureKind},
@@ -56,6 +77,7 @@ Architecture architectureFrom(const ordered_json& json)
         a.frictionChannels = json.at("friction_channels").get<int>();
         a.imposesSpectrum = false;
         a.intervalFactor = json.value("interval_factor", 1.0);
+        if (json.contains("fibres")) a.fibres = fibresFrom(json.at("fibres"));
         if (json.contains("lab_factors")) {
             a.frictionFactor = json.at("lab_factors").at("friction").get<double>();
             a.reliefFactor = json.at("lab_factors").at("relief").get<double>();
@@ -77,6 +99,14 @@ Architecture architectureFrom(const ordered_json& json)
     return a;
 }
 
+bool sensible(const FibreReadings& readings)
+{
+    return std::ranges::all_of(readings, [](const std::optional<FibreReading>& one) {
+        return !one || (std::abs(one->constant) <= 10 && one->gain >= 0.01 && one->gain <= 100 && one->narrowing >= 0.01 &&
+                        one->narrowing <= 100);
+    });
+}
+
 /// Refuses absurd sizes before memory is allocated for them.
 bool sensible(const Architecture& a)
 {
@@ -86,7 +116,8 @@ bool sensible(const Architecture& a)
            within(a.heightScaleMm, 1e-9, 1e3) && within(a.meanFrictionScale, 1e-9, 1e3) && within(a.window, 4, 4096) &&
            within(a.hop, 1, a.window) && within(a.traceSamples, 4, 1 << 20) && within(a.rows, 2, 2049) &&
            within(a.frames, 1, 1 << 16) && within(a.traceMmPerSample, 1e-9, 1e3) && within(a.zeroPercentile, 0, 50) &&
-           within(a.intervalFactor, 0.1, 10) && within(a.frictionFactor, 0.01, 100) && within(a.reliefFactor, 0.01, 100) &&
+           within(a.intervalFactor, 0.1, 10) && sensible(a.fibres) && within(a.frictionFactor, 0.01, 100) &&
+           within(a.reliefFactor, 0.01, 100) &&
            0.25 * std::pow(std::max(a.baseChannels, a.frictionChannels), 2) * (a.rows + 3.0) * (a.frames + 3.0) <=
                mostSeedParameters;
 }

@@ -38,7 +38,7 @@ struct EvaluateCall {
     std::optional<std::uint64_t> splitSeed;
     std::optional<int> samples;
     double bounds = 0.10;
-    bool clothCheck = false, changes = false;
+    bool clothCheck = false, changes = false, fibreUntold = false;
     JsonTarget json;
 };
 
@@ -99,7 +99,9 @@ int checkPictures(const EvaluateCall& call)
 int evaluate(const EvaluateCall& call, StageTimes times)
 {
     if (call.clothCheck) return checkPictures(call);
-    const auto dataset = rendering::fabrics::readDataset(call.dataset);
+    auto dataset = rendering::fabrics::readDataset(call.dataset);
+    if (call.fibreUntold)
+        for (auto& fabric : dataset.fabrics) fabric.fibre.reset();
     evaluation::EvaluationRequest request;
     request.model = call.model;
     request.against.assign(call.against.begin(), call.against.end());
@@ -191,6 +193,7 @@ void addEvaluate(CLI::App& app, Action& action)
     command->add_flag("--cloth-check", call->clothCheck, "only say of each picture in the folder DATASET whether it shows cloth");
     command->add_flag("--changes", call->changes,
                       "only say how much dye, light, focus and noise of a photograph change what is generated from it");
+    command->add_flag("--fibre-untold", call->fibreUntold, "do not tell the generators the fibres that dataset.json states");
     addJsonOption(*command, call->json);
     command->callback([call, command, &action] {
         action.work = [call, command] { return evaluate(*call, StageTimes(isExplained(*command))); };

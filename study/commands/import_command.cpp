@@ -28,7 +28,7 @@ struct ImportCall {
     std::string kind;
     std::vector<std::string> from;
     std::string out;
-    std::string fabric;
+    std::string fabric, fibre;
     std::string calibration, normal, tangential, forceUnit, zero = "auto", trim = "auto", plots;
     std::optional<double> rate, tileMm;
     std::vector<std::string> tiles;  ///< NAME=W
@@ -114,8 +114,8 @@ int importScans(const ImportCall& call)
     if (call.from.size() != 1)
         throw protocols::badInput({std::to_string(call.from.size()) + " folders are named", "FROM", "one folder of scans",
                                    "import one folder after another into the same data set"});
-    if (!call.fabric.empty() || !call.calibration.empty() || !call.plots.empty())
-        throw protocols::badInput({"--fabric, --calibration and --plots do not apply to scans", "import scans",
+    if (!call.fabric.empty() || !call.fibre.empty() || !call.calibration.empty() || !call.plots.empty())
+        throw protocols::badInput({"--fabric, --fibre, --calibration and --plots do not apply to scans", "import scans",
                                    "--tile-mm, --tile and --patch", "leave them out"});
     rendering::scans::ScanImport request{call.from.front(), call.out, tilesFrom(call)};
     request.patchPx = call.patchPx.value_or(request.patchPx);
@@ -137,6 +137,12 @@ int import(const ImportCall& call)
     request.from.assign(call.from.begin(), call.from.end());
     request.out = call.out;
     if (!call.fabric.empty()) request.fabric = protocols::FabricId(call.fabric);
+    if (!call.fibre.empty()) {
+        request.fibre = rendering::fabrics::fibreFrom(call.fibre);
+        if (!request.fibre)
+            throw protocols::badInput({"\"" + call.fibre + "\" is no known fibre", "--fibre", rendering::fabrics::fibreNames(),
+                                       "leave --fibre out for another fibre and for a mixture"});
+    }
     request.decodeOther = looking::decodeByQt;
     request.friction = frictionOptions(call);
     if (!call.calibration.empty()) {
@@ -162,6 +168,8 @@ void addImport(CLI::App& app, Action& action)
     command->add_option("FROM", call->from, "files or folders to import")->required();
     command->add_option("--out", call->out, "the data set; recordings are added to an existing one")->required();
     command->add_option("--fabric", call->fabric, "import everything as recordings of this fabric, e.g. F03");
+    command->add_option("--fibre", call->fibre,
+                        "fibre of the imported fabrics, as their label says: " + rendering::fabrics::fibreNames());
     command->add_option("--calibration", call->calibration,
                         "calibration of the sensor that took the gelsight frames, from vis2hap calibrate");
     const char* scans = "Scanned materials";

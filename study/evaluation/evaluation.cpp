@@ -109,7 +109,8 @@ std::vector<std::vector<models::GeneratedSignals>> generatedFor(const Evaluation
         const PlannedSample& photograph = context.plan.pairs[i].photograph;
         photographs.push_back({fabrics::readPhotograph(context.dataset, photograph.fabric, photograph.index),
                                views.mmPerPixel(photograph.fabric, photograph.index),
-                               views.lightDeg(photograph.fabric, photograph.index)});
+                               views.lightDeg(photograph.fabric, photograph.index),
+                               context.dataset.fabric(photograph.fabric).fibre});
     }
     std::vector<std::vector<models::GeneratedSignals>> answers;
     for (const OpenModel& model : opened) {
@@ -174,6 +175,11 @@ void addFacts(const fabrics::Dataset& dataset, const std::vector<OpenModel>& ope
 {
     evaluation.dataset = dataset.name;
     evaluation.notes = context.plan.notes;
+    const auto told = std::ranges::count_if(context.dataset.fabrics, [](const auto& fabric) { return fabric.fibre.has_value(); });
+    if (told > 0)
+        evaluation.notes.push_back("the generators are told the fibre of " + std::to_string(told) + " of " +
+                                   std::to_string(context.dataset.fabrics.size()) +
+                                   " fabrics (dataset.json; --fibre-untold leaves it out)");
     evaluation.aligned = dataset.pairing == fabrics::Pairing::Aligned;
     for (const OpenModel& model : opened) {
         evaluation.models.push_back({model.card.summary.name, model.file.string(), model.card.summary.sha256,

@@ -96,7 +96,7 @@ std::vector<models::InputPhotograph> photographsOf(const fabrics::Dataset& datas
         const auto indices = fabrics::sampleIndices(dataset, fabric.id, Modality::Visual);
         for (std::size_t i = 0; i < indices.size() && static_cast<int>(i) < mostOfAFabric; ++i)
             photographs.push_back({fabrics::readPhotograph(dataset, fabric.id, indices[i]),
-                                   views.mmPerPixel(fabric.id, indices[i]), views.lightDeg(fabric.id, indices[i])});
+                                   views.mmPerPixel(fabric.id, indices[i]), views.lightDeg(fabric.id, indices[i]), fabric.fibre});
     }
     if (photographs.empty())
         throw protocols::badInput({"the data set has no photographs to change", dataset.folder.string(),

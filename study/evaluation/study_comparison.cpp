@@ -69,7 +69,8 @@ ControlSignals controlSignals(const rendering::fabrics::Dataset& dataset, const 
         for (const TestPair& pair : plan.pairs)
             photographs.push_back({rendering::fabrics::readPhotograph(dataset, pair.photograph.fabric, pair.photograph.index),
                                    views.mmPerPixel(pair.photograph.fabric, pair.photograph.index),
-                                   views.lightDeg(pair.photograph.fabric, pair.photograph.index)});
+                                   views.lightDeg(pair.photograph.fabric, pair.photograph.index),
+                                   dataset.fabric(pair.photograph.fabric).fibre});
         control.signals = generate(photographs, options);
     } catch (const protocols::Error& fault) {
         control.whyNone = std::string("the L1-only control could not be used: ") + fault.what();

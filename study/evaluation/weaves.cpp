@@ -82,7 +82,8 @@ WeaveReport evaluateWeaves(const fabrics::Dataset& dataset, const EvaluationRequ
         for (std::size_t i = first; i < end; ++i)
             photographs.push_back({fabrics::readPhotograph(dataset, weaves.photographs[i].fabric, weaves.photographs[i].index),
                                    views.mmPerPixel(weaves.photographs[i].fabric, weaves.photographs[i].index),
-                                   views.lightDeg(weaves.photographs[i].fabric, weaves.photographs[i].index)});
+                                   views.lightDeg(weaves.photographs[i].fabric, weaves.photographs[i].index),
+                                   dataset.fabric(weaves.photographs[i].fabric).fibre});
         const auto answers = generate(photographs, options);
         for (std::size_t i = first; i < end; ++i) {
             compareWaves(weaves.photographs[i], photographs[i - first].photograph, answers[i - first].heightMm);

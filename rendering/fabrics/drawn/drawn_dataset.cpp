@@ -45,6 +45,7 @@ std::vector<DrawnCloth> layOutDrawn(Dataset& dataset, const DrawnOptions& option
         cloth.fabric = drawFabric(options.seed, i);
         const std::string words = inWords(cloth.fabric);
         cloth.info = {protocols::FabricId(paddedId(static_cast<int>(i) + 1)), words.substr(0, words.find(',')), words};
+        cloth.info.fibre = cloth.fabric.fibre;
         cloth.friction = meanFriction(cloth.fabric);
     });
     for (const DrawnCloth& cloth : cloths) dataset.fabrics.push_back(cloth.info);

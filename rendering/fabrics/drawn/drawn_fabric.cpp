@@ -15,14 +15,13 @@ using protocols::Random;
 
 /// What a fibre usually looks and feels like.
 struct FibreHabit {
-    const char* name;
     double adhesion, sheenLow, sheenHigh, hairLow, hairHigh, uneven, twist;
 };
+/// In the order of Fibre.
 constexpr FibreHabit fibreHabits[] = {
-    {"cotton", 0.17, 0.02, 0.16, 0.10, 0.55, 0.07, 26},  {"linen", 0.16, 0.05, 0.20, 0.05, 0.30, 0.14, 22},
-    {"jute", 0.18, 0.03, 0.12, 0.40, 1.00, 0.20, 18},    {"wool", 0.19, 0.01, 0.08, 0.35, 1.00, 0.09, 24},
-    {"silk", 0.14, 0.35, 0.90, 0.00, 0.06, 0.03, 6},     {"polyester", 0.14, 0.20, 0.70, 0.00, 0.12, 0.02, 8},
-    {"viscose", 0.15, 0.12, 0.45, 0.03, 0.20, 0.04, 15}, {"acrylic", 0.18, 0.06, 0.22, 0.30, 0.90, 0.07, 18},
+    {0.17, 0.02, 0.16, 0.10, 0.55, 0.07, 26}, {0.16, 0.05, 0.20, 0.05, 0.30, 0.14, 22}, {0.18, 0.03, 0.12, 0.40, 1.00, 0.20, 18},
+    {0.19, 0.01, 0.08, 0.35, 1.00, 0.09, 24}, {0.14, 0.35, 0.90, 0.00, 0.06, 0.03, 6},  {0.14, 0.20, 0.70, 0.00, 0.12, 0.02, 8},
+    {0.15, 0.12, 0.45, 0.03, 0.20, 0.04, 15}, {0.18, 0.06, 0.22, 0.30, 0.90, 0.07, 18},
 };
 const FibreHabit& habitOf(Fibre fibre) { return fibreHabits[std::size_t(fibre)]; }
 
@@ -251,8 +250,6 @@ std::string nameOf(ClothKind kind)
                                             "cut pile", "terry",  "corduroy", "fleece"};
     return names[std::size_t(kind)];
 }
-
-std::string nameOf(Fibre fibre) { return habitOf(fibre).name; }
 
 std::string inWords(const DrawnFabric& fabric)
 {

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "rendering/fabrics/drawn/weave_draft.h"
+#include "rendering/fabrics/fibre.h"
 
 namespace rendering::fabrics {
 
 enum class ClothKind { Weave, Jersey, Rib, Interlock, Purl, CutPile, Terry, Corduroy, Fleece };
-enum class Fibre { Cotton, Linen, Jute, Wool, Silk, Polyester, Viscose, Acrylic };
 
 /// A set of parallel yarns. Knits: `warp` has the spacing of the wales and the loop yarn, `weft` the spacing of the courses.
 struct DrawnYarns {
@@ -85,7 +85,6 @@ struct DrawnFabric {
 DrawnFabric drawFabric(std::uint64_t seed, std::uint64_t index);
 
 std::string nameOf(ClothKind kind);
-std::string nameOf(Fibre fibre);
 /// The construction in words: "twill 2/2, 0.40 × 0.46 mm, wool, napped".
 std::string inWords(const DrawnFabric& fabric);
 

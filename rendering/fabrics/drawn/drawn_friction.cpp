@@ -15,7 +15,7 @@ constexpr double feltMm = 0.15;
 
 }  // namespace
 
-double meanFriction(const DrawnFabric& fabric, double forceN)
+FrictionTerms visibleFriction(const DrawnFabric& fabric)
 {
     const double pitch = std::clamp(threadPeriod(fabric).mm / 12, 0.03, 0.25);
     cv::Mat height = clothWindow(fabric, {37, 41, 0}, {feltPatchPx, feltPatchPx}, pitch, SlackShown::No).heightMm, slopeX, slopeY;
@@ -23,8 +23,12 @@ double meanFriction(const DrawnFabric& fabric, double forceN)
     cv::Sobel(height, slopeX, CV_32F, 1, 0, 1, 1 / (2 * pitch));
     cv::Sobel(height, slopeY, CV_32F, 0, 1, 1, 1 / (2 * pitch));
     const double slope = std::sqrt(cv::mean(slopeX.mul(slopeX) + slopeY.mul(slopeY))[0]);
-    const double visible = fabric.adhesion * (1 - 0.6 * fabric.sheen) + 1.5 * std::tanh(0.3 * slope) + 0.20 * fabric.hairiness;
-    return visible * fabric.unseen * std::pow(forceN / 15, -0.08);
+    return {fabric.adhesion * (1 - 0.6 * fabric.sheen) + 0.20 * fabric.hairiness, 1.5 * std::tanh(0.3 * slope)};
+}
+
+double meanFriction(const DrawnFabric& fabric, double forceN)
+{
+    return visibleFriction(fabric).sum() * fabric.unseen * std::pow(forceN / 15, -0.08);
 }
 
 ForceRecord strokeDrawn(const DrawnFabric& fabric, double mean, const FabricPlace& start, const FrictionRecording& recording,

@@ -14,7 +14,17 @@ namespace rendering::fabrics {
 
 inline constexpr double unseenFrictionSpread = 0.06;
 
-/// Mean coefficient of friction. Samples a patch of at least twelve threads at a fixed place.
+/// The visible terms of the law at 15 N.
+struct FrictionTerms {
+    double fibre = 0;   ///< adhesion A (1 - 0.6 sheen) + entanglement 0.20 hairiness
+    double relief = 0;  ///< ploughing 1.5 tanh(0.3 s)
+    double sum() const { return fibre + relief; }
+};
+
+/// Samples a patch of at least twelve threads at a fixed place.
+FrictionTerms visibleFriction(const DrawnFabric& fabric);
+
+/// Mean coefficient of friction, from the same patch.
 double meanFriction(const DrawnFabric& fabric, double forceN = 15);
 
 /// A stroke of the simulated rig over the fabric, from `start` along its direction; `mean` is meanFriction(). Texture, noise and

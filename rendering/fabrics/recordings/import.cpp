@@ -54,6 +54,7 @@ std::vector<std::string> importRecordings(const ImportRequest& request)
     std::vector<std::string> lines;
     for (const Importer& importer : importers)
         if (importer.kind == request.kind) lines = importer.import(request, stage);
+    if (request.fibre) stage.tellFibre(*request.fibre);
     if (stage.dataset().procedural) {
         stage.dataset().procedural = false;
         lines.emplace_back("the data set contains real recordings now, so it is no longer marked as procedural");

@@ -39,6 +39,7 @@ struct ImportRequest {
     std::optional<ImportedSensor> sensor = {};  ///< for tactile frames
     FrictionOptions friction = {};              ///< for friction records
     std::filesystem::path plots = {};           ///< folder for a picture of each stroke, F01-000.svg; empty: no pictures
+    std::optional<Fibre> fibre = {};            ///< of all fabrics that are imported
 };
 
 /// Imports and returns a report, one line each: "F01 Linen: slide, 812 rows, taxel_sum_counts (sum of 16 taxels in counts)".

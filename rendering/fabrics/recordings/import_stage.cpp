@@ -54,6 +54,19 @@ FabricId ImportStage::fabricFor(const std::string& name, const std::optional<Fab
     return id;
 }
 
+void ImportStage::tellFibre(Fibre fibre)
+{
+    for (const SamplePlace& place : m_added)
+        for (FabricInfo& info : m_dataset.fabrics) {
+            if (info.id != place.fabric) continue;
+            if (info.fibre && *info.fibre != fibre)
+                throw protocols::badInput({"fabric " + info.id.value + " is of " + nameOf(*info.fibre) + ", not " + nameOf(fibre),
+                                           (m_out / "dataset.json").string(), "one fibre for each fabric",
+                                           "correct --fibre, or the file"});
+            info.fibre = fibre;
+        }
+}
+
 ImportStage::SampleSlot ImportStage::addSample(const FabricId& fabric, Modality modality)
 {
     int index = 0;

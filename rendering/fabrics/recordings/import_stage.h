@@ -24,6 +24,9 @@ public:
     /// Fabric of that name, or a new one with the next free id. `wanted` sets the id.
     protocols::FabricId fabricFor(const std::string& name, const std::optional<protocols::FabricId>& wanted);
 
+    /// States the fibre of every fabric that samples were added to. Throws badInput where another fibre is stated already.
+    void tellFibre(Fibre fibre);
+
     struct SampleSlot {
         int index;
         std::filesystem::path file;  ///< path at which the caller writes the sample

@@ -143,6 +143,7 @@ LabPhotograph usedPhotograph(const Dataset& dataset, const SamplePlace& place, c
     photograph.index = place.index;
     photograph.mmPerPixel = views.mmPerPixel(place.fabric, place.index).value_or(assumedMmPerPixel(rgb, architecture));
     photograph.lightDeg = views.lightDeg(place.fabric, place.index);
+    photograph.fibre = dataset.fabric(place.fabric).fibre;
     photograph.rgb = rgb;
     if (const auto surface = fabrics::readSurface(dataset, place.fabric, place.index)) {
         if (surface->size() != rgb.size())

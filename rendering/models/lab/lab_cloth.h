@@ -52,6 +52,7 @@ struct LabPhotograph {
     cv::Mat rgb;  ///< CV_8UC3
     double mmPerPixel = 0.05;
     std::optional<double> lightDeg = {};
+    std::optional<fabrics::Fibre> fibre = {};
     cv::Mat reliefMm = {};       ///< CV_32FC1 of the same size, NaN where nothing was measured; empty without registered relief
     bool amplitudeKnown = true;  ///< false: `reliefMm` has an unknown scale (FabricInfo::surfaceInMm)
 };

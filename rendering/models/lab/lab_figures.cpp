@@ -78,8 +78,8 @@ SeenLabPhotograph seenPhotograph(SeeingNetworks& networks, const Architecture& a
                                  const LabPhotograph& photograph)
 {
     const cv::Rect part = middlePart(photograph.rgb.size());
-    const GeneratedSignals made =
-        seenSignals(networks, architecture, {photograph.rgb(part).clone(), photograph.mmPerPixel, photograph.lightDeg}, {});
+    const GeneratedSignals made = seenSignals(
+        networks, architecture, {photograph.rgb(part).clone(), photograph.mmPerPixel, photograph.lightDeg, photograph.fibre}, {});
     SeenLabPhotograph seen;
     seen.fabric = photograph.fabric;
     const double measured = lab.fabrics[photograph.fabric].logFriction(photograph.part);

@@ -31,6 +31,7 @@ struct KnownPatch {
     float logFriction = std::numeric_limits<float>::quiet_NaN();
     std::optional<double> lightDeg = {};
     cv::Mat logRatio = {};  ///< empty for scans
+    std::optional<fabrics::Fibre> fibre = {};
 };
 
 cv::Mat linearReflectance(const cv::Mat& srgb)
@@ -62,7 +63,8 @@ KnownPatch drawnPatch(std::uint64_t seed, std::uint64_t index, const ClothBatchO
     Random random = Random::stream(seed, "stroke/" + std::to_string(index));
     return {drawn.rgb,        drawn.heightMm / drawn.mmPerPixel,
             drawn.mmPerPixel, static_cast<float>(std::log(friction)),
-            drawn.lightDeg,   strokeElsewhere(fabric, friction, random, options.spectrograms)};
+            drawn.lightDeg,   strokeElsewhere(fabric, friction, random, options.spectrograms),
+            fabric.fibre};
 }
 
 /// Zoom of scanned cloth: a larger one shows fewer, larger threads. Slopes stay, so heights grow with the picture.
@@ -207,6 +209,7 @@ ClothBatch drawClothBatch(const std::vector<ScannedCloth>& scans, const ClothBat
         cv::subtract(turned(patch.reliefPx, lamp.turn), cv::mean(patch.reliefPx), relief);
         batch.logPitches.push_back(static_cast<float>(std::log(patch.mmPerPixel / pitchUnitMm)));
         batch.logFrictions.push_back(patch.logFriction);
+        batch.fibres.push_back(patch.fibre);
         const std::size_t cells = std::size_t(options.spectrograms.rows) * std::size_t(options.spectrograms.frames);
         if (patch.logRatio.empty())
             batch.logRatios.insert(batch.logRatios.end(), cells, std::numeric_limits<float>::quiet_NaN());

@@ -35,7 +35,8 @@ struct ClothBatch {
     std::vector<float> logPitches;   ///< [N, 1]: logarithm of mm a pixel over pitchUnitMm (seeing_networks.h)
     std::vector<float> lamps;        ///< [N, 2] (told_lamp.h)
     std::vector<float>
-        logFrictions;              ///< [N, 1]: logarithm of the mean coefficient; NaN for scans, whose friction nobody measured
+        logFrictions;  ///< [N, 1]: logarithm of the mean coefficient; NaN for scans, whose friction nobody measured
+    std::vector<std::optional<fabrics::Fibre>> fibres;  ///< N; nullopt for scans
     std::vector<float> logRatios;  ///< [N, 1, rows, frames] of a stroke at another place (friction_target.h); NaN for scans
 };
 

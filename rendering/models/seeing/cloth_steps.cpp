@@ -164,20 +164,28 @@ std::vector<SeenPatch> seenPatches(SeeingNetworks& networks, const std::vector<C
         for (int i = 0; i < drawn.size; ++i) {
             const double known = batch.logFrictions[i].item<double>();
             all.push_back({correlation[i].item<double>(), ratio[i].item<double>(), friction.logMean[i].item<double>() - known,
-                           friction.logSpread[i].item<double>(), std::exp(known)});
+                           friction.logSpread[i].item<double>(), std::exp(known), drawn.fibres[std::size_t(i)].value()});
         }
     }
     setTraining(networks, true);
     return all;
 }
 
-double frictionIntervalFactor(SeeingNetworks& networks, const Architecture& architecture, int patches, std::uint64_t seed)
+void calibrateFriction(SeeingNetworks& networks, Architecture& architecture, int patches, std::uint64_t seed)
 {
     constexpr std::uint64_t ownFamily = 0x9e3779b97f4a7c15;  // Neither of training nor of its validation.
+    const std::vector<SeenPatch> seen = seenPatches(networks, drawnBatches(architecture, patches, seed ^ ownFamily));
     std::vector<double> errors;
-    for (const SeenPatch& patch : seenPatches(networks, drawnBatches(architecture, patches, seed ^ ownFamily)))
-        errors.push_back(patch.standardError());
-    return std::clamp(quantileOf(errors, 0.9) / ninetyPercent, 0.2, 5.0);
+    for (const SeenPatch& patch : seen) errors.push_back(patch.standardError());
+    architecture.intervalFactor = std::clamp(quantileOf(errors, 0.9) / ninetyPercent, 0.2, 5.0);
+    std::vector<DrawnReading> drawn;
+    for (const SeenPatch& patch : seen) {
+        const double known = std::log(patch.friction);
+        drawn.push_back({patch.fibre,
+                         {known + patch.logError, ninetyPercent * architecture.intervalFactor * std::exp(patch.logSpread)},
+                         known});
+    }
+    architecture.fibres = fibreReadings(drawn);
 }
 
 nlohmann::ordered_json clothFigures(SeeingNetworks& networks, const Architecture& architecture, int patches, std::uint64_t seed)

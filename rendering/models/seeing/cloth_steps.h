@@ -83,6 +83,7 @@ private:
 struct SeenPatch {
     double correlation = 0, sqRatio = 0;
     double logError = 0, logSpread = 0, friction = 0;  ///< of the mean friction: error of its logarithm, stated deviation, truth
+    fabrics::Fibre fibre = fabrics::Fibre::Cotton;
     double standardError() const { return std::abs(logError) / std::exp(logSpread); }
     double frictionError() const { return std::abs(std::expm1(logError)); }  ///< relative
 };
@@ -98,8 +99,8 @@ std::vector<SeenPatch> seenPatches(SeeingNetworks& networks, const std::vector<C
 /// coefficient), friction_constant_error (the same of one constant), friction_coverage (share inside the 90 % interval).
 nlohmann::ordered_json clothFigures(SeeingNetworks& networks, const Architecture& architecture, int patches, std::uint64_t seed);
 
-/// Factor of the stated deviation of friction with which 90 % of `patches` drawn fabrics lie in the 90 % interval, 0.2 to 5. They
-/// belong to a family that neither training nor clothFigures() shows.
-double frictionIntervalFactor(SeeingNetworks& networks, const Architecture& architecture, int patches, std::uint64_t seed);
+/// Sets Architecture::intervalFactor, so that 90 % of `patches` drawn fabrics lie in the 90 % interval (0.2 to 5), and
+/// Architecture::fibres. The fabrics belong to a family that neither training nor clothFigures() shows.
+void calibrateFriction(SeeingNetworks& networks, Architecture& architecture, int patches, std::uint64_t seed);
 
 }  // namespace rendering::models

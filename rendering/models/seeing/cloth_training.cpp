@@ -20,8 +20,9 @@ namespace {
 using std::chrono::steady_clock;
 
 constexpr int stepsPerLogRow = 50;
-/// Patches that set the interval of friction, against those of a validation: a tail needs more of them than a mean.
-constexpr int patchesPerFactor = 5;
+/// Patches that set the interval of friction and the correction for a told fibre, against those of a validation: the rarest fibre
+/// is one in 25.
+constexpr int patchesPerCalibration = 30;
 
 Architecture architectureFor(const ClothTrainingOptions& options, const std::optional<ModelCardFields>& start)
 {
@@ -161,6 +162,7 @@ private:
         ModelCardFields card = cardOfSeeingModel(m_options.towards);
         Architecture same = card.architecture;
         same.intervalFactor = m_architecture.intervalFactor;
+        same.fibres = m_architecture.fibres;
         if (same != m_architecture)
             throw protocols::badInput({"the two models have other networks, or one belongs to a lab", m_options.towards.string(),
                                        "a model that was trained from " + m_options.from.string(), "name such a model"});
@@ -222,11 +224,10 @@ private:
         write(training, std::move(card), state.step);
     }
 
-    /// Sets the interval of friction, validates, and writes weights and card.
+    /// Calibrates friction, validates, and writes weights and card.
     void write(ClothTraining& training, ModelCardFields card, int step)
     {
-        m_architecture.intervalFactor = frictionIntervalFactor(training.result(), m_architecture,
-                                                               patchesPerFactor * m_options.validationPatches, m_options.seed);
+        calibrateFriction(training.result(), m_architecture, patchesPerCalibration * m_options.validationPatches, m_options.seed);
         card.summary.name = m_options.out.stem().string();
         card.summary.trainingCommand = m_options.command;
         card.architecture = m_architecture;

@@ -151,7 +151,7 @@ torch::Tensor squareCrops(const cv::Mat& rgb, int side, Quality quality)
 }
 
 void addFriction(GeneratedSignals& signals, FrictionNetwork& network, ReliefReader& reader, const Architecture& architecture,
-                 const cv::Mat& rgb, double pitch, Quality quality)
+                 const cv::Mat& rgb, double pitch, const std::optional<fabrics::Fibre>& fibre, Quality quality)
 {
     const auto [texture, relief] = reader.of(squareCrops(rgb, architecture.crop, quality));
     const torch::Tensor logPitch = torch::full({texture.size(0), 1}, std::log(pitch / pitchUnitMm));
@@ -159,8 +159,10 @@ void addFriction(GeneratedSignals& signals, FrictionNetwork& network, ReliefRead
     FrictionTarget target;
     const torch::Tensor logRatio = seen.logRatio.mean(0).contiguous();
     target.logRatio = cv::Mat(architecture.rows, architecture.frames, CV_32F, logRatio.data_ptr<float>()).clone();
-    const double logMean = seen.logMean.mean().item<double>() + std::log(architecture.frictionFactor),
-                 halfWidth = ninetyPercent * architecture.intervalFactor * seen.logSpread.exp().mean().item<double>();
+    const ReadFriction read = withToldFibre({seen.logMean.mean().item<double>(), ninetyPercent * architecture.intervalFactor *
+                                                                                     seen.logSpread.exp().mean().item<double>()},
+                                            architecture.fibres, fibre);
+    const double logMean = read.logMean + std::log(architecture.frictionFactor), halfWidth = read.halfWidth;
     target.mean = static_cast<float>(std::exp(logMean));
     signals.spectrogram = magnitudes(target, architecture);
     signals.spectrogramParameters = spectrogramParameters(architecture);
@@ -198,8 +200,9 @@ GeneratedSignals seenSignals(SeeingNetworks& networks, const Architecture& archi
             signals.heightMmPerPixel = pitch;
         });
     if (options.friction)
-        signals.frictionMilliseconds =
-            millisecondsOf([&] { addFriction(signals, networks.friction, reader, architecture, rgb, pitch, options.quality); });
+        signals.frictionMilliseconds = millisecondsOf([&] {
+            addFriction(signals, networks.friction, reader, architecture, rgb, pitch, photograph.fibre, options.quality);
+        });
     requireFiniteSignals(signals);
     return signals;
 }

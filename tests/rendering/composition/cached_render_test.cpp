@@ -11,6 +11,7 @@
 #include "rendering/composition/render_fabrics.h"
 #include "rendering/composition/render_json.h"
 #include "rendering/images/image_png.h"
+#include "rendering/models/model_card_fields.h"
 #include "rendering/signals/tactile/photometric_stereo.h"
 
 using namespace rendering;
@@ -199,8 +200,19 @@ private Q_SLOTS:
         QCOMPARE(costly(render("all", all())), 0);
         writePng(m_small.file(1, "visual/000.png"), weave(60, 70, 12, 50));
         QCOMPARE(costly(render("all", all())), 2);  // shape from shading, and one photograph for the generators
+        m_small.dataset.fabrics.front().fibre = fabrics::Fibre::Wool;
+        QCOMPARE(costly(render("all", all())), 1);
+        m_small.dataset.fabrics.front().fibre.reset();
         std::ofstream(fs::path(m_temporary.path().toStdString()) / "nn") << "another program";
         QCOMPARE(costly(render("all", all())), 3);
+        // A lab's model may have the weights of the program and factors of its own: they stand in the card.
+        const fs::path model = fs::path(m_temporary.path().toStdString()) / "lab.safetensors";
+        fs::copy_file(models::shippedModel(), model);
+        fs::copy_file(models::cardOf(models::shippedModel()), models::cardOf(model));
+        const auto byLab = [&](RenderRequest& request) { request.generation.model = model; };
+        QCOMPARE(costly(render("all", all(), byLab)), 0);
+        std::ofstream(models::cardOf(model), std::ios::app) << "\n";
+        QCOMPARE(costly(render("all", all(), byLab)), 3);
     }
 
     void damagedEntriesAreComputedAgain()

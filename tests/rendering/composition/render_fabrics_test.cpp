@@ -433,7 +433,14 @@ private Q_SLOTS:
         QCOMPARE(lines.size(), std::size_t{1});
         QCOMPARE(QString::fromStdString(lines[0]),
                  "photograph 0 of F01 tells little of its friction (90 % interval 0.15 to 0.60); "
-                 "its generated friction is that of an ordinary cloth");
+                 "its generated friction is that of an ordinary cloth; "
+                 "if its label names one fibre, state it (\"fibre\" in dataset.json)");
+        small.dataset.fabrics[0].fibre = fabrics::Fibre::Wool;
+        const auto told = renderFabrics(small.dataset, request);
+        QVERIFY(uncertainFriction(told)[0].ends_with("an ordinary cloth"));
+        QCOMPARE(
+            nlohmann::json::parse(renderJson(small.dataset, request, told))["photographs"]["F01"]["fibre"].get<std::string>(),
+            std::string("wool"));
         const auto json = nlohmann::json::parse(renderJson(small.dataset, request, rendering))["photographs"];
         QCOMPARE(json["F02"]["mean_friction"]["interval_90"][1].get<double>(), 0.35);
         QCOMPARE(json["F01"]["mean_friction"]["tells_little"].get<bool>(), true);

@@ -137,6 +137,18 @@ private Q_SLOTS:
         QCOMPARE(faultsOfDataset(m_dataset.folder).size(), std::size_t(1));
     }
 
+    void fibresAreStatedByName()
+    {
+        m_dataset.fabrics.front().fibre = Fibre::Wool;
+        writeDatasetJson(m_dataset);
+        const Dataset again = readDataset(m_dataset.folder);
+        QVERIFY(again.fabrics.front().fibre == Fibre::Wool && !again.fabrics.back().fibre);
+        const fs::path file = m_dataset.folder / "dataset.json";
+        write(file, QString::fromStdString(read(file)).replace("\"wool\"", "\"100 % wool\"").toStdString());
+        const std::string refusal = refusalOf([&] { readDataset(m_dataset.folder); });
+        QVERIFY2(contains(refusal, "fabrics[0].fibre") && contains(refusal, "cotton, linen, jute, wool"), refusal.c_str());
+    }
+
     void frictionIsReadByItsHeader()
     {
         const FrictionRecord forces = readFriction(m_dataset, FabricId("F01"), 0);

@@ -118,6 +118,21 @@ private Q_SLOTS:
         QVERIFY(contains(refusalOf([&] { importRecordings(request); }), "--fabric"));
     }
 
+    void theFibreOfTheLabelIsKeptAndNotChanged()
+    {
+        writePng(m_in / "Wool_1.png", speckled(20, 24, CV_8UC3));
+        import(ImportKind::Photos, {m_in});
+        writePng(m_in / "Aida_1.png", speckled(20, 24, CV_8UC3, 9));
+        ImportRequest request{ImportKind::Photos, {m_in / "Aida_1.png"}, m_out, {}, {}};
+        request.fibre = Fibre::Cotton;
+        importRecordings(request);
+        const Dataset dataset = readDataset(m_out);
+        QVERIFY(!dataset.fabrics[0].fibre && dataset.fabrics[1].fibre == Fibre::Cotton);
+        request.fibre = Fibre::Silk;
+        QVERIFY(contains(refusalOf([&] { importRecordings(request); }), "F02 is of cotton, not silk"));
+        QCOMPARE(sampleIndices(readDataset(m_out), FabricId("F02"), Modality::Visual).size(), std::size_t(1));
+    }
+
     void otherPicturesAreDecodedByThePassedDecoder()
     {
         write(m_in / "Wool_1.jpg", "not really");

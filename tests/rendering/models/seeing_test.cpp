@@ -332,6 +332,32 @@ private Q_SLOTS:
         QVERIFY2(here > 0.15F && here > opposite + 0.3F, qPrintable(QString("%1, %2").arg(here).arg(opposite)));
     }
 
+    void aToldFibreMovesFrictionAndItsIntervalOnly()
+    {
+        torch::manual_seed(6);
+        Architecture architecture;
+        architecture.sees = true;
+        setSpectrogramShape(architecture);
+        architecture.fibres[std::size_t(fabrics::Fibre::Silk)] = FibreReading{0.02, 0.5, 0.6};
+        architecture.frictionFactor = 3;
+        SeeingNetworks networks = makeSeeingNetworks(architecture);
+        setTraining(networks, false);
+        cv::Mat rgb(128, 128, CV_8UC3);
+        cv::randu(rgb, 0, 255);
+        const auto seen = [&](std::optional<fabrics::Fibre> fibre) {
+            return seenSignals(networks, architecture, {rgb, 0.05, {}, fibre}, {});
+        };
+        const GeneratedSignals untold = seen({}), silk = seen(fabrics::Fibre::Silk), wool = seen(fabrics::Fibre::Wool);
+        QCOMPARE(wool.meanFriction, untold.meanFriction);  // The model knows nothing of wool.
+        QVERIFY(std::abs(silk.meanFriction / (3 * (0.02 + 0.5 * untold.meanFriction / 3)) - 1) < 1e-5);
+        QVERIFY(std::abs(cv::mean(silk.trace)[0] / silk.meanFriction - 1) < 1e-5);
+        const auto width = [](const GeneratedSignals& signals) {
+            return std::log(signals.photograph.meanFriction->high / signals.photograph.meanFriction->low);
+        };
+        QVERIFY(std::abs(width(silk) / width(untold) - 0.6) < 1e-5);
+        QCOMPARE(cv::norm(silk.heightMm, untold.heightMm, cv::NORM_INF), 0.0);
+    }
+
     void scansArePhotographedAnewWithTheirSlopesAndWithoutFriction()
     {
         QTemporaryDir folder;

@@ -76,6 +76,18 @@ private Q_SLOTS:
         QVERIFY(fs::file_size(models::shippedModel()) + fs::file_size(models::cardOf(models::shippedModel())) < (4U << 20U));
     }
 
+    void aCardKeepsWhatItKnowsOfFibres()
+    {
+        models::ModelCardFields card = models::readModelCardFields(models::shippedModel());
+        card.architecture.fibres = {};
+        card.architecture.fibres[std::size_t(fabrics::Fibre::Jute)] = models::FibreReading{-0.01, 1.25, 0.5};
+        write(models::cardOf(model()), models::cardText(card));
+        QVERIFY(models::readModelCardFields(model()).architecture == card.architecture);
+        QString text = QString::fromStdString(models::cardText(card));
+        write(models::cardOf(model()), text.replace("1.25", "-1.25").toStdString());
+        QVERIFY(faultOfGenerating().contains("sizes out of range"));
+    }
+
     void shippedCardStatesItsOrigin()
     {
         const models::ModelCardFields card = models::readModelCardFields(models::shippedModel());

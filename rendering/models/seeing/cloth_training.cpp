@@ -20,9 +20,9 @@ namespace {
 using std::chrono::steady_clock;
 
 constexpr int stepsPerLogRow = 50;
-/// Patches that set the interval of friction and the correction for a told fibre, against those of a validation: the rarest fibre
-/// is one in 25.
-constexpr int patchesPerCalibration = 30;
+/// Patches that calibrate friction, against those of a validation: a tail needs more of them than a mean, and the rarest fibre is
+/// one in 25. A training that saw fewer gets the lower number.
+constexpr int patchesPerShortCalibration = 5, patchesPerCalibration = 30;
 
 Architecture architectureFor(const ClothTrainingOptions& options, const std::optional<ModelCardFields>& start)
 {
@@ -227,7 +227,10 @@ private:
     /// Calibrates friction, validates, and writes weights and card.
     void write(ClothTraining& training, ModelCardFields card, int step)
     {
-        calibrateFriction(training.result(), m_architecture, patchesPerCalibration * m_options.validationPatches, m_options.seed);
+        const int most = patchesPerCalibration * m_options.validationPatches;
+        const bool isShort = step > 0 && step * m_options.batch < most;
+        calibrateFriction(training.result(), m_architecture,
+                          isShort ? patchesPerShortCalibration * m_options.validationPatches : most, m_options.seed);
         card.summary.name = m_options.out.stem().string();
         card.summary.trainingCommand = m_options.command;
         card.architecture = m_architecture;

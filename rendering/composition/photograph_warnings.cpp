@@ -48,7 +48,8 @@ std::vector<std::string> uncertainFriction(const RenderedFabrics& rendering)
                             protocols::fixed(signals.photograph->meanFriction->low, 2) + " to " +
                             protocols::fixed(signals.photograph->meanFriction->high, 2) +
                             "); its generated friction is that of an ordinary cloth" +
-                            (signals.fibre ? "" : "; if its label names one fibre, state it (\"fibre\" in dataset.json)"));
+                            (signals.fibre ? " of " + nameOf(*signals.fibre)
+                                           : "; if its label names one fibre, state it (\"fibre\" in dataset.json)"));
     return lines;
 }
 

@@ -15,7 +15,10 @@ std::string nameOf(Fibre fibre) { return std::string(namesOfFibres[std::size_t(f
 
 std::optional<Fibre> fibreFrom(std::string_view name)
 {
-    const auto found = std::ranges::find(namesOfFibres, name);
+    std::string small(name);
+    for (char& letter : small)
+        if (letter >= 'A' && letter <= 'Z') letter = char(letter - 'A' + 'a');
+    const auto found = std::ranges::find(namesOfFibres, small);
     if (found == std::end(namesOfFibres)) return std::nullopt;
     return Fibre(found - std::begin(namesOfFibres));
 }

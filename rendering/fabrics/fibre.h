@@ -13,7 +13,7 @@ inline constexpr std::size_t fibreCount = 8;
 
 /// "cotton", "linen" ... as in dataset.json.
 std::string nameOf(Fibre fibre);
-/// nullopt for another name.
+/// In capitals or not; nullopt for another name.
 std::optional<Fibre> fibreFrom(std::string_view name);
 /// All names in one line, for messages.
 std::string fibreNames();

@@ -437,7 +437,7 @@ private Q_SLOTS:
                  "if its label names one fibre, state it (\"fibre\" in dataset.json)");
         small.dataset.fabrics[0].fibre = fabrics::Fibre::Wool;
         const auto told = renderFabrics(small.dataset, request);
-        QVERIFY(uncertainFriction(told)[0].ends_with("an ordinary cloth"));
+        QVERIFY(uncertainFriction(told)[0].ends_with("that of an ordinary cloth of wool"));
         QCOMPARE(
             nlohmann::json::parse(renderJson(small.dataset, request, told))["photographs"]["F01"]["fibre"].get<std::string>(),
             std::string("wool"));

@@ -80,7 +80,7 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < fabrics::fibreCount; ++i)
             QVERIFY(fabrics::fibreFrom(nameOf(Fibre(i))) == Fibre(i) &&
                     fabrics::fibreNames().find(nameOf(Fibre(i))) != std::string::npos);
-        QVERIFY(!fabrics::fibreFrom("Cotton") && !fabrics::fibreFrom(""));
+        QVERIFY(fabrics::fibreFrom("Cotton") == Fibre::Cotton && !fabrics::fibreFrom("cotton 100 %") && !fabrics::fibreFrom(""));
     }
 };
 

@@ -99,6 +99,7 @@ private Q_SLOTS:
         const models::ModelCardFields card = models::readModelCardFields(at("model.safetensors").toStdString());
         QVERIFY(card.architecture.sees);
         QCOMPARE(card.steps, 150);
+        QVERIFY(card.architecture.fibres[std::size_t(fabrics::Fibre::Cotton)]);             // one drawn fabric in four
         QVERIFY(card.summary.trainingCommand.starts_with("vis2hap train --drawn --out "));  // what the user types
         const auto figures = nlohmann::ordered_json::parse(card.validationJson);
         QCOMPARE(figures.at("patches").get<int>(), 8);

@@ -47,6 +47,20 @@ private Q_SLOTS:
         QCOMPARE(support::mustRun(call).out, once.out);
     }
 
+    void fibresOfTheDataSetAreToldUnlessTheyAreLeftOut()
+    {
+        const QString drawn = m_folder.filePath("drawn");
+        support::mustRun({"fabrics", "make", drawn, "--drawn", "3", "--samples", "3", "--seed", "5"});
+        QStringList call{"evaluate", drawn, "--samples", "1", "--quality", "fast", "--json"};
+        const auto told = json::parse(support::mustRun(call).out.toStdString());
+        call.insert(1, "--fibre-untold");
+        const auto untold = json::parse(support::mustRun(call).out.toStdString());
+        QVERIFY(told["notes"].dump().find("told the fibre of 3 of 3 fabrics") != std::string::npos);
+        QVERIFY(untold["notes"].dump().find("fibre") == std::string::npos);
+        QVERIFY(told["speakers"][0]["mean_friction"] != untold["speakers"][0]["mean_friction"]);
+        QCOMPARE(told["speakers"][0]["sq_mm"].get<double>(), untold["speakers"][0]["sq_mm"].get<double>());
+    }
+
     void badCallsAreRefusedInOneLine_data()
     {
         QTest::addColumn<QStringList>("arguments");

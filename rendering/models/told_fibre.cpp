@@ -53,6 +53,15 @@ ReadFriction withToldFibre(const ReadFriction& read, const FibreReadings& readin
     return {std::log(toldMean(reading, std::exp(read.logMean))), read.halfWidth * reading.narrowing};
 }
 
+double logMeanToRead(double logFriction, const FibreReadings& readings, const std::optional<fabrics::Fibre>& fibre)
+{
+    if (!fibre || !readings[std::size_t(*fibre)] || std::isnan(logFriction)) return logFriction;
+    const FibreReading& reading = *readings[std::size_t(*fibre)];
+    const double friction = std::exp(logFriction);
+    return std::log(
+        std::clamp((friction - reading.constant) / reading.gain, leastToldShare * friction, friction / leastToldShare));
+}
+
 FibreReadings fibreReadings(std::span<const DrawnReading> drawn)
 {
     FibreReadings readings;

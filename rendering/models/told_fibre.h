@@ -30,6 +30,10 @@ struct ReadFriction {
 /// `read` where no fibre is told, or nothing is known of it.
 ReadFriction withToldFibre(const ReadFriction& read, const FibreReadings& readings, const std::optional<fabrics::Fibre>& fibre);
 
+/// Logarithm of the mean that networks should read from cloth with this logarithm of the mean, so that withToldFibre() gives it;
+/// at most four times as far. NaN stays NaN.
+double logMeanToRead(double logFriction, const FibreReadings& readings, const std::optional<fabrics::Fibre>& fibre);
+
 /// A drawn fabric whose friction is known.
 struct DrawnReading {
     fabrics::Fibre fibre;

@@ -164,7 +164,8 @@ LabBatch drawLabBatch(const LabCloth& lab, const Architecture& architecture, con
         batch.amplitudesKnown.push_back(photograph.amplitudeKnown ? 1 : 0);
         batch.presses.push_back(registered ? PressWindows{} : windowsOf(fabric, lab, patch, options, random));
         cloth.logPitches.push_back(static_cast<float>(std::log(patch.mmPerPixel / pitchUnitMm)));
-        cloth.logFrictions.push_back(static_cast<float>(fabric.logFriction(LabPart::Training) - options.logFrictionFactor));
+        cloth.logFrictions.push_back(static_cast<float>(logMeanToRead(
+            fabric.logFriction(LabPart::Training) - options.logFrictionFactor, architecture.fibres, photograph.fibre)));
         appendStroke(cloth, fabric, architecture, random);
     }
     return batch;

@@ -204,6 +204,23 @@ private Q_SLOTS:
         QVERIFY(std::abs(fabric.logFriction(LabPart::HeldOutFabric) - std::log(0.4)) < 1e-6);
     }
 
+    void networksLearnWhatAToldFibreTurnsIntoTheMeasuredFriction()
+    {
+        const QTemporaryDir folder;
+        LabCloth lab = read(labSet(folder, {}));
+        LabBatchOptions options;
+        options.side = 48;
+        Architecture architecture = smallNetworks();
+        architecture.fibres[std::size_t(fabrics::Fibre::Wool)] = FibreReading{0.02, 0.8, 0.6};
+        const std::vector<float> measured = drawLabBatch(lab, architecture, options, 1, 0).cloth.logFrictions;
+        for (LabPhotograph& photograph : lab.photographs) photograph.fibre = fabrics::Fibre::Wool;
+        const std::vector<float> wanted = drawLabBatch(lab, architecture, options, 1, 0).cloth.logFrictions;
+        for (std::size_t i = 0; i < measured.size(); ++i) {
+            const ReadFriction told = withToldFibre({double(wanted[i]), 1}, architecture.fibres, fabrics::Fibre::Wool);
+            QVERIFY(wanted[i] != measured[i] && std::abs(told.logMean - double(measured[i])) < 1e-5);
+        }
+    }
+
     void missingHeightsStayMissingAndTheRestIsLearned()
     {
         const QTemporaryDir folder;

@@ -68,6 +68,17 @@ private Q_SLOTS:
         }
     }
 
+    void aLabTrainsWhatTheToldFibreTurnsIntoItsFriction()
+    {
+        FibreReadings readings;
+        readings[std::size_t(Fibre::Wool)] = FibreReading{0.18, 0.8, 0.6};
+        const double read = logMeanToRead(std::log(0.4), readings, Fibre::Wool);
+        QVERIFY(std::abs(withToldFibre({read, 0.5}, readings, Fibre::Wool).logMean - std::log(0.4)) < 1e-12);
+        QCOMPARE(logMeanToRead(std::log(0.4), readings, std::nullopt), std::log(0.4));
+        QCOMPARE(std::exp(logMeanToRead(std::log(0.1), readings, Fibre::Wool)), 0.025);  // No wool of the line is as smooth.
+        QVERIFY(std::isnan(logMeanToRead(std::nan(""), readings, Fibre::Wool)));
+    }
+
     void frictionStaysPositiveFarFromTheDrawnFabrics()
     {
         FibreReadings readings;

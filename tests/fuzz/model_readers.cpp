@@ -32,6 +32,15 @@ std::string read(const fs::path& file)
 
 // ------------------------------------------------------------------ weights and training runs
 
+/// A card of networks that see, with what they know of a fibre.
+ModelCardFields seeingCard()
+{
+    ModelCardFields card;
+    card.architecture.sees = true;
+    card.architecture.fibres[std::size_t(rendering::fabrics::Fibre::Wool)] = FibreReading{0.1, 0.8, 0.6};
+    return card;
+}
+
 std::vector<Reader> tensorReaders(const fs::path& folder)
 {
     const TensorKind kind{"a", Element::F32, {2, 3}};
@@ -50,7 +59,7 @@ std::vector<Reader> tensorReaders(const fs::path& folder)
              parseTensorFile(bytes, {kind}, source);
          }},
         {"model-card",
-         {cardText(ModelCardFields{})},
+         {cardText(ModelCardFields{}), cardText(seeingCard())},
          [model](const std::string& bytes) {
              write(cardOf(model), bytes);
              readModelCardFields(model);
@@ -91,7 +100,7 @@ fs::path exchangeIn(const fs::path& folder)
     fs::create_directory(exchange);
     RequestWriter request(exchange, {folder / "m.safetensors", Quality::Fast, true, true});
     request.add({photograph(), 0.05});
-    request.add({photograph(), std::nullopt});
+    request.add({photograph(), std::nullopt, 135, rendering::fabrics::Fibre::Wool});
     request.finish();
     GeneratedSignals answer;
     answer.heightMm = cv::Mat(4, 5, CV_32FC1, cv::Scalar(0.25));

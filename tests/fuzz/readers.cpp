@@ -106,9 +106,9 @@ const std::string smallKey = R"({"schema":"vis2hap.allocation-key/2","secret":")
                              R"(","entries":{"a1":{"fabric":"F01","condition":"h&f","label":"K1"}}})";
 
 const std::string smallDataset =
-    R"({"schema":"vis2hap.dataset/1","name":"d","fabrics":[{"id":"F01","name":"a","structure":"b"}],"camera":{"mm_per_pixel":0.05},)"
-    R"("tactile":{"mm_per_pixel":0.1,"calibration":"known"},"friction":{"sample_rate_hz":60,"speed_mm_per_s":5,"length_mm":40},)"
-    R"("pairing":"weak","procedural":true,"licence":"x"})";
+    R"({"schema":"vis2hap.dataset/1","name":"d","fabrics":[{"id":"F01","name":"a","structure":"b","fibre":"wool"}],)"
+    R"("camera":{"mm_per_pixel":0.05},"tactile":{"mm_per_pixel":0.1,"calibration":"known"},)"
+    R"("friction":{"sample_rate_hz":60,"speed_mm_per_s":5,"length_mm":40},"pairing":"weak","procedural":true,"licence":"x"})";
 
 const std::string network =
     R"({"schema":"vis2hap.calibration/1","kind":"network","light":"own","channels":1,"by_place":false,"light_scale":2,)"

@@ -1,5 +1,5 @@
 // What the name of the fibre adds to friction. A photograph shows the relief of cloth, and hardly how smooth or hairy its fibre
-// is, which makes over half of the friction of drawn fabrics (`vis2hap bench fabrics`). A label tells it. Drawn fabrics of each fibre
+// is, which makes over half of the friction of drawn cloth (`bench fabrics`). A label tells it. Drawn fabrics of each fibre
 // say, after training, how the friction that the networks read from a photograph is to be corrected. No torch here.
 #pragma once
 

@@ -19,27 +19,31 @@ namespace protocols {
 namespace {
 
 using nlohmann::json;
-using SchemaFaults = std::vector<SchemaFault>;
-
 constexpr int mostFabrics = 100;  // as the schema has it
 
-std::vector<ProtocolFault> placed(const SchemaFaults& faults, const JsonDocument& document)
+std::vector<ProtocolFault> placed(const ProtocolFaults& faults, const JsonDocument& document)
 {
     std::vector<ProtocolFault> all;
-    for (const SchemaFault& fault : faults) {
+    for (const SchemaFault& fault : faults.all()) {
         const TextPlace place = document.textPlaceOf(pointerOf(fault.place));
         all.push_back({place.line, place.column, fault.text});
     }
     std::ranges::stable_sort(all, {}, [](const ProtocolFault& fault) { return std::pair(fault.line, fault.column); });
+    if (faults.unlisted() > 0)
+        all.push_back(
+            {all.back().line, all.back().column,
+             "the protocol: " + std::to_string(faults.unlisted()) + " more faults are not listed, correct these first"});
     return all;
 }
 
-[[noreturn]] void refuse(const SchemaFaults& faults, const JsonDocument& document)
+[[noreturn]] void refuse(const ProtocolFaults& faults, const JsonDocument& document)
 {
     std::string list;
-    for (const SchemaFault& fault : faults)
+    for (const SchemaFault& fault : faults.all())
         list += (list.empty() ? "" : "; ") + document.placeOf(pointerOf(fault.place)) + ", " + fault.text;
-    const std::string count = faults.size() == 1 ? "1 fault" : std::to_string(faults.size()) + " faults";
+    if (faults.unlisted() > 0) list += "; and " + std::to_string(faults.unlisted()) + " more";
+    const std::size_t number = faults.all().size() + faults.unlisted();
+    const std::string count = number == 1 ? "1 fault" : std::to_string(number) + " faults";
     throw badInput({.what = "malformed protocol, " + count + ": " + list,
                     .where = document.where(),
                     .expected = "",
@@ -232,11 +236,14 @@ Protocol protocolFrom(const ProtocolPart& document, ProtocolEdition edition)
     return protocol;
 }
 
-/// The protocol as far as it can be read; its faults are added.
+/// The protocol as far as it can be read; its faults are added to those of the schema.
 Protocol readFrom(const JsonDocument& document, ProtocolEdition edition, ProtocolFaults& faults)
 {
-    // Without an object there is nothing to read on.
-    if (!document.root().is_object()) return {};
+    SchemaFaults ofSchema = schemaFaultsOf(document.root(), edition);
+    // Without an object there is nothing to read on, and a value is read only where all its faults are known.
+    const bool isReadOn = document.root().is_object() && !ofSchema.isTooLarge && ofSchema.unlisted == 0;
+    faults = ProtocolFaults(std::move(ofSchema));
+    if (!isReadOn) return {};
     const Protocol protocol = protocolFrom(ProtocolPart(document.root(), "", faults), edition);
     for (const std::string& fault : faultsOf(protocol)) faults.add(fault);
     if (edition == ProtocolEdition::Current) {
@@ -251,28 +258,38 @@ Protocol readFrom(const JsonDocument& document, ProtocolEdition edition, Protoco
 
 Protocol readBy(ProtocolEdition edition, std::string_view text, const std::string& where)
 {
-    const JsonDocument document(std::string(text), where);
-    ProtocolFaults faults(schemaFaultsOf(document.root(), edition));
-    const Protocol protocol = readFrom(document, edition, faults);
-    if (const SchemaFaults all = faults.all(); !all.empty()) refuse(all, document);
+    const JsonDocument document(text, where);
+    ProtocolFaults faults({});
+    Protocol protocol = readFrom(document, edition, faults);
+    if (!faults.all().empty()) refuse(faults, document);
     return protocol;
+}
+
+std::string sizeFaultOf(std::string_view text)
+{
+    return std::to_string(text.size()) + " bytes, expected at most " + std::to_string(largestProtocol);
 }
 
 }  // namespace
 
 CheckedProtocol checkedProtocol(std::string_view text, const std::string& where)
 {
-    const JsonDocument document(std::string(text), where);
-    ProtocolFaults faults(schemaFaultsOf(document.root(), ProtocolEdition::Current));
     CheckedProtocol checked;
+    if (text.size() > largestProtocol) {
+        checked.faults.push_back({1, 1, "the protocol: " + sizeFaultOf(text)});
+        return checked;
+    }
+    const JsonDocument document(text, where);
+    ProtocolFaults faults({});
     checked.protocol = readFrom(document, ProtocolEdition::Current, faults);
-    checked.faults = placed(faults.all(), document);
+    checked.faults = placed(faults, document);
     if (!checked.faults.empty()) checked.protocol.reset();
     return checked;
 }
 
 Protocol protocolFromJson(std::string_view text, const std::string& where)
 {
+    if (text.size() > largestProtocol) throw badInput({sizeFaultOf(text), where, "", "check the path"});
     return readBy(ProtocolEdition::Current, text, where);
 }
 
@@ -281,7 +298,9 @@ Protocol keptProtocolFromJson(std::string_view text, const std::string& where, s
     return readBy(editionOf(madeBy), text, where);
 }
 
-Protocol readProtocol(const std::filesystem::path& file) { return protocolFromJson(readWholeFile(file), file.string()); }
+Protocol readProtocol(const std::filesystem::path& file) { return protocolFromJson(readProtocolText(file), file.string()); }
+
+std::string readProtocolText(const std::filesystem::path& file) { return readWholeFile(file, largestProtocol); }
 
 std::string_view paperProtocolJson() { return shipped::paperProtocol(); }
 

@@ -19,17 +19,23 @@ struct ProtocolFault {
     std::string text;        ///< the key, the value there, and what was expected
 };
 
+/// Largest protocol file, bytes. The paper's has 2,300.
+inline constexpr std::size_t largestProtocol = std::size_t{1} << 20;
+
 struct CheckedProtocol {
     std::optional<Protocol> protocol;   ///< none where the file has a fault
-    std::vector<ProtocolFault> faults;  ///< in the order of the file
+    std::vector<ProtocolFault> faults;  ///< in the order of the file; of very many the last says how many are not listed
 };
 
-/// All faults of a text. Throws badInput where the text is not JSON: then no later fault can be found.
+/// The faults of a text. Throws badInput where the text is not JSON: then no later fault can be found.
 CheckedProtocol checkedProtocol(std::string_view json, const std::string& where);
 
-/// `where` names the source in errors. Throws badInput listing every fault in one line.
+/// `where` names the source in errors. Throws badInput listing the faults in one line.
 Protocol protocolFromJson(std::string_view json, const std::string& where);
 Protocol readProtocol(const std::filesystem::path& file);
+
+/// The text of a protocol file. Throws badInput where it has more than `largestProtocol` bytes, as readWholeFile() does.
+std::string readProtocolText(const std::filesystem::path& file);
 
 /// The protocol that an existing study keeps, by the rules and usual texts of its time. `madeBy`: the program version that made
 /// the study.

@@ -35,7 +35,11 @@ void ProtocolFaults::add(const std::string& fault)
     const std::string place = fault.substr(0, fault.find(": "));
     const bool isConsequence =
         std::ranges::any_of(m_ofSchema, [&](const SchemaFault& known) { return isAround(known.place, place); });
-    if (!isConsequence) m_later.push_back({place, fault});
+    if (isConsequence) return;
+    if (m_later.size() < mostFaults)
+        m_later.push_back({place, fault});
+    else
+        ++m_unlisted;
 }
 
 bool ProtocolFaults::isRefused(const std::string& place) const

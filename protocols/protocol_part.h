@@ -13,7 +13,7 @@ namespace protocols {
 /// The faults of one file: those that the schema finds, and those found later.
 class ProtocolFaults {
 public:
-    explicit ProtocolFaults(std::vector<SchemaFault> ofSchema) : m_ofSchema(std::move(ofSchema)) {}
+    explicit ProtocolFaults(SchemaFaults ofSchema) : m_ofSchema(std::move(ofSchema.listed)), m_unlisted(ofSchema.unlisted) {}
 
     /// Adds "place: text", unless the schema has a fault at this place or around it: the new one then follows from that.
     void add(const std::string& fault);
@@ -23,12 +23,15 @@ public:
     /// Whether the schema has a fault at this place or inside it.
     bool isRefusedWithin(const std::string& place) const;
 
-    /// All of them, those of the schema first.
+    /// All of them, those of the schema first; of both kinds at most `mostFaults`.
     std::vector<SchemaFault> all() const;
+    /// How many more there are.
+    std::size_t unlisted() const { return m_unlisted; }
 
 private:
     std::vector<SchemaFault> m_ofSchema;
     std::vector<SchemaFault> m_later;
+    std::size_t m_unlisted;
 };
 
 class ProtocolPart {

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
+#include "protocols/files/utf8.h"
 #include "protocols/texts/shipped_texts.h"
 
 namespace protocols {
@@ -77,7 +79,8 @@ const json* valueAt(const json& document, const std::vector<std::string>& steps)
 std::string inBrief(const json& value)
 {
     if (value.is_array()) return "a list of " + std::to_string(value.size());
-    return value.is_object() ? "an object" : value.dump();
+    constexpr std::size_t longestShown = 100;  // bytes
+    return value.is_object() ? "an object" : inShort(value.dump(), longestShown);
 }
 
 /// The key between the last quotes of valijson's sentence.
@@ -113,25 +116,104 @@ void liftLimitsOfIds(json& schema)
         for (const char* limit : {"pattern", "maxLength"}) phase[list]["items"].erase(limit);
 }
 
+/// The faults so far, each text once.
+class SchemaFaultList {
+public:
+    void add(SchemaFault fault)
+    {
+        constexpr std::size_t longestText = 1000;  // bytes; keys stand in it
+        fault.text = inShort(fault.text, longestText);
+        if (!m_texts.insert(fault.text).second) return;
+        if (m_faults.listed.size() < mostFaults)
+            m_faults.listed.push_back(std::move(fault));
+        else
+            ++m_faults.unlisted;
+    }
+
+    bool isEmpty() const { return m_faults.listed.empty(); }
+    SchemaFaults take() { return std::move(m_faults); }
+
+private:
+    SchemaFaults m_faults;
+    std::set<std::string> m_texts;
+};
+
+/// Adds a fault for each list and object at or below `value` that is too long. Returns the number of values.
+std::size_t checkLengths(const json& value, const std::string& path, SchemaFaultList& faults)
+{
+    if (!value.is_structured()) return 1;
+    if (value.size() > mostElements) {
+        faults.add({path, (path.empty() ? "the protocol" : path) + ": " + std::to_string(value.size()) +
+                              (value.is_array() ? " elements" : " keys") + ", expected at most " + std::to_string(mostElements)});
+        return 1;
+    }
+    std::size_t values = 1;
+    if (value.is_array())
+        for (std::size_t i = 0; i < value.size(); ++i)
+            values += checkLengths(value[i], path + "[" + std::to_string(i) + "]", faults);
+    else
+        for (const auto& [key, member] : value.items())
+            values += checkLengths(member, path.empty() ? key : path + "." + key, faults);
+    return values;
+}
+
+bool hasEqualElements(const json& list)
+{
+    const auto isLess = [](const json* a, const json* b) { return *a < *b; };
+    std::set<const json*, decltype(isLess)> seen(isLess);
+    return !std::ranges::all_of(list, [&](const json& element) { return seen.insert(&element).second; });
+}
+
+/// Checks `uniqueItems` and takes it out of the schema: valijson would report each pair of equal elements.
+void checkUniqueness(json& schema, const json& document, SchemaFaultList& faults)
+{
+    for (auto& [key, rule] : schema["properties"].items())
+        if (rule.erase("uniqueItems") > 0 && document.is_object() && document.contains(key) && document[key].is_array() &&
+            hasEqualElements(document[key]))
+            faults.add({key, key + ": " + inBrief(document[key]) + ", expected " + expectationAt(schema, {key})});
+}
+
+/// The document with the beginnings of long texts. They break the same rules: the program's regular expressions are recursive,
+/// and the schema has none for texts of more than 100 characters, and no greatest length beyond 2000.
+json withShortTexts(const json& value)
+{
+    constexpr std::size_t longestText = 10'000;  // bytes, more than 2000 characters have
+    if (value.is_string()) {
+        const auto& text = value.get_ref<const std::string&>();
+        return text.size() > longestText ? json(inShort(text, longestText)) : value;
+    }
+    json copy = value;
+    if (value.is_structured())
+        for (json& part : copy) part = withShortTexts(part);
+    return copy;
+}
+
 }  // namespace
 
-std::vector<SchemaFault> schemaFaultsOf(const json& document, ProtocolEdition edition)
+SchemaFaults schemaFaultsOf(const json& document, ProtocolEdition edition)
 {
+    SchemaFaultList faults;
+    const std::size_t values = checkLengths(document, "", faults);
+    if (values > mostValues)
+        faults.add({"", "the protocol: " + std::to_string(values) + " values, expected at most " + std::to_string(mostValues)});
+    if (!faults.isEmpty()) {
+        SchemaFaults ofSize = faults.take();
+        ofSize.isTooLarge = true;
+        return ofSize;
+    }
     json schemaJson = json::parse(shipped::protocolSchema());
     if (edition == ProtocolEdition::Before06) liftLimitsOfIds(schemaJson);
+    checkUniqueness(schemaJson, document, faults);
     valijson::Schema schema;
     valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(schemaJson), schema);
     valijson::ValidationResults results;
+    const json checked = withShortTexts(document);
     valijson::Validator(valijson::Validator::kStrongTypes)
-        .validate(schema, valijson::adapters::NlohmannJsonAdapter(document), &results);
-    std::vector<SchemaFault> faults;
-    for (const valijson::ValidationResults::Error& error : results) {
+        .validate(schema, valijson::adapters::NlohmannJsonAdapter(checked), &results);
+    for (const valijson::ValidationResults::Error& error : results)
         // valijson reports every container of a fault as failed too; only the fault itself helps the reader.
-        if (error.description.starts_with("Failed to validate")) continue;
-        const SchemaFault fault = inOurWords(error, schemaJson, document);
-        if (std::ranges::find(faults, fault.text, &SchemaFault::text) == faults.end()) faults.push_back(fault);
-    }
-    return faults;
+        if (!error.description.starts_with("Failed to validate")) faults.add(inOurWords(error, schemaJson, document));
+    return faults.take();
 }
 
 }  // namespace protocols

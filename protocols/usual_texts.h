@@ -12,7 +12,7 @@
 #include "protocols/answer_kind.h"
 #include "protocols/ids.h"
 #include "protocols/protocol.h"
-#include "protocols/protocol_edition.h"
+#include "protocols/texts/protocol_edition.h"
 
 namespace protocols {
 

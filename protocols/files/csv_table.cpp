@@ -5,6 +5,7 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/number_text.h"
+#include "protocols/files/utf8.h"
 
 namespace protocols {
 
@@ -13,12 +14,8 @@ namespace {
 /// Longest name of a column, bytes. Messages list the names.
 constexpr std::size_t longestColumnName = 1000;
 
-/// The beginning of a long cell, for messages.
-std::string inBrief(const std::string& cell)
-{
-    constexpr std::size_t longestShown = 60;
-    return cell.size() <= longestShown ? cell : cell.substr(0, longestShown) + "...";
-}
+/// Longest part of a cell in a message, bytes.
+constexpr std::size_t longestCellShown = 60;
 
 std::optional<std::size_t> placeOf(const std::vector<std::string>& columns, std::string_view name)
 {
@@ -33,8 +30,8 @@ std::string rowText(const std::string& where, std::size_t row, std::size_t line)
 
 Error notANumber(const std::string& cell, const std::string& row, const std::string& column, const std::string& expected)
 {
-    return badInput({cell.empty() ? "the cell is empty" : "\"" + inBrief(cell) + "\" is not a number", row + ", column " + column,
-                     expected, ""});
+    return badInput({cell.empty() ? "the cell is empty" : "\"" + inShort(cell, longestCellShown) + "\" is not a number",
+                     row + ", column " + column, expected, ""});
 }
 
 }  // namespace
@@ -91,6 +88,9 @@ void CsvReader::readRecord()
     m_line = m_nextLine;
     std::size_t count = 0;
     while (true) {
+        if (count == mostColumns)
+            throw badInput({"the row has more than " + std::to_string(mostColumns) + " cells", lineName(),
+                            "at most " + std::to_string(mostColumns), "check that the file is a table, and its separator"});
         if (m_cells.size() <= count) m_cells.emplace_back();
         readCell(m_cells[count++]);
         if (isAtEnd() || m_text[m_at] != m_separator) break;
@@ -145,11 +145,17 @@ bool CsvReader::isEmptyLine() const { return m_cells.size() == 1 && withoutBlank
 
 std::optional<std::size_t> CsvTable::column(std::string_view name) const { return placeOf(columns, name); }
 
-CsvTable csvTableFrom(std::string_view text, const std::string& where, char separator)
+CsvTable csvTableFrom(std::string_view text, const std::string& where, char separator, std::size_t cells)
 {
     CsvReader reader(text, where, separator);
     CsvTable table{where, reader.columns(), {}, {}};
+    const std::size_t mostRows = cells / (reader.columns().size() + 2);
     while (reader.next()) {
+        if (table.rows.size() == mostRows)
+            throw badInput({"the table has more than " + std::to_string(mostRows) + " rows of " +
+                                std::to_string(reader.columns().size()) + (reader.columns().size() == 1 ? " cell" : " cells"),
+                            where, "at most " + std::to_string(cells) + " cells in all, where a row counts as two more",
+                            "leave out columns, or split the table"});
         table.rows.push_back(reader.cells());
         table.lines.push_back(reader.line());
     }

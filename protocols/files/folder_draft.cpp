@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <iterator>
 #include <set>
 #include <string>
 #include <utility>
@@ -160,8 +161,17 @@ void FolderDraft::becomePlace()
     syncFolder(m_place.parent_path());
 }
 
+/// An empty folder, but for the draft, gets the mode that the program gives to its folders. One with files is somebody's.
+void FolderDraft::closeEmptyPlace() const
+{
+    const auto entries = std::distance(fs::directory_iterator(m_place), fs::directory_iterator());
+    std::error_code ignored;  // who may write into a folder need not own it
+    if (entries == 1) fs::permissions(m_place, fs::status(m_draft).permissions(), ignored);
+}
+
 void FolderDraft::joinPlace(const std::vector<fs::path>& last)
 {
+    closeEmptyPlace();
     std::vector<Move> moves;
     addMoves(moves, m_draft, m_place, m_earlier == Earlier::FilesJoined);
     const auto rank = [&](const Move& move) {

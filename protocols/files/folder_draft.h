@@ -38,6 +38,7 @@ public:
 
 private:
     void becomePlace();
+    void closeEmptyPlace() const;
     void joinPlace(const std::vector<std::filesystem::path>& last);
 
     std::filesystem::path m_place, m_draft;

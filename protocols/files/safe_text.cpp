@@ -1,5 +1,7 @@
 #include "protocols/files/safe_text.h"
 
+#include <algorithm>
+
 namespace protocols {
 
 namespace {
@@ -32,6 +34,32 @@ std::string printable(std::string_view text)
             safe += "\\x" + hexOf(text[++at], "0123456789abcdef");
         else
             safe += text[at];
+    }
+    return safe;
+}
+
+std::string shellWord(std::string_view text)
+{
+    const std::string word = printable(text);
+    const auto needsNoQuotes = [](char c) {
+        return isPlain(c) || std::string_view("/:@%+=,").find(c) != std::string_view::npos ||
+               static_cast<unsigned char>(c) >= 0x80;
+    };
+    if (!word.empty() && std::all_of(word.begin(), word.end(), needsNoQuotes)) return word;
+    std::string quoted = "'";
+    for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+    return quoted + "'";
+}
+
+std::string printableLines(std::string_view text)
+{
+    std::string safe;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = text.find('\n', begin);
+        safe += printable(text.substr(begin, end - begin));
+        if (end == std::string_view::npos) break;
+        safe += '\n';
+        begin = end + 1;
     }
     return safe;
 }

@@ -1,6 +1,7 @@
 #include "protocols/files/strict_json.h"
 
 #include <algorithm>
+#include <deque>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -12,6 +13,10 @@
 namespace protocols {
 
 namespace {
+
+/// Doubled keys that a message names with their places.
+constexpr std::size_t mostDoubledKeysShown = 10;
+constexpr std::size_t longestKeyShown = 100, longestReasonShown = 300;  // bytes
 
 TextPlace textPlaceOfByte(std::string_view text, std::size_t offset)
 {
@@ -65,9 +70,17 @@ public:
     /// Returns the text in the quotes, decoded.
     std::string readString()
     {
+        const std::string_view quoted = readQuoted();
+        if (quoted.find('\\') == std::string_view::npos) return std::string(quoted.substr(1, quoted.size() - 2));
+        return nlohmann::json::parse(quoted).get<std::string>();
+    }
+
+    /// Returns the text with its quotes, as it stands.
+    std::string_view readQuoted()
+    {
         const std::size_t from = m_at;
         skipString();
-        return nlohmann::json::parse(m_text.substr(from, m_at - from)).get<std::string>();
+        return m_text.substr(from, m_at - from);
     }
 
     void skipString()
@@ -147,21 +160,43 @@ std::size_t beginOf(std::string_view text, const std::vector<std::string>& steps
     return begin;
 }
 
-/// The keys that occur twice in their object, each with the place of its second occurrence.
-std::vector<std::string> doubledKeys(std::string_view text)
+/// The keys of an object so far. Those without escapes are not copied: an object may have millions of them.
+class KeysSoFar {
+public:
+    /// False where the object has the key already. `quoted`: the key with its quotes; its text must outlive this value.
+    bool add(std::string_view quoted)
+    {
+        if (quoted.find('\\') == std::string_view::npos) return m_keys.insert(quoted.substr(1, quoted.size() - 2)).second;
+        return m_keys.insert(m_decoded.emplace_back(Cursor(quoted).readString())).second;
+    }
+
+private:
+    std::deque<std::string> m_decoded;  // its texts keep their places
+    std::set<std::string_view> m_keys;  // not hashed: a text could be made of keys with one hash
+};
+
+/// The keys that occur twice in their object. Finding a place takes a walk through the text, so only the first ones have it.
+struct DoubledKeys {
+    std::vector<std::string> first;  ///< "'key' (line 3, column 5)" of the second occurrence
+    std::size_t more = 0;
+};
+
+DoubledKeys doubledKeys(std::string_view text)
 {
-    std::vector<std::string> doubled;
-    std::vector<std::set<std::string>> keysOfOpenOnes;
+    DoubledKeys doubled;
+    std::vector<KeysSoFar> keysOfOpenOnes;
     for (Cursor cursor(text); !cursor.isAtEnd();) {
         const char kind = cursor.letter();
         if (kind == '"') {
             const std::size_t from = cursor.at();
-            Cursor ahead = cursor;
-            cursor.skipString();
+            const std::string_view quoted = cursor.readQuoted();
             cursor.skipBlanks();
-            if (cursor.letter() != ':') continue;
-            const std::string key = ahead.readString();
-            if (!keysOfOpenOnes.back().insert(key).second) doubled.push_back("'" + key + "' (" + placeOfByte(text, from) + ")");
+            if (cursor.letter() != ':' || keysOfOpenOnes.back().add(quoted)) continue;
+            if (doubled.first.size() == mostDoubledKeysShown)
+                ++doubled.more;
+            else
+                doubled.first.push_back("'" + inShort(Cursor(quoted).readString(), longestKeyShown) + "' (" +
+                                        placeOfByte(text, from) + ")");
             continue;
         }
         if (kind == '{' || kind == '[') keysOfOpenOnes.emplace_back();
@@ -169,6 +204,92 @@ std::vector<std::string> doubledKeys(std::string_view text)
         cursor.skipLetter();
     }
     return doubled;
+}
+
+/// Throws badInput for a well-formed text with such keys.
+void requireSingleKeys(std::string_view text, const std::string& where)
+{
+    const DoubledKeys doubled = doubledKeys(text);
+    if (doubled.first.empty()) return;
+    std::string names;
+    for (const std::string& key : doubled.first) names += (names.empty() ? "" : ", ") + key;
+    if (doubled.more > 0) names += " and " + std::to_string(doubled.more) + " more";
+    throw badInput({.what = "doubled key " + names,
+                    .where = where,
+                    .expected = "each key once in its object",
+                    .nextStep = "remove one of the two"});
+}
+
+/// Takes a text with the keys in their order. The library's own reader of such texts compares each key with all before it, so
+/// its time grows with the square of their number.
+class ReaderInOrder final : public nlohmann::ordered_json::json_sax_t {
+public:
+    using Json = nlohmann::ordered_json;
+
+    Json takeRoot() { return std::move(m_root); }
+
+    bool null() override { return put(nullptr); }
+    bool boolean(bool value) override { return put(value); }
+    bool number_integer(number_integer_t value) override { return put(value); }
+    bool number_unsigned(number_unsigned_t value) override { return put(value); }
+    bool number_float(number_float_t value, const string_t&) override { return put(value); }
+    bool string(string_t& value) override { return put(std::move(value)); }
+    bool binary(binary_t&) override { return false; }
+    bool start_object(std::size_t) override { return open(Json::object()); }
+    bool start_array(std::size_t) override { return open(Json::array()); }
+    bool end_object() override { return close(); }
+    bool end_array() override { return close(); }
+    bool key(string_t& name) override
+    {
+        m_key = std::move(name);
+        return true;
+    }
+    bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception& fault) override
+    {
+        if (const auto* malformed = dynamic_cast<const Json::parse_error*>(&fault)) throw Json::parse_error(*malformed);
+        if (const auto* tooLarge = dynamic_cast<const Json::out_of_range*>(&fault)) throw Json::out_of_range(*tooLarge);
+        throw fault;
+    }
+
+private:
+    bool put(Json value)
+    {
+        place(std::move(value));
+        return true;
+    }
+
+    /// Where the value stands from now on.
+    Json* place(Json value)
+    {
+        if (m_open.empty()) return &(m_root = std::move(value));
+        if (m_open.back()->is_array()) return &m_open.back()->get_ref<Json::array_t&>().emplace_back(std::move(value));
+        return &m_open.back()->get_ref<Json::object_t&>().emplace_back(std::move(m_key), std::move(value)).second;
+    }
+
+    bool open(Json empty)
+    {
+        m_open.push_back(place(std::move(empty)));
+        return true;
+    }
+
+    bool close()
+    {
+        m_open.pop_back();
+        return true;
+    }
+
+    Json m_root;
+    std::string m_key;          // of the next member
+    std::vector<Json*> m_open;  // none of them moves: only the innermost one grows
+};
+
+nlohmann::json readBytes(std::string_view text, const nlohmann::json*) { return nlohmann::json::parse(text.begin(), text.end()); }
+
+nlohmann::ordered_json readBytes(std::string_view text, const nlohmann::ordered_json*)
+{
+    ReaderInOrder reader;
+    nlohmann::ordered_json::sax_parse(text.begin(), text.end(), &reader);
+    return reader.takeRoot();
 }
 
 std::string_view withoutByteOrderMark(std::string_view text)
@@ -196,12 +317,17 @@ std::optional<std::size_t> firstByteTooDeep(std::string_view text)
     return std::nullopt;
 }
 
-/// Refuses what the parser would read but should not, or reports in words that mislead.
-void requireReadable(std::string_view text, const std::string& where)
+std::string_view notTooLarge(std::string_view text, const std::string& where)
 {
     if (text.size() > largestJson)
         throw badInput({"has " + std::to_string(text.size()) + " bytes", where,
                         "JSON of at most " + std::to_string(largestJson) + " bytes", "check the path"});
+    return text;
+}
+
+/// Refuses what the parser would read but should not, or reports in words that mislead.
+void requireReadable(std::string_view text, const std::string& where)
+{
     const auto placed = [&](std::size_t offset) { return where + ", " + placeOfByte(text, offset); };
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
         throw badInput({"the text holds a zero byte", placed(zero), "JSON in UTF-8", "save the file in UTF-8"});
@@ -234,30 +360,31 @@ std::vector<std::string> stepsOf(std::string_view pointer)
 template <class Json>
 Json parsed(std::string_view text, const std::string& where)
 {
-    text = withoutByteOrderMark(text);
+    text = withoutByteOrderMark(notTooLarge(text, where));
     requireReadable(text, where);
     Json root;
     try {
-        root = Json::parse(text.begin(), text.end());
+        root = readBytes(text, &root);
     } catch (const typename Json::parse_error& fault) {
-        throw badInput({.what = "malformed JSON (" + reasonIn(fault.what()) + ")",
+        throw badInput({.what = "malformed JSON (" + inShort(reasonIn(fault.what()), longestReasonShown) + ")",
                         .where = where + ", " + placeOfByte(text, fault.byte == 0 ? 0 : fault.byte - 1),
                         .expected = "well-formed JSON",
                         .nextStep = "correct the text at that place"});
     } catch (const typename Json::exception& fault) {
-        throw badInput({.what = "malformed JSON (" + reasonIn(fault.what()) + ")",
+        throw badInput({.what = "malformed JSON (" + inShort(reasonIn(fault.what()), longestReasonShown) + ")",
                         .where = where + ", " + placeOfByte(text, text.find(quotedIn(fault.what()))),
                         .expected = "numbers within the range of 64-bit floating point",
                         .nextStep = "correct the number"});
     }
-    const std::vector<std::string> doubled = doubledKeys(text);
-    if (doubled.empty()) return root;
-    std::string names;
-    for (const std::string& key : doubled) names += (names.empty() ? "" : ", ") + key;
-    throw badInput({.what = "doubled key " + names,
-                    .where = where,
-                    .expected = "each key once in its object",
-                    .nextStep = "remove one of the two"});
+    requireSingleKeys(text, where);
+    return root;
+}
+
+template <class Json>
+Json storedValue(std::string_view text)
+{
+    if (text.size() > largestJson || firstByteTooDeep(text)) return Json(Json::value_t::discarded);
+    return Json::parse(text.begin(), text.end(), nullptr, false);
 }
 
 }  // namespace
@@ -269,8 +396,12 @@ nlohmann::ordered_json parseStrictOrderedJson(std::string_view text, const std::
     return parsed<nlohmann::ordered_json>(text, where);
 }
 
+nlohmann::json storedJson(std::string_view text) { return storedValue<nlohmann::json>(text); }
+
+nlohmann::ordered_json storedOrderedJson(std::string_view text) { return storedValue<nlohmann::ordered_json>(text); }
+
 JsonDocument::JsonDocument(std::string_view text, std::string where)
-    : m_text(withoutByteOrderMark(text)),
+    : m_text(withoutByteOrderMark(notTooLarge(text, where))),
       m_where(std::move(where)),
       m_root(std::make_shared<const nlohmann::json>(parseStrictJson(m_text, m_where)))
 {

@@ -24,6 +24,12 @@ nlohmann::json parseStrictJson(std::string_view text, const std::string& where);
 /// The same with the keys of objects in the order of the text.
 nlohmann::ordered_json parseStrictOrderedJson(std::string_view text, const std::string& where);
 
+/// What this program stored itself: rows of a database, files of a study, kept results. Somebody may have altered it. A text that
+/// is malformed, too large or nested too deeply gives a discarded value, which is no object, array, text or number. Nothing is
+/// thrown. Of a key that occurs twice the last value counts.
+nlohmann::json storedJson(std::string_view text);
+nlohmann::ordered_json storedOrderedJson(std::string_view text);
+
 /// A place in a text; both numbers count from 1, columns in characters.
 struct TextPlace {
     std::size_t line = 1;

@@ -43,4 +43,12 @@ std::optional<std::size_t> firstByteThatIsNotUtf8(std::string_view text)
     return std::nullopt;
 }
 
+std::string inShort(std::string_view text, std::size_t mostBytes)
+{
+    if (text.size() <= mostBytes) return std::string(text);
+    std::size_t end = mostBytes;
+    for (int inside = 0; inside < 3 && end > 0 && (text[end] & 0xC0) == 0x80; ++inside) --end;
+    return std::string(text.substr(0, end)) + "...";
+}
+
 }  // namespace protocols

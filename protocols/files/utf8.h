@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace protocols {
@@ -15,5 +16,8 @@ char32_t utf8Character(std::string_view text);
 
 /// Offset of the first byte that begins no well-formed character.
 std::optional<std::size_t> firstByteThatIsNotUtf8(std::string_view text);
+
+/// The text, or of a longer one whole characters of at most `mostBytes` bytes and "...": for messages.
+std::string inShort(std::string_view text, std::size_t mostBytes);
 
 }  // namespace protocols

@@ -31,13 +31,13 @@ Error hasTooManyBytes(const fs::path& file, const std::string& bytes, std::uint6
         {"has " + bytes + " bytes", file.string(), "at most " + std::to_string(mostBytes) + " bytes", "check the path"});
 }
 
-Error cannotRead(const fs::path& file, int reason)
+Error cannotRead(const fs::path& file, int reason, std::uint64_t mostBytes = largestFile)
 {
     if (reason == nobodyWrites)
         return badInput({"nobody wrote into this pipe for " + std::to_string(longestWaitForPipeS) + " s", file.string(),
                          "a file, or a pipe into which a program writes", "start that program first, or name a file"});
     if (reason == isDevice) return badInput({"is a device", file.string(), "a file or a pipe", "check the path"});
-    if (reason == isTooLarge) return hasTooManyBytes(file, "more than " + std::to_string(largestFile), largestFile);
+    if (reason == isTooLarge) return hasTooManyBytes(file, "more than " + std::to_string(mostBytes), mostBytes);
     if (isTooManyOpenFiles(reason)) return tooManyOpenFiles(file.string());
     return badInput({std::string("cannot be read (") + std::strerror(reason) + ")", file.string(), "a readable file",
                      "check the path and its permissions"});
@@ -105,18 +105,18 @@ int eachBlock(const fs::path& file, const std::function<bool(std::string_view)>&
 }
 
 /// Returns 0 or the reason of the failure.
-int readInto(const fs::path& file, std::string& bytes)
+int readInto(const fs::path& file, std::string& bytes, std::uint64_t mostBytes = largestFile)
 {
     std::error_code unknown;
     if (const auto size = fs::file_size(file, unknown); !unknown) {
-        if (size > largestFile) return isTooLarge;
+        if (size > mostBytes) return isTooLarge;
         bytes.reserve(size);
     }
     const int reason = eachBlock(file, [&](std::string_view block) {
         bytes += block;
-        return bytes.size() <= largestFile;
+        return bytes.size() <= mostBytes;
     });
-    return bytes.size() > largestFile ? isTooLarge : reason;
+    return bytes.size() > mostBytes ? isTooLarge : reason;
 }
 
 const char* kindOf(mode_t mode)
@@ -231,10 +231,10 @@ private:
 
 }  // namespace
 
-std::string readWholeFile(const fs::path& file)
+std::string readWholeFile(const fs::path& file, std::uint64_t mostBytes)
 {
     std::string bytes;
-    if (const int reason = readInto(file, bytes); reason != 0) throw cannotRead(file, reason);
+    if (const int reason = readInto(file, bytes, mostBytes); reason != 0) throw cannotRead(file, reason, mostBytes);
     return bytes;
 }
 

@@ -19,9 +19,10 @@ inline constexpr std::uint64_t largestFile = std::uint64_t{1} << 31;
 inline constexpr int longestWaitForPipeS = 10;
 
 /// All bytes of a regular file, a pipe or a terminal. Throws badInput where the file is missing, is a folder or another device,
-/// has more than `largestFile` bytes, or cannot be read, and for a pipe into which nobody writes. Throws environmentFault where
-/// this process has too many open files.
-std::string readWholeFile(const std::filesystem::path& file);
+/// has more than `mostBytes` bytes, or cannot be read, and for a pipe into which nobody writes. Of a regular file that is too
+/// large nothing is read, of a pipe little more than `mostBytes`. Throws environmentFault where this process has too many open
+/// files.
+std::string readWholeFile(const std::filesystem::path& file, std::uint64_t mostBytes = largestFile);
 
 /// All bytes, or nothing where readWholeFile() throws badInput: for callers with a message of their own.
 std::optional<std::string> readIfPossible(const std::filesystem::path& file);

@@ -56,6 +56,28 @@ std::uint64_t numberIn(const nlohmann::json& document, const char* name, std::ui
     return member->get<std::uint64_t>();
 }
 
+/// What a sealed text holds, before anybody opens it.
+struct SealedParts {
+    Derivation derivation;
+    std::string box;
+};
+
+SealedParts sealedParts(std::string_view sealed, const std::string& where)
+{
+    const nlohmann::json document = parseStrictJson(sealed, where);
+    if (!document.is_object() || textOf(document, "schema", where) != sealedSchema)
+        throw badInput(
+            {"not a sealed key", where, std::string("\"schema\": \"") + sealedSchema + "\"", "restore the file from a backup"});
+    SealedParts parts;
+    parts.derivation.salt = ofHexText(textOf(document, "salt", where), where);
+    if (parts.derivation.salt.size() != crypto_pwhash_SALTBYTES)
+        throw badInput({"the salt has a wrong length", where, "32 hexadecimal digits", "restore the file from a backup"});
+    parts.derivation.passes = numberIn(document, "passes", crypto_pwhash_OPSLIMIT_MIN, mostPasses, where);
+    parts.derivation.memory = numberIn(document, "memory_bytes", crypto_pwhash_MEMLIMIT_MIN, mostMemory, where);
+    parts.box = ofHexText(textOf(document, "box", where), where);
+    return parts;
+}
+
 }  // namespace
 
 std::string seal(const SecretKey& key, std::string_view content, std::string_view bound)
@@ -101,20 +123,17 @@ std::string sealWithPassphrase(std::string_view passphrase, std::string_view con
     return document.dump(2) + "\n";
 }
 
+void requireSealedForm(std::string_view sealed, const std::string& where)
+{
+    if (sealedParts(sealed, where).box.size() <= sealBytes)
+        throw badInput({"the sealed box is too short to hold a key", where, "a whole file", "restore the file from a backup"});
+}
+
 std::optional<std::string> openWithPassphrase(std::string_view passphrase, std::string_view sealed, const std::string& where)
 {
     startSecrets();
-    const nlohmann::json document = parseStrictJson(sealed, where);
-    if (!document.is_object() || textOf(document, "schema", where) != sealedSchema)
-        throw badInput(
-            {"not a sealed key", where, std::string("\"schema\": \"") + sealedSchema + "\"", "restore the file from a backup"});
-    Derivation derivation;
-    derivation.salt = ofHexText(textOf(document, "salt", where), where);
-    if (derivation.salt.size() != crypto_pwhash_SALTBYTES)
-        throw badInput({"the salt has a wrong length", where, "32 hexadecimal digits", "restore the file from a backup"});
-    derivation.passes = numberIn(document, "passes", crypto_pwhash_OPSLIMIT_MIN, mostPasses, where);
-    derivation.memory = numberIn(document, "memory_bytes", crypto_pwhash_MEMLIMIT_MIN, mostMemory, where);
-    return open(keyOf(passphrase, derivation), ofHexText(textOf(document, "box", where), where), sealedSchema);
+    const SealedParts parts = sealedParts(sealed, where);
+    return open(keyOf(passphrase, parts.derivation), parts.box, sealedSchema);
 }
 
 std::string sealingLibraryVersion() { return sodium_version_string(); }

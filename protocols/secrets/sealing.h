@@ -33,6 +33,9 @@ std::string sealingLibraryVersion();
 std::string sealWithPassphrase(std::string_view passphrase, std::string_view content,
                                PassphraseCost cost = PassphraseCost::ForPeople);
 
+/// Throws badInput on a text that no passphrase can open: malformed, too short, or with more than 1 GiB or 16 passes of work.
+void requireSealedForm(std::string_view sealed, const std::string& where);
+
 /// The content; empty optional where the passphrase is another. `where` names the source in errors. Throws badInput on
 /// malformed text, also on more than 1 GiB or 16 passes of work.
 std::optional<std::string> openWithPassphrase(std::string_view passphrase, std::string_view sealed, const std::string& where);

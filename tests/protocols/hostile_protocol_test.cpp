@@ -1,14 +1,15 @@
 // Protocols that could break a study later: each is refused with its faults, or read completely. All faults of a file are in one
 // list.
+#include <QElapsedTimer>
 #include <QRegularExpression>
 #include <QTest>
 #include <algorithm>
 
 #include "protocols/counterbalancing.h"
 #include "protocols/files/errors.h"
-#include "protocols/protocol_edition.h"
 #include "protocols/protocol_json.h"
 #include "protocols/question_ids.h"
+#include "protocols/texts/protocol_edition.h"
 
 using namespace protocols;
 
@@ -234,6 +235,62 @@ private Q_SLOTS:
         QFETCH(const int, faults);
         const QStringList found = faultsIn(json.toStdString());
         QVERIFY2(found.size() == faults, qPrintable(found.join("\n")));
+    }
+
+    /// Before, 4,000 equal fabrics took more than 12 s and gigabytes, and an id of 400,000 letters ended the program.
+    void aSmallFileCannotTakeLong_data()
+    {
+        QTest::addColumn<QString>("part");
+        QTest::addColumn<QString>("first");
+        QTest::addColumn<int>("unlisted");
+        const auto list = [](const QString& element, int count) { return "[" + QStringList(count, element).join(",") + "]"; };
+        const QString notFabrics =
+            "fabrics: a list of 2000, expected the number of fabrics to draw, 1 to 100, or a list of different fabric ids";
+        QTest::newRow("equal fabrics") << "\"fabrics\": " + list("1", 2000) << notFabrics << 1901;
+        QTest::newRow("equal ids") << "\"fabrics\": " + list("\"a\"", 2000) << notFabrics << 0;
+        QTest::newRow("too many fabrics") << "\"fabrics\": " + list("1", 4000) << "fabrics: 4000 elements, expected at most 2000"
+                                          << 0;
+        QTest::newRow("equal readings") << "\"readings\": " + list("\"°C\"", 2)
+                                        << "readings: a list of 2, expected a list of different quantities to measure" << 0;
+        QTest::newRow("too many pairs") << "\"planned\": " + list(list("1", 1000), 200)
+                                        << "the protocol: 200214 values, expected at most 20000" << 0;
+        QTest::newRow("a long id") << "\"language\": \"en" + QString("-aaaaaaaa").repeated(50'000) + "\""
+                                   << "language: \"en" + QString("-aaaaaaaa").repeated(10) +
+                                          "-aaaaaa..., expected a language tag "
+                                          "such as \"en\" or \"pt-BR\""
+                                   << 0;
+        QTest::newRow("equal contrasts") << "\"planned\": " + list("[\"h\",\"h\"]", 2000)
+                                         << "planned[0]: compares 'h' with itself, expected two conditions" << 3899;
+    }
+
+    void aSmallFileCannotTakeLong()
+    {
+        QFETCH(const QString, part);
+        QFETCH(const QString, first);
+        QFETCH(const int, unlisted);
+        const QString fabrics = part.startsWith("\"fabrics") ? "" : "\"fabrics\": 3, ";
+        const std::string json = ("{" + fabrics + part + R"(, "schema": "vis2hap.protocol/1", "name": "a", "participants": 2,
+ "conditions": ["h", "f"], "phases": [{"questions": ["Q1"], "alternatives": 3}]})")
+                                     .toStdString();
+        QElapsedTimer clock;
+        clock.start();
+        QStringList found = faultsIn(json);
+        const CheckedProtocol checked = checkedProtocol(json, "study.json");
+        QVERIFY2(clock.elapsed() < 3000, qPrintable(QString("%1 ms").arg(clock.elapsed())));
+        QVERIFY2(found.contains(first), qPrintable(found.join("\n").left(2000)));
+        QCOMPARE(checked.faults.size(), static_cast<std::size_t>(unlisted > 0 ? 101 : 1));
+        if (unlisted == 0) return;
+        QCOMPARE(found.last(), "without a place: and " + QString::number(unlisted) + " more");
+        QCOMPARE(QString::fromStdString(checked.faults.back().text),
+                 "the protocol: " + QString::number(unlisted) + " more faults are not listed, correct these first");
+    }
+
+    void aProtocolHasALargestSize()
+    {
+        const std::string large = ratingsOf({"Q1"}) + std::string(largestProtocol, ' ');
+        QCOMPARE(checkedProtocol(large, "study.json").faults.size(), std::size_t{1});
+        QVERIFY_EXCEPTION_THROWN(protocolFromJson(large, "study.json"), Error);
+        QVERIFY(faultsIn(large.substr(0, largestProtocol)).empty());
     }
 
     void anEarlierStudyKeepsItsIdsAndTexts()

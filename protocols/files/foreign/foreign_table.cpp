@@ -129,7 +129,7 @@ ForeignTable foreignTableFrom(std::string_view bytes, const std::string& where, 
 
 ForeignTable readForeignTable(const std::filesystem::path& file, const std::string& encoding)
 {
-    return foreignTableFrom(readWholeFile(file), file.string(), encoding);
+    return foreignTableFrom(readWholeFile(file, largestTable), file.string(), encoding);
 }
 
 std::string safeCell(std::string_view text)

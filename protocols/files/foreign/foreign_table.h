@@ -1,6 +1,7 @@
 // Tables as spreadsheets of other labs write them: any usual separator, decimal commas, any usual encoding.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -8,6 +9,9 @@
 #include "protocols/files/csv_table.h"
 
 namespace protocols {
+
+/// Largest file of a table that is kept as a whole, bytes. The answers of a large study have 0.2 GB.
+inline constexpr std::uint64_t largestTable = std::uint64_t{1} << 29;
 
 struct ForeignTable {
     CsvTable table;       ///< UTF-8, decimal points
@@ -18,7 +22,7 @@ struct ForeignTable {
 /// Reads a table whose form is found in the file: the separator (comma, semicolon, tab or bar) from the header row, or from a
 /// first line "sep=;"; decimal commas where the separator is another sign and every number of a column is written so; the
 /// encoding by decodedText(), or `encoding` where it is not empty. A cell that safeCell() made safe gets its own text back.
-/// Throws badInput as csvTableFrom() and decodedText() do, and for a zero byte.
+/// Throws badInput as csvTableFrom() and decodedText() do, for a zero byte, and for a file of more than `largestTable` bytes.
 ForeignTable readForeignTable(const std::filesystem::path& file, const std::string& encoding = {});
 ForeignTable foreignTableFrom(std::string_view bytes, const std::string& where, const std::string& encoding = {});
 

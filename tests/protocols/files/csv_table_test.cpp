@@ -111,6 +111,31 @@ private Q_SLOTS:
         QVERIFY(!reader.next());
     }
 
+    /// Before, 8 MB of commas took 577 MB.
+    void aFileOfCommasIsNoTable()
+    {
+        const std::string widest(mostColumns - 1, ',');
+        QCOMPARE(csvTableFrom(widest + "\n" + widest + "\n", "t.csv").rows.front().size(), mostColumns);
+        for (const std::string& text : {widest + ",\n", std::string(8'000'000, ',')})
+            QCOMPARE(
+                errorOf([&] { csvTableFrom(text, "t.csv"); }),
+                QString("2: t.csv, line 1: the row has more than 16384 cells; expected at most 16384; check that the file is a "
+                        "table, and its separator"));
+        QVERIFY(errorOf([&] {
+                    csvTableFrom("a,b\n1,2\n" + widest + ",\n", "t.csv");
+                }).startsWith("2: t.csv, line 3: the row has more than 16384 cells"));
+    }
+
+    void aTableThatIsKeptHasALimitedNumberOfCells()
+    {
+        QVERIFY(mostCells > std::size_t{252'000} * 42);  // the answers of a large study
+        QCOMPARE(csvTableFrom("a,b\n1,2\n3,4\n5,6\n", "t.csv", ',', 12).rows.size(), std::size_t{3});
+        QCOMPARE(
+            errorOf([&] { csvTableFrom("a,b\n1,2\n3,4\n5,6\n7,8\n", "t.csv", ',', 12); }),
+            QString("2: t.csv: the table has more than 3 rows of 2 cells; expected at most 12 cells in all, where a row counts "
+                    "as two more; leave out columns, or split the table"));
+    }
+
     void cellsAreQuotedWhereTheyMustBe()
     {
         QCOMPARE(csvCell("a b"), std::string("a b"));

@@ -1,6 +1,7 @@
 // A folder is always complete, either old or new, whatever happens while it is filled.
 #include "protocols/files/folder_draft.h"
 
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -145,6 +146,23 @@ private Q_SLOTS:
         fs::create_directories(folder() / "empty");
         write(folder() / "empty", Earlier::Refused, newReport);
         QCOMPARE(contentsOf(folder() / "empty"), newReport);
+    }
+
+    /// Who makes the folder of an export beforehand makes it open to others, by the usual mask.
+    void anEmptyFolderIsClosedAndOneWithFilesKeepsItsMode()
+    {
+        const fs::path given = fs::path(m_folder->path().toStdString()) / "given";
+        fs::create_directories(given);
+        fs::permissions(given, fs::perms(0755));
+        const auto modeAfterWriting = [&](const char* file) {
+            const auto mask = ::umask(0077);
+            write(given, Earlier::FilesJoined, {{file, "answers"}});
+            ::umask(mask);
+            return fs::status(given).permissions();
+        };
+        QCOMPARE(modeAfterWriting("first.csv"), fs::perms(0700));
+        fs::permissions(given, fs::perms(0755));
+        QCOMPARE(modeAfterWriting("second.csv"), fs::perms(0755));
     }
 
     void nothingOfAnotherKindIsReplaced()

@@ -22,8 +22,21 @@ private Q_SLOTS:
                  std::string("C1 \\x9b31m"));
         QCOMPARE(printable("two\nlines"), std::string("two lines"));
         QCOMPARE(printable("Größe 触覚 ±0.5"), std::string("Größe 触覚 ±0.5"));
+        QCOMPARE(protocols::printableLines("one\x1b[2J\n\ntwo\a\n"), std::string("one\\x1b[2J\n\ntwo\\x07\n"));
+        QCOMPARE(protocols::printableLines("one\nlast"), std::string("one\nlast"));
         const protocols::Error fault = protocols::badInput({"bad id \x1b]0;title\a", "file\nname", "", ""});
         QCOMPARE(std::string(fault.what()), std::string("file name: bad id \\x1b]0;title\\x07"));
+    }
+
+    void aPathIsOneWordForAShell()
+    {
+        QCOMPARE(protocols::shellWord("/data/my-study_1.db"), std::string("/data/my-study_1.db"));
+        QCOMPARE(protocols::shellWord("Stüdie"), std::string("Stüdie"));
+        QCOMPARE(protocols::shellWord("Stüdie mit Leer"), std::string("'Stüdie mit Leer'"));
+        QCOMPARE(protocols::shellWord("it's"), std::string("'it'\\''s'"));
+        QCOMPARE(protocols::shellWord("a;$(b)"), std::string("'a;$(b)'"));
+        QCOMPARE(protocols::shellWord("postgresql://u@h/d?study=x"), std::string("'postgresql://u@h/d?study=x'"));
+        QCOMPARE(protocols::shellWord(""), std::string("''"));
     }
 
     void anIdNamesAFileInItsFolder()

@@ -182,6 +182,38 @@ private Q_SLOTS:
         QCOMPARE(errorOf([&] { JsonDocument(text.toStdString(), "p.json"); }), error);
     }
 
+    /// Before, 20,000 doubled keys took 1.9 s and made a message of one megabyte.
+    void manyDoubledKeysAreCountedAndTheFirstOnesNamed()
+    {
+        std::string text = "{\"a\":1";
+        for (int i = 0; i < 100'000; ++i) text += ",\n\"a\":1";
+        text += "}";
+        QElapsedTimer clock;
+        clock.start();
+        const QString error = errorOf([&] { parseStrictJson(text, "p.json"); });
+        QVERIFY2(clock.elapsed() < 5000, qPrintable(QString("%1 ms").arg(clock.elapsed())));
+        QVERIFY2(error.startsWith("2: p.json: doubled key 'a' (line 2, column 1), 'a' (line 3, column 1), "), qPrintable(error));
+        QVERIFY2(error.contains("'a' (line 11, column 1) and 99990 more; expected"), qPrintable(error));
+        const std::string longKey = "\"" + std::string(99, 'x') + "ä" + std::string(5000, 'x') + "\":1";
+        const QString brief = errorOf([&] { parseStrictJson("{" + longKey + "," + longKey + "}", "p.json"); });
+        QVERIFY2(brief.contains("'" + QString(99, 'x') + "...' (line 1, column 5107)"), qPrintable(brief));
+    }
+
+    /// Before, each key was compared with all before it: 50,000 took 3.2 s.
+    void manyDifferentKeysAreReadInTheirOrder()
+    {
+        std::string text = "{\"z\":[]";
+        for (int i = 0; i < 100'000; ++i) text += ",\"" + std::to_string(i) + "\":[1,{\"b\":-2.5,\"a\":\"\\u00e4\"}]";
+        text += "}";
+        QElapsedTimer clock;
+        clock.start();
+        const auto root = parseStrictOrderedJson(text, "p.json");
+        QVERIFY2(clock.elapsed() < 5000, qPrintable(QString("%1 ms").arg(clock.elapsed())));
+        QCOMPARE(root.size(), std::size_t{100'001});
+        QCOMPARE(root.begin().key(), std::string("z"));
+        QCOMPARE(root.back().dump(), std::string("[1,{\"b\":-2.5,\"a\":\"ä\"}]"));
+    }
+
     void orderOfKeysIsKeptWhereAskedFor()
     {
         QCOMPARE(parseStrictOrderedJson("{\"b\":1,\"a\":2}", "p.json").dump(), std::string("{\"b\":1,\"a\":2}"));
@@ -218,6 +250,18 @@ private Q_SLOTS:
             }
         } while (clock.elapsed() < 1000 * mutated_files::fuzzSeconds(0.5));
         QVERIFY2(taken > 10 && refused > 10, qPrintable(QString("%1 taken, %2 refused").arg(taken).arg(refused)));
+    }
+
+    void storedJsonIsReadOrDiscardedAndNeverThrows()
+    {
+        for (const char* text : {R"({"a":[1,"x"]})", R"({"a":1,"a":2})", "7", "[]"})
+            QVERIFY2(storedJson(text) == json::parse(text) && !storedOrderedJson(text).is_discarded(), text);
+        QCOMPARE(storedOrderedJson(R"({"b":1,"a":2})").dump(), std::string(R"({"b":1,"a":2})"));
+        const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
+        QVERIFY(!storedJson(nested(deepestJson)).is_discarded());
+        for (const std::string& text : {std::string(), std::string("{\"a\":"), std::string("1e999"), nested(deepestJson + 1),
+                                        nested(200'000), std::string(largestJson + 1, ' ')})
+            QVERIFY(storedJson(text).is_discarded() && storedOrderedJson(text).is_discarded());
     }
 };
 

@@ -1,6 +1,7 @@
 // A file is always complete, either old or new, whatever happens while it is written.
 #include "protocols/files/whole_file.h"
 
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -100,6 +101,28 @@ private Q_SLOTS:
                  "2: " + QString::fromStdString(sparse.string()) +
                      ": has more than 2147483648 bytes; expected at most 2147483648 bytes; check the path");
         QVERIFY(!readIfPossible(sparse));
+    }
+
+    /// A sparse protocol of 2 GiB took 27 s and 6.3 GB until it was refused.
+    void eachKindOfFileHasALimitOfItsOwn()
+    {
+        writeWholeFile(file(), "12345");
+        QCOMPARE(readWholeFile(file(), 5), std::string("12345"));
+        QCOMPARE(errorOf([&] { readWholeFile(file(), 4); }),
+                 "2: " + QString::fromStdString(file().string()) +
+                     ": has more than 4 bytes; expected at most 4 bytes; check the path");
+        const fs::path pipe = folder() / "pipe";
+        QCOMPARE(::mkfifo(pipe.c_str(), 0600), 0);
+        const pid_t writer = ::fork();
+        if (writer == 0) {
+            ::signal(SIGPIPE, SIG_DFL);
+            const int end = ::open(pipe.c_str(), O_WRONLY);
+            const std::string much(1 << 16, 'x');
+            while (::write(end, much.data(), much.size()) > 0) continue;  // until the reader has had enough
+            ::_exit(0);
+        }
+        QVERIFY(errorOf([&] { readWholeFile(pipe, 1 << 20); }).contains("has more than 1048576 bytes"));
+        ::waitpid(writer, nullptr, 0);
     }
 
     void pipeWithoutAWriterIsNamed()

@@ -1,4 +1,4 @@
-#include "protocols/protocol_edition.h"
+#include "protocols/texts/protocol_edition.h"
 
 #include <charconv>
 

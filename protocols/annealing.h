@@ -49,6 +49,7 @@ public:
     std::int64_t add(std::size_t cell) { return 2 * std::int64_t{m_counts[cell]++} + 1; }
     std::int64_t remove(std::size_t cell) { return -(2 * std::int64_t{--m_counts[cell]} + 1); }
     int operator[](std::size_t cell) const { return m_counts[cell]; }
+    std::size_t size() const { return m_counts.size(); }
 
 private:
     std::vector<int> m_counts;

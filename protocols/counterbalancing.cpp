@@ -5,6 +5,7 @@
 #include "protocols/extra_trials.h"
 #include "protocols/files/errors.h"
 #include "protocols/running_orders.h"
+#include "protocols/same_different.h"
 #include "protocols/trays.h"
 
 namespace protocols {
@@ -39,39 +40,63 @@ std::vector<std::vector<Tray>> traysOfTrueFabrics(const std::vector<std::vector<
     return trays;
 }
 
-std::vector<std::vector<Tray>> traysFor(const Phase& phase, const std::vector<std::vector<Rendering>>& orders,
-                                        const StudySize& size, Random& random)
-{
-    const auto amongFoils = [&](const TrueAmongFoils& rule) {
-        return drawTrays(orders, size, rule.pieces, phase.trayAim, random);
-    };
-    return std::visit(Overloaded{amongFoils, [&](const TrueAlone&) { return traysOfTrueFabrics(orders); },
-                                 [&](const TrueOrOther&) { return drawSameDifferentTrays(orders, size, random); }},
-                      trayRuleOf(phase.task));
-}
-
 /// [participant][presentation] of one phase, under one instruction or none.
 using Lists = std::vector<std::vector<DesignTrial>>;
+
+/// The presentations of the conditions, with the piece on the tray where it is one; choices get their trays later.
+Lists listsOf(const Phase& asked, int phase, const StudySize& size, Random& orderDraws, Random& trayDraws)
+{
+    auto orders = drawRunningOrders(size, orderDraws);
+    std::vector<std::vector<Tray>> trays;
+    std::visit(Overloaded{[](const TrueAmongFoils&) {}, [&](const TrueAlone&) { trays = traysOfTrueFabrics(orders); },
+                          [&](const TrueOrOther&) {
+                              auto drawn = drawSameDifferent(orders, size, trayDraws);
+                              orders = std::move(drawn.orders);
+                              trays = std::move(drawn.trays);
+                          }},
+               trayRuleOf(asked.task));
+    Lists lists;
+    for (std::size_t participant = 0; participant < orders.size(); ++participant) {
+        auto& list = lists.emplace_back();
+        for (std::size_t at = 0; at < orders[participant].size(); ++at) {
+            const Rendering& shown = orders[participant][at];
+            list.push_back({phase, shown.label, shown.fabric, trays.empty() ? Tray{} : std::move(trays[participant][at])});
+        }
+    }
+    return lists;
+}
+
+/// Trays of choices. Foils are drawn for all presentations alike, so that trays do not tell catch trials and anchors.
+void layTrays(Lists& lists, const Phase& asked, int pieces, const StudySize& size, Random& random)
+{
+    std::vector<std::vector<Rendering>> orders;
+    for (const auto& list : lists) {
+        auto& order = orders.emplace_back();
+        for (const DesignTrial& trial : list)
+            order.push_back({trial.anchor == AnchorKind::None && trial.label >= 0 ? trial.label : additionalLabel, trial.fabric});
+    }
+    auto trays = drawTrays(orders, size, pieces, asked.trayAim, random);
+    for (std::size_t participant = 0; participant < lists.size(); ++participant)
+        for (std::size_t at = 0; at < lists[participant].size(); ++at)
+            lists[participant][at].alternatives = std::move(trays[participant][at]);
+}
 
 Lists drawLists(const Protocol& protocol, int phase, const StudySize& size, std::uint64_t seed, const std::string& purpose)
 {
     const Phase& asked = protocol.phases[static_cast<std::size_t>(phase)];
     Random orderDraws = Random::stream(seed, purpose + "/orders");
     Random trayDraws = Random::stream(seed, purpose + "/trays");
-    const auto orders = drawRunningOrders(size, orderDraws);
-    auto trays = traysFor(asked, orders, size, trayDraws);
+    Lists lists = listsOf(asked, phase, size, orderDraws, trayDraws);
     Random catchDraws = Random::stream(seed, purpose + "/catch trials");
+    ExtraPieces extraPieces(asked, size, Random::stream(seed, purpose + "/pieces"));
     AnchorDraws anchorDraws(asked, size, protocol.breakAfterPresentations, Random::stream(seed, purpose + "/anchors"));
-    Lists lists;
-    for (std::size_t participant = 0; participant < orders.size(); ++participant) {
-        std::vector<DesignTrial> trials;
-        for (std::size_t at = 0; at < orders[participant].size(); ++at)
-            trials.push_back(
-                {phase, orders[participant][at].label, orders[participant][at].fabric, std::move(trays[participant][at])});
-        if (asked.catchTrials > 0) trials = withCatchTrials(trials, asked, size.fabrics, asked.catchTrials, catchDraws);
-        if (asked.anchors.presentations() > 0) trials = anchorDraws.with(trials);
-        lists.push_back(std::move(trials));
+    for (auto& list : lists) {
+        const auto pieces = extraPieces.next();
+        if (asked.catchTrials > 0) list = withCatchTrials(list, pieces.caught, catchDraws);
+        if (asked.anchors.presentations() > 0) list = anchorDraws.with(list, pieces);
     }
+    const auto rule = trayRuleOf(asked.task);
+    if (const auto* foils = std::get_if<TrueAmongFoils>(&rule)) layTrays(lists, asked, foils->pieces, size, trayDraws);
     return lists;
 }
 

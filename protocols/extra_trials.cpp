@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <set>
+#include <tuple>
 
 namespace protocols {
 
@@ -16,81 +17,85 @@ std::vector<int> shuffledNumbers(int count, Random& random)
     return numbers;
 }
 
-/// Deals the other fabrics in shuffled rounds, so that each is used equally often.
-class OtherFabrics {
-public:
-    OtherFabrics(int fabrics, Random& random) : m_fabrics(fabrics), m_random(random), m_left(static_cast<std::size_t>(fabrics)) {}
-
-    int nextBeside(int fabric)
-    {
-        auto& left = m_left[static_cast<std::size_t>(fabric)];
-        if (left.empty()) {
-            left = shuffledNumbers(m_fabrics, m_random);
-            std::erase(left, fabric);
-        }
-        const int other = left.back();
-        left.pop_back();
-        return other;
-    }
-
-private:
-    int m_fabrics;
-    Random& m_random;
-    std::vector<std::vector<int>> m_left;
-};
-
-/// The true fabric and random foils in random order, as many pieces as the phase lays on the tray.
-Tray trayOf(const Phase& phase, int fabric, int fabrics, Random& random)
-{
-    Tray tray = shuffledNumbers(fabrics, random);
-    std::erase(tray, fabric);
-    tray.resize(static_cast<std::size_t>(piecesOnTray(phase.task) - 1));
-    tray.push_back(fabric);
-    random.shuffle(tray);
-    return tray;
-}
+std::size_t placeOf(int fabric) { return static_cast<std::size_t>(fabric); }
 
 }  // namespace
 
-std::vector<std::vector<Tray>> drawSameDifferentTrays(const std::vector<std::vector<Rendering>>& orders, const StudySize& size,
-                                                      Random& random)
+int pieceOf(const DesignTrial& trial) { return trial.alternatives.empty() ? trial.fabric : trial.alternatives.front(); }
+
+ExtraPieces::ExtraPieces(const Phase& phase, const StudySize& size, Random random)
+    : m_phase(phase), m_size(size), m_random(random), m_repeated(placeOf(size.fabrics)), m_mismatched(placeOf(size.fabrics))
 {
-    // The parity of the sum of three shuffled numbers halves every margin at once.
-    const auto people = shuffledNumbers(size.participants, random);
-    const auto labels = shuffledNumbers(size.labels, random);
-    const auto fabrics = shuffledNumbers(size.fabrics, random);
-    OtherFabrics others(size.fabrics, random);
-    std::vector<std::vector<Tray>> trays;
-    for (std::size_t participant = 0; participant < orders.size(); ++participant) {
-        auto& list = trays.emplace_back();
-        for (const Rendering& rendering : orders[participant]) {
-            const int parity = people[participant] + labels[static_cast<std::size_t>(rendering.label)] +
-                               fabrics[static_cast<std::size_t>(rendering.fabric)];
-            list.push_back({parity % 2 == 0 ? rendering.fabric : others.nextBeside(rendering.fabric)});
-        }
-    }
-    return trays;
 }
 
-std::vector<DesignTrial> withCatchTrials(const std::vector<DesignTrial>& trials, const Phase& phase, int fabrics, int count,
-                                         Random& random)
+std::vector<int> ExtraPieces::nextPieces(int count)
 {
+    std::vector<int> pieces;
+    for (int round = 0; round < count / m_size.fabrics; ++round)
+        for (int fabric = 0; fabric < m_size.fabrics; ++fabric) pieces.push_back(fabric);
+    std::set<int> surplus;  // no piece gets two of these
+    while (static_cast<int>(surplus.size()) < count % m_size.fabrics) {
+        if (m_left.empty()) {
+            m_left = shuffledNumbers(m_size.fabrics, m_random);
+            std::ranges::stable_partition(m_left, [&](int fabric) { return surplus.contains(fabric); });
+        }
+        surplus.insert(m_left.back());
+        m_left.pop_back();
+    }
+    pieces.insert(pieces.end(), surplus.begin(), surplus.end());
+    m_random.shuffle(pieces);
+    return pieces;
+}
+
+std::vector<int> ExtraPieces::take(std::vector<int>& pieces, int count, int mostOfEach, std::vector<int>& uses) const
+{
+    std::vector<int> taken, own(uses.size());
+    const auto usesOf = [&](int piece) {
+        return std::tuple(own[placeOf(piece)] >= mostOfEach, own[placeOf(piece)], uses[placeOf(piece)]);
+    };
+    for (; count > 0; --count) {
+        const auto least = std::ranges::min_element(pieces, {}, usesOf);
+        taken.push_back(*least);
+        ++own[placeOf(*least)];
+        ++uses[placeOf(*least)];
+        pieces.erase(least);
+    }
+    return taken;
+}
+
+ExtraPieces::Dealt ExtraPieces::next()
+{
+    auto pieces = nextPieces(m_phase.catchTrials + m_phase.anchors.presentations());
+    Dealt dealt;
+    // A piece has as many presentations that can come again as there are labels.
+    dealt.repeated = take(pieces, m_phase.anchors.repeated, m_size.labels, m_repeated);
+    dealt.mismatched = take(pieces, m_phase.anchors.mismatched, static_cast<int>(pieces.size()), m_mismatched);
+    dealt.caught = std::move(pieces);
+    for (auto* list : {&dealt.repeated, &dealt.mismatched}) m_random.shuffle(*list);
+    return dealt;
+}
+
+std::vector<DesignTrial> withCatchTrials(const std::vector<DesignTrial>& trials, std::vector<int> pieces, Random& random)
+{
+    constexpr int tries = 50;
     std::vector<DesignTrial> all = trials;
-    const auto rounds = shuffledNumbers(fabrics, random);
+    const bool hasTrays = !trials.front().alternatives.empty();
+    const std::size_t count = pieces.size();
     // From the end, so that earlier places keep their numbers.
-    for (int stretch = count; stretch > 0; --stretch) {
-        const std::size_t begin = trials.size() * static_cast<std::size_t>(stretch - 1) / static_cast<std::size_t>(count);
-        const std::size_t end = trials.size() * static_cast<std::size_t>(stretch) / static_cast<std::size_t>(count);
-        const std::size_t place = std::max<std::size_t>(1, begin + random.below(std::max<std::size_t>(1, end - begin)));
-        const auto isNextTo = [&](int fabric) {
-            return trials[place - 1].fabric == fabric || (place < trials.size() && trials[place].fabric == fabric);
+    for (std::size_t stretch = count; stretch > 0; --stretch) {
+        const std::size_t begin = trials.size() * (stretch - 1) / count, end = trials.size() * stretch / count;
+        std::size_t place = 0;
+        const auto isNextTo = [&](int piece) {
+            return pieceOf(trials[place - 1]) == piece || (place < trials.size() && pieceOf(trials[place]) == piece);
         };
-        std::size_t drawn = static_cast<std::size_t>(stretch) % rounds.size();
-        for (std::size_t tried = 0; tried < rounds.size() && isNextTo(rounds[drawn]); ++tried)
-            drawn = (drawn + 1) % rounds.size();
-        const int fabric = rounds[drawn];
+        for (int attempt = 0; attempt < tries; ++attempt) {
+            place = std::max<std::size_t>(1, begin + random.below(std::max<std::size_t>(1, end - begin)));
+            std::swap(pieces[random.below(stretch)], pieces[stretch - 1]);
+            if (!isNextTo(pieces[stretch - 1])) break;
+        }
+        const int piece = pieces[stretch - 1];
         all.insert(all.begin() + static_cast<std::ptrdiff_t>(place),
-                   {trials.front().phase, catchTrialLabel, fabric, trayOf(phase, fabric, fabrics, random)});
+                   {trials.front().phase, catchTrialLabel, piece, hasTrays ? Tray{piece} : Tray{}});
     }
     return all;
 }
@@ -127,42 +132,68 @@ AnchorDraws::AnchorDraws(const Phase& phase, const StudySize& size, int blockLen
       m_size(size),
       m_blockLength(static_cast<std::size_t>(std::max(1, blockLength))),
       m_random(random),
-      m_others(static_cast<std::size_t>(size.fabrics))
+      m_images(placeOf(size.fabrics)),
+      m_pairs(placeOf(size.fabrics) * placeOf(size.fabrics))
 {
     const auto labels = static_cast<std::size_t>(size.labels), fabrics = static_cast<std::size_t>(size.fabrics);
     m_uses = {std::vector<std::size_t>(labels), std::vector<std::size_t>(fabrics), std::vector<std::size_t>(labels * fabrics)};
 }
 
-std::vector<DesignTrial> AnchorDraws::with(const std::vector<DesignTrial>& trials)
+std::vector<DesignTrial> AnchorDraws::with(const std::vector<DesignTrial>& trials, const ExtraPieces::Dealt& pieces)
 {
     std::vector<DesignTrial> list = trials;
-    addMismatched(list);
-    addRepeated(list);
+    addMismatched(list, pieces.mismatched);
+    addRepeated(list, pieces.repeated);
     return list;
 }
 
-void AnchorDraws::addMismatched(std::vector<DesignTrial>& list)
+/// An image beside each piece: another fabric, and none a second time before all were felt. The evenest of several draws.
+std::vector<int> AnchorDraws::drawImages(const std::vector<int>& pieces)
+{
+    constexpr int draws = 20;
+    const auto fabrics = placeOf(m_size.fabrics);
+    std::vector<int> best;
+    std::size_t least = 0;
+    for (int draw = 0; draw < draws; ++draw) {
+        auto images = m_images, pairs = m_pairs, shown = std::vector<std::size_t>(fabrics);
+        std::vector<int> drawn(pieces.size());
+        for (const int at : shuffledNumbers(static_cast<int>(pieces.size()), m_random)) {
+            const int piece = pieces[placeOf(at)];
+            const auto numbers = shuffledNumbers(m_size.fabrics, m_random);
+            const auto usesOf = [&](int image) {
+                return std::tuple(image == piece, shown[placeOf(image)], images[placeOf(image)],
+                                  pairs[placeOf(image) * fabrics + placeOf(piece)]);
+            };
+            const int image = *std::ranges::min_element(numbers, {}, usesOf);
+            drawn[placeOf(at)] = image;
+            ++shown[placeOf(image)];
+            ++images[placeOf(image)];
+            ++pairs[placeOf(image) * fabrics + placeOf(piece)];
+        }
+        constexpr std::size_t weight = 1000;
+        std::size_t uneven = 0;
+        for (const std::size_t times : shown) uneven += weight * weight * times * times;
+        for (const std::size_t times : images) uneven += weight * times * times;
+        for (const std::size_t times : pairs) uneven += times * times;
+        if (!best.empty() && uneven >= least) continue;
+        best = drawn;
+        least = uneven;
+    }
+    return best;
+}
+
+void AnchorDraws::addMismatched(std::vector<DesignTrial>& list, const std::vector<int>& pieces)
 {
     constexpr int tries = 20;
     const std::size_t length = list.size();
-    const auto stretches = static_cast<std::size_t>(m_phase.anchors.mismatched);
-    std::set<int> shown;  // a participant feels no image a second time before all were felt
+    const std::size_t stretches = pieces.size();
+    const auto images = drawImages(pieces);
     // From the end, so that earlier places keep their numbers.
     for (std::size_t stretch = stretches; stretch > 0; --stretch) {
-        if (m_images.empty()) {
-            m_images = shuffledNumbers(m_size.fabrics, m_random);
-            std::stable_partition(m_images.begin(), m_images.end(), [&](int image) { return shown.contains(image); });
-        }
-        const int image = m_images.back();
-        shown.insert(image);
-        m_images.pop_back();
-        auto& others = m_others[static_cast<std::size_t>(image)];
-        if (others.empty()) {
-            others = shuffledNumbers(m_size.fabrics, m_random);
-            std::erase(others, image);
-        }
-        const DesignTrial trial{list.front().phase, mismatchedLabel, image, {others.back()}, {}, AnchorKind::Mismatched};
-        others.pop_back();
+        const int image = images[stretch - 1], piece = pieces[stretch - 1];
+        ++m_images[placeOf(image)];
+        ++m_pairs[placeOf(image) * placeOf(m_size.fabrics) + placeOf(piece)];
+        const DesignTrial trial{list.front().phase, mismatchedLabel, image, {piece}, {}, AnchorKind::Mismatched};
         const std::size_t begin = length * (stretch - 1) / stretches, end = length * stretch / stretches;
         std::size_t place = 1;
         for (int attempt = 0; attempt < tries; ++attempt) {
@@ -173,21 +204,23 @@ void AnchorDraws::addMismatched(std::vector<DesignTrial>& list)
     }
 }
 
-void AnchorDraws::addRepeated(std::vector<DesignTrial>& list)
+void AnchorDraws::addRepeated(std::vector<DesignTrial>& list, const std::vector<int>& pieces)
 {
-    if (m_phase.anchors.repeated == 0) return;
+    if (pieces.empty()) return;
+    m_repeats = pieces.size();
+    std::vector<int> left(placeOf(m_size.fabrics));
+    for (const int piece : pieces) ++left[placeOf(piece)];
     std::optional<Drawn> drawn;
     for (std::size_t gap = std::min(m_blockLength + 1, list.size() / 2); gap >= 2 && !drawn; gap = gap * 3 / 4)
         for (const Rule rule : {Rule::Spread, Rule::Neighbours, Rule::Places})
-            if (!drawn) drawn = evenest(list, gap, rule);
+            if (!drawn) drawn = evenest(list, left, gap, rule);
     if (!drawn) {
         // All of them at the end, in the order of the list.
-        drawn = Drawn{list, m_uses};
+        drawn = Drawn{list, m_uses, left};
         for (const DesignTrial& trial : list) {
-            if (drawn->list.size() == list.size() + static_cast<std::size_t>(m_phase.anchors.repeated)) break;
-            if (trial.label < 0) continue;
+            if (trial.label < 0 || drawn->left[placeOf(pieceOf(trial))] == 0) continue;
             drawn->list.push_back(repetitionOf(trial));
-            drawn->uses.add(trial);
+            drawn->add(trial);
         }
     }
     list = std::move(drawn->list);
@@ -195,12 +228,13 @@ void AnchorDraws::addRepeated(std::vector<DesignTrial>& list)
 }
 
 /// The evenest of several draws.
-std::optional<AnchorDraws::Drawn> AnchorDraws::evenest(const std::vector<DesignTrial>& list, std::size_t gap, Rule rule)
+std::optional<AnchorDraws::Drawn> AnchorDraws::evenest(const std::vector<DesignTrial>& list, const std::vector<int>& left,
+                                                       std::size_t gap, Rule rule)
 {
     constexpr int draws = 100;
     std::optional<Drawn> best;
     for (int draw = 0; draw < draws; ++draw) {
-        auto drawn = tryRepeats(list, gap, rule);
+        auto drawn = tryRepeats(list, left, gap, rule);
         if (drawn && (!best || drawn->uses.unevenness() < best->uses.unevenness())) best = std::move(drawn);
     }
     return best;
@@ -209,10 +243,9 @@ std::optional<AnchorDraws::Drawn> AnchorDraws::evenest(const std::vector<DesignT
 /// In ascending order, from 0 to `room` - 1.
 std::vector<std::size_t> AnchorDraws::drawPlaces(std::size_t room, Rule rule)
 {
-    const auto repeats = static_cast<std::size_t>(m_phase.anchors.repeated);
     std::vector<std::size_t> places;
-    for (std::size_t k = 0; k < repeats; ++k) {
-        const std::size_t begin = room * k / repeats, end = room * (k + 1) / repeats;
+    for (std::size_t k = 0; k < m_repeats; ++k) {
+        const std::size_t begin = room * k / m_repeats, end = room * (k + 1) / m_repeats;
         const bool isFree = rule == Rule::Neighbours;
         places.push_back(isFree ? m_random.below(room) : begin + m_random.below(std::max<std::size_t>(1, end - begin)));
     }
@@ -220,17 +253,18 @@ std::vector<std::size_t> AnchorDraws::drawPlaces(std::size_t room, Rule rule)
     return places;
 }
 
-std::optional<AnchorDraws::Drawn> AnchorDraws::tryRepeats(const std::vector<DesignTrial>& list, std::size_t gap, Rule rule)
+std::optional<AnchorDraws::Drawn> AnchorDraws::tryRepeats(const std::vector<DesignTrial>& list, const std::vector<int>& left,
+                                                          std::size_t gap, Rule rule)
 {
     const std::vector<std::size_t> places = drawPlaces(list.size() + 1 - gap, rule);
-    Drawn drawn{list, m_uses};
+    Drawn drawn{list, m_uses, left};
     std::vector<bool> used(list.size());
     for (std::size_t k = 0; k < places.size(); ++k) {
         const std::size_t at = gap + places[k] + k;
         const auto original = originalFor(drawn, used, at, gap, rule);
         if (!original) return std::nullopt;
         used[*original] = true;
-        drawn.uses.add(drawn.list[*original]);
+        drawn.add(drawn.list[*original]);
         const DesignTrial repetition = repetitionOf(drawn.list[*original]);
         drawn.list.insert(drawn.list.begin() + static_cast<std::ptrdiff_t>(at), repetition);
         used.insert(used.begin() + static_cast<std::ptrdiff_t>(at), true);
@@ -245,7 +279,8 @@ std::optional<std::size_t> AnchorDraws::originalFor(const Drawn& drawn, const st
     const auto& list = drawn.list;
     std::vector<std::size_t> best;
     for (std::size_t i = 0; i + gap <= at; ++i) {
-        if (used[i] || list[i].label < 0 || (rule != Rule::Places && !mayStandBeside(list[i], list, at))) continue;
+        if (used[i] || list[i].label < 0 || drawn.left[placeOf(pieceOf(list[i]))] == 0) continue;
+        if (rule != Rule::Places && !mayStandBeside(list[i], list, at)) continue;
         const std::size_t uses = drawn.uses.of(list[i]), least = best.empty() ? uses : drawn.uses.of(list[best.front()]);
         if (least < uses) continue;
         if (uses < least) best.clear();
@@ -259,11 +294,8 @@ bool AnchorDraws::mayStandBeside(const DesignTrial& trial, const std::vector<Des
 {
     const bool isAlone = std::holds_alternative<TrueAlone>(trayRuleOf(m_phase.task));
     const auto collides = [&](const DesignTrial& neighbour) {
-        if (trial.label == neighbour.label) return true;
-        if (!isAlone) return false;
-        for (const int fabric : {trial.fabric, trial.alternatives.front()})
-            if (fabric == neighbour.fabric || fabric == neighbour.alternatives.front()) return true;
-        return false;
+        if (trial.label == neighbour.label || pieceOf(trial) == pieceOf(neighbour)) return true;
+        return isAlone && (trial.fabric == pieceOf(neighbour) || pieceOf(trial) == neighbour.fabric);
     };
     return !(at > 0 && collides(list[at - 1])) && !(at < list.size() && collides(list[at]));
 }
@@ -272,7 +304,6 @@ DesignTrial AnchorDraws::repetitionOf(const DesignTrial& trial)
 {
     DesignTrial repetition = trial;
     repetition.anchor = AnchorKind::Repeated;
-    m_random.shuffle(repetition.alternatives);
     return repetition;
 }
 

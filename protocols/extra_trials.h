@@ -1,4 +1,4 @@
-// Draws the one fabric on the tray of a same/different phase, and the places of catch trials (blank glass) and of anchors.
+// Draws the pieces and the places of presentations beside those of the conditions: catch trials (blank glass) and anchors.
 #pragma once
 
 #include <cstddef>
@@ -11,19 +11,42 @@
 
 namespace protocols {
 
-/// The fabric on the tray, [participant][position]. It is the rendering's own in half of the presentations: per label x fabric
-/// over participants, per participant x label, and per participant x fabric; odd counts differ by at most one. Otherwise it is
-/// another fabric, each equally often.
-std::vector<std::vector<Tray>> drawSameDifferentTrays(const std::vector<std::vector<Rendering>>& orders, const StudySize& size,
-                                                      Random& random);
+/// What is known of the tray while these draws are made: its one piece, or the true fabric where foils come later.
+int pieceOf(const DesignTrial& trial);
 
-/// Inserts `count` catch trials into one participant's list of one phase. Each of `count` equal stretches gets one at a random
-/// place. A catch trial is never first, and its fabric is never the true one before or after it.
-std::vector<DesignTrial> withCatchTrials(const std::vector<DesignTrial>& trials, const Phase& phase, int fabrics, int count,
-                                         Random& random);
+/// Deals the pieces of additional presentations (catch trials, anchors) to each participant. Where the tray holds one piece,
+/// each then lies there equally often, or once more, whatever the kind of presentation. The pieces that lie once more change from
+/// participant to participant. So the number of a piece's trays does not tell one kind from another. Where there are fewer
+/// additional presentations than fabrics, a piece may have none, and shows this.
+class ExtraPieces {
+public:
+    ExtraPieces(const Phase& phase, const StudySize& size, Random random);
 
-/// Draws the anchors of one phase, participant by participant. They are even over the study: images and trays of mismatched
-/// presentations, conditions and fabrics of repeated ones.
+    struct Dealt {
+        std::vector<int> repeated, mismatched, caught;
+    };
+    /// Of the next participant.
+    Dealt next();
+
+private:
+    std::vector<int> nextPieces(int count);
+    /// Those that this participant, then the study (`uses`), has least.
+    std::vector<int> take(std::vector<int>& pieces, int count, int mostOfEach, std::vector<int>& uses) const;
+
+    Phase m_phase;
+    StudySize m_size;
+    Random m_random;
+    std::vector<int> m_left;                    ///< pieces that are left of the round of those that lie once more
+    std::vector<int> m_repeated, m_mismatched;  ///< [fabric]: over the study
+};
+
+/// Inserts a catch trial with each of the pieces into one participant's list of one phase. Each of equal stretches gets one at a
+/// random place. A catch trial is never first, and its piece is not that before or after it where this can be. Lists without
+/// trays get catch trials without trays.
+std::vector<DesignTrial> withCatchTrials(const std::vector<DesignTrial>& trials, std::vector<int> pieces, Random& random);
+
+/// Draws the anchors of one phase, participant by participant. They are nearly even over the study: images of mismatched
+/// presentations, conditions of repeated ones, and the pieces of both.
 class AnchorDraws {
 public:
     /// `blockLength`: presentations between two breaks.
@@ -31,11 +54,10 @@ public:
 
     /// One participant's list with anchors; the others keep their order. Each of equal stretches of the list gets one mismatched
     /// presentation, and none is first. At least `blockLength` others lie between a presentation and its repetition, or half of
-    /// the list where it is shorter, and always one. So a break lies between them where the list has one. Pieces of a repeated
-    /// choice lie in slots drawn anew, so that a habit for a slot does not look like agreement. Neighbours have other labels, and
-    /// in phases of ratings other fabrics, where that is possible. In choice phases the fabrics of neighbours are not looked at:
-    /// a rule about the true one would tell it.
-    std::vector<DesignTrial> with(const std::vector<DesignTrial>& trials);
+    /// the list where it is shorter, and always one. So a break lies between them where the list has one. Neighbours have other
+    /// labels and fabrics where that is possible, as in the list itself. A repeated presentation keeps its tray; in choice phases
+    /// the lists have no trays yet, and each presentation gets its own (trays.h).
+    std::vector<DesignTrial> with(const std::vector<DesignTrial>& trials, const ExtraPieces::Dealt& pieces);
 
 private:
     /// How often each label, fabric and rendering was repeated over the study.
@@ -52,6 +74,13 @@ private:
     struct Drawn {
         std::vector<DesignTrial> list;
         Uses uses;
+        std::vector<int> left;  ///< [piece]: repetitions that are still due
+
+        void add(const DesignTrial& repeated)
+        {
+            uses.add(repeated);
+            --left[static_cast<std::size_t>(pieceOf(repeated))];
+        }
     };
 
     /// What a draw of the repetitions insists on.
@@ -61,22 +90,25 @@ private:
         Places,      ///< one repetition in each stretch
     };
 
-    void addMismatched(std::vector<DesignTrial>& list);
-    void addRepeated(std::vector<DesignTrial>& list);
-    std::optional<Drawn> evenest(const std::vector<DesignTrial>& list, std::size_t gap, Rule rule);
-    std::optional<Drawn> tryRepeats(const std::vector<DesignTrial>& list, std::size_t gap, Rule rule);
+    std::vector<int> drawImages(const std::vector<int>& pieces);
+    void addMismatched(std::vector<DesignTrial>& list, const std::vector<int>& pieces);
+    void addRepeated(std::vector<DesignTrial>& list, const std::vector<int>& pieces);
+    std::optional<Drawn> evenest(const std::vector<DesignTrial>& list, const std::vector<int>& left, std::size_t gap, Rule rule);
+    std::optional<Drawn> tryRepeats(const std::vector<DesignTrial>& list, const std::vector<int>& left, std::size_t gap,
+                                    Rule rule);
     std::vector<std::size_t> drawPlaces(std::size_t room, Rule rule);
     std::optional<std::size_t> originalFor(const Drawn& drawn, const std::vector<bool>& used, std::size_t at, std::size_t gap,
                                            Rule rule);
     bool mayStandBeside(const DesignTrial& trial, const std::vector<DesignTrial>& list, std::size_t at) const;
-    DesignTrial repetitionOf(const DesignTrial& trial);
+    static DesignTrial repetitionOf(const DesignTrial& trial);
 
     Phase m_phase;
     StudySize m_size;
     std::size_t m_blockLength;
     Random m_random;
-    std::vector<int> m_images;               ///< fabrics that are left of the present round
-    std::vector<std::vector<int>> m_others;  ///< [fabric of the image]: other fabrics that are left of the present round
+    std::size_t m_repeats = 0;          ///< of the present participant
+    std::vector<std::size_t> m_images;  ///< [fabric]: mismatched presentations of its image over the study
+    std::vector<std::size_t> m_pairs;   ///< [fabric of the image][piece]: the same of each pair
     Uses m_uses;
 };
 

@@ -15,7 +15,8 @@ namespace {
 constexpr std::int64_t longestPool = 5000;
 
 using Pools = std::vector<std::vector<FoilSet>>;                  // [true fabric][set]
-using Deal = std::vector<std::vector<std::vector<std::size_t>>>;  // [participant][true fabric][label] -> set
+using Deal = std::vector<std::vector<std::vector<std::size_t>>>;  // [participant][true fabric][presentation] -> set
+using TimesTrue = std::vector<std::vector<int>>;                  // [participant][fabric]
 
 std::vector<int> othersThan(int trueFabric, int fabrics)
 {
@@ -38,30 +39,30 @@ std::vector<FoilSet> drawnFoilSets(int fabrics, int trueFabric, int count, Rando
     return {sets.begin(), sets.end()};
 }
 
-Pools poolsOf(const StudySize& size, int foils, Random& random)
+Pools poolsOf(int fabrics, int foils, Random& random)
 {
-    const bool listed = combinations(size.fabrics - 1, foils, longestPool + 1) <= longestPool;
+    const bool listed = combinations(fabrics - 1, foils, longestPool + 1) <= longestPool;
     Pools pools;
-    for (int fabric = 0; fabric < size.fabrics; ++fabric)
-        pools.push_back(listed ? allFoilSets(size.fabrics, fabric, foils) : drawnFoilSets(size.fabrics, fabric, foils, random));
+    for (int fabric = 0; fabric < fabrics; ++fabric)
+        pools.push_back(listed ? allFoilSets(fabrics, fabric, foils) : drawnFoilSets(fabrics, fabric, foils, random));
     return pools;
 }
 
 /// Each participant takes the least used sets, so that the numbers of uses differ by at most one.
-Deal leastUsedFirst(const StudySize& size, const Pools& pools, Random& random)
+Deal leastUsedFirst(const TimesTrue& timesTrue, const Pools& pools, Random& random)
 {
-    const auto labels = static_cast<std::size_t>(size.labels);
-    Deal deal(static_cast<std::size_t>(size.participants), std::vector<std::vector<std::size_t>>(pools.size()));
+    Deal deal(timesTrue.size(), std::vector<std::vector<std::size_t>>(pools.size()));
     for (std::size_t fabric = 0; fabric < pools.size(); ++fabric) {
         std::vector<int> uses(pools[fabric].size(), 0);
         std::vector<std::size_t> sets(pools[fabric].size());
         std::iota(sets.begin(), sets.end(), std::size_t{0});
-        for (auto& participant : deal) {
-            auto& taken = participant[fabric];
-            while (taken.size() < labels) {
+        for (std::size_t participant = 0; participant < deal.size(); ++participant) {
+            auto& taken = deal[participant][fabric];
+            const auto times = static_cast<std::size_t>(timesTrue[participant][fabric]);
+            while (taken.size() < times) {
                 random.shuffle(sets);
                 std::ranges::stable_sort(sets, [&](std::size_t a, std::size_t b) { return uses[a] < uses[b]; });
-                const std::size_t wanted = std::min(labels - taken.size(), sets.size());
+                const std::size_t wanted = std::min(times - taken.size(), sets.size());
                 for (std::size_t i = 0; i < wanted; ++i) taken.push_back(sets[i]);
                 for (std::size_t i = 0; i < wanted; ++i) ++uses[sets[i]];
             }
@@ -75,21 +76,21 @@ Deal leastUsedFirst(const StudySize& size, const Pools& pools, Random& random)
 /// participants exchange a set, or one participant take a set that is used once less. Both keep the numbers of uses even.
 class FoilSearch {
 public:
-    FoilSearch(const StudySize& size, int foils, const Pools& pools, Deal deal)
-        : m_fabrics(static_cast<std::size_t>(size.fabrics)),
-          m_pools(pools),
-          m_deal(std::move(deal)),
-          m_perParticipant(m_deal.size() * m_fabrics)
+    FoilSearch(int foils, const Pools& pools, Deal deal)
+        : m_fabrics(pools.size()), m_pools(pools), m_deal(std::move(deal)), m_perParticipant(m_deal.size() * m_fabrics)
     {
         for (const auto& pool : pools) m_uses.emplace_back(pool.size(), 0);
-        const std::int64_t slots = std::int64_t{size.labels} * foils;
-        m_excess = -size.participants * leastSquares(slots * size.fabrics, size.fabrics);
-        for (std::size_t participant = 0; participant < m_deal.size(); ++participant)
+        for (std::size_t participant = 0; participant < m_deal.size(); ++participant) {
+            std::int64_t presentations = 0;
             for (std::size_t fabric = 0; fabric < m_fabrics; ++fabric)
                 for (const std::size_t set : m_deal[participant][fabric]) {
+                    ++presentations;
                     ++m_uses[fabric][set];
+                    m_excess += m_perParticipant.add(participant * m_fabrics + fabric);
                     count(participant, fabric, set, true);
                 }
+            m_excess -= leastSquares(presentations * (foils + 1), static_cast<std::int64_t>(m_fabrics));
+        }
     }
 
     std::int64_t excess() const { return m_excess; }
@@ -163,7 +164,7 @@ private:
     const Pools& m_pools;
     Deal m_deal;
     std::vector<std::vector<int>> m_uses;  ///< [true fabric][set], over the study
-    SquaredCounts m_perParticipant;        ///< [participant][foil]
+    SquaredCounts m_perParticipant;        ///< [participant][fabric on the tray]
     std::int64_t m_excess = 0;
     std::size_t m_fabric = 0, m_giver = 0, m_taker = 0, m_givenAt = 0, m_takenAt = 0, m_given = 0, m_taken = 0;
     bool m_moved = false;
@@ -196,19 +197,21 @@ std::vector<FoilSet> allFoilSets(int fabrics, int trueFabric, int count)
     return sets;
 }
 
-std::vector<std::vector<std::vector<FoilSet>>> drawFoilSets(const StudySize& size, int foils, Random& random)
+std::vector<std::vector<std::vector<FoilSet>>> drawFoilSets(const TimesTrue& timesTrue, int foils, Random& random)
 {
-    const Pools pools = poolsOf(size, foils, random);
-    FoilSearch search(size, foils, pools, leastUsedFirst(size, pools, random));
-    const std::int64_t sets = std::int64_t{size.participants} * size.fabrics * size.labels;
+    const Pools pools = poolsOf(static_cast<int>(timesTrue.front().size()), foils, random);
+    FoilSearch search(foils, pools, leastUsedFirst(timesTrue, pools, random));
+    std::int64_t sets = 0;
+    for (const auto& participant : timesTrue)
+        for (const int times : participant) sets += times;
     annealAgain(search, random, {.moves = std::clamp<std::int64_t>(sets * 2000, 50'000, 2'000'000), .hot = 4});
     std::vector<std::vector<std::vector<FoilSet>>> result;
     for (const auto& participant : search.deal()) {
         auto& perFabric = result.emplace_back();
         for (std::size_t fabric = 0; fabric < pools.size(); ++fabric) {
-            auto& perLabel = perFabric.emplace_back();
-            for (const std::size_t set : participant[fabric]) perLabel.push_back(pools[fabric][set]);
-            random.shuffle(perLabel);
+            auto& own = perFabric.emplace_back();
+            for (const std::size_t set : participant[fabric]) own.push_back(pools[fabric][set]);
+            random.shuffle(own);
         }
     }
     return result;

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "protocols/random.h"
-#include "protocols/running_orders.h"
 
 namespace protocols {
 
@@ -18,9 +17,10 @@ std::int64_t combinations(std::int64_t n, std::int64_t k, std::int64_t limit);
 /// All sets of `count` fabrics other than `trueFabric`, in lexicographic order.
 std::vector<FoilSet> allFoilSets(int fabrics, int trueFabric, int count);
 
-/// [participant][true fabric][label]: one set for each label, different as long as there are enough sets. Over the study each
-/// set is equally frequent per true fabric; each foil is equally frequent within participant. `foils`: number of fabrics in a
-/// set.
-std::vector<std::vector<std::vector<FoilSet>>> drawFoilSets(const StudySize& size, int foils, Random& random);
+/// [participant][true fabric][presentation]: one set for each presentation, different as long as there are enough sets. Over the
+/// study each set is equally frequent per true fabric. Within participant each fabric lies on the tray equally often, as the true
+/// one or as a foil. `timesTrue`: [participant][fabric], the number of presentations. `foils`: number of fabrics in a set.
+std::vector<std::vector<std::vector<FoilSet>>> drawFoilSets(const std::vector<std::vector<int>>& timesTrue, int foils,
+                                                            Random& random);
 
 }  // namespace protocols

@@ -7,6 +7,9 @@
 
 namespace protocols {
 
+/// The label of a presentation beside those of the conditions (a catch trial, an anchor), wherever labels are balanced.
+constexpr int additionalLabel = -1;
+
 /// A label (an unnamed condition) and a fabric; both count from 0.
 struct Rendering {
     int label = 0;

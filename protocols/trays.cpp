@@ -2,6 +2,7 @@
 
 #include <array>
 #include <bitset>
+#include <map>
 #include <utility>
 
 #include "protocols/annealing.h"
@@ -36,11 +37,18 @@ struct PlacePair {
     std::size_t second = 0;
 };
 
-PlacePair randomPair(const std::vector<std::vector<Places>>& places, Random& random)
+bool isAdditional(const Rendering& shown) { return shown.label == additionalLabel; }
+
+/// What is even stays even among the presentations of the conditions alone: one of these and an additional one are no pair, and
+/// the first stands twice then.
+PlacePair randomPair(const Orders& orders, const std::vector<std::vector<Places>>& places, Random& random)
 {
     const std::size_t participant = random.below(places.size());
     const Places& own = places[participant][random.below(places[participant].size())];
-    return {participant, own[random.below(own.size())], own[random.below(own.size())]};
+    PlacePair pair{participant, own[random.below(own.size())], own[random.below(own.size())]};
+    const auto& order = orders[participant];
+    if (isAdditional(order[pair.first]) != isAdditional(order[pair.second])) pair.second = pair.first;
+    return pair;
 }
 
 /// The true fabric never repeats immediately. With foils in random places, a fabric on two trays in a row would therefore more
@@ -70,7 +78,7 @@ public:
 
     std::int64_t applyRandomMove(Random& random)
     {
-        m_pair = randomPair(m_places, random);
+        m_pair = randomPair(m_orders, m_places, random);
         return swapSets();
     }
 
@@ -166,15 +174,20 @@ public:
           m_fabrics(static_cast<std::size_t>(size.fabrics)),
           m_slots(static_cast<std::size_t>(alternatives)),
           m_trays(std::move(trays)),
-          m_trueSlots(static_cast<std::size_t>(size.labels) * m_slots),
+          m_trueSlots(static_cast<std::size_t>(size.labels + 1) * m_slots),
           m_foilSlots(m_trays.size() * m_fabrics * m_slots)
     {
-        const std::int64_t presentations = std::int64_t{size.participants} * size.fabrics;
-        const std::int64_t asFoil = std::int64_t{size.labels} * (alternatives - 1);
-        m_excess = -(trueWeight * size.labels * leastSquares(presentations, alternatives) +
-                     presentations * leastSquares(asFoil, alternatives));
+        std::vector<std::int64_t> trueOf(static_cast<std::size_t>(size.labels + 1)), foils(m_trays.size() * m_fabrics);
         for (std::size_t participant = 0; participant < m_trays.size(); ++participant)
-            for (std::size_t at = 0; at < m_trays[participant].size(); ++at) count(participant, at, true);
+            for (std::size_t at = 0; at < m_trays[participant].size(); ++at) {
+                const Rendering& shown = m_orders[participant][at];
+                ++trueOf[rowOf(shown)];
+                for (const int fabric : m_trays[participant][at])
+                    foils[participant * m_fabrics + static_cast<std::size_t>(fabric)] += fabric != shown.fabric;
+                count(participant, at, true);
+            }
+        for (const std::int64_t presentations : trueOf) m_excess -= trueWeight * leastSquares(presentations, alternatives);
+        for (const std::int64_t times : foils) m_excess -= leastSquares(times, alternatives);
     }
 
     std::int64_t excess() const { return m_excess; }
@@ -182,7 +195,7 @@ public:
 
     std::int64_t applyRandomMove(Random& random)
     {
-        m_pair = randomPair(m_places, random);
+        m_pair = randomPair(m_orders, m_places, random);
         m_betweenTrays = m_slots == 2 || random.below(2) == 0;
         m_slot = m_betweenTrays ? trueSlot(m_pair.first) : random.below(m_slots);
         m_otherSlot = m_betweenTrays ? trueSlot(m_pair.second) : random.below(m_slots);
@@ -195,6 +208,11 @@ public:
 
 private:
     static constexpr std::int64_t trueWeight = 4;
+
+    std::size_t rowOf(const Rendering& shown) const
+    {
+        return isAdditional(shown) ? m_trueSlots.size() / m_slots - 1 : static_cast<std::size_t>(shown.label);
+    }
 
     std::size_t trueSlot(std::size_t at) const { return trueSlotOf(m_pair.participant, at); }
 
@@ -229,7 +247,7 @@ private:
             const auto fabric = static_cast<std::size_t>(tray[slot]);
             const bool isTrue = tray[slot] == shown.fabric;
             SquaredCounts& counts = isTrue ? m_trueSlots : m_foilSlots;
-            const std::size_t row = isTrue ? static_cast<std::size_t>(shown.label) : participant * m_fabrics + fabric;
+            const std::size_t row = isTrue ? rowOf(shown) : participant * m_fabrics + fabric;
             const std::int64_t change = adding ? counts.add(row * m_slots + slot) : counts.remove(row * m_slots + slot);
             m_excess += (isTrue ? trueWeight : 1) * change;
         }
@@ -240,7 +258,7 @@ private:
     std::size_t m_fabrics;
     std::size_t m_slots;
     Trays m_trays;
-    SquaredCounts m_trueSlots;  ///< [label][slot], over the study
+    SquaredCounts m_trueSlots;  ///< [label, last the additional ones][slot], over the study
     SquaredCounts m_foilSlots;  ///< [participant][foil][slot]
     std::int64_t m_excess = 0;
     PlacePair m_pair;
@@ -250,21 +268,62 @@ private:
     bool m_moves = false;
 };
 
+/// Moves sets for additional presentations to the end of each list of sets, as evenly over sets and foils as they come. So the
+/// sets that are left stay nearly even among the presentations of the conditions.
+class AdditionalSets {
+public:
+    explicit AdditionalSets(std::size_t fabrics) : m_uses(fabrics), m_foils(fabrics) {}
+
+    void beginParticipant() { std::ranges::fill(m_foils, 0); }
+
+    void moveToEnd(std::size_t fabric, std::vector<FoilSet>& sets, std::size_t count)
+    {
+        for (std::size_t end = sets.size(); count > 0; --count, --end) {
+            const auto usesOf = [&](const FoilSet& set) {
+                int foils = 0;
+                for (const int foil : set) foils += m_foils[static_cast<std::size_t>(foil)];
+                return std::pair(foils, m_uses[fabric][set]);
+            };
+            const auto last = sets.begin() + static_cast<std::ptrdiff_t>(end);
+            const auto chosen = std::ranges::min_element(sets.begin(), last, {}, usesOf);
+            ++m_uses[fabric][*chosen];
+            for (const int foil : *chosen) ++m_foils[static_cast<std::size_t>(foil)];
+            std::iter_swap(chosen, last - 1);
+        }
+    }
+
+private:
+    std::vector<std::map<FoilSet, int>> m_uses;  ///< [true fabric][set], over the study
+    std::vector<int> m_foils;                    ///< [fabric], of the present participant
+};
+
 /// Trays with the true fabric first, then its foils.
 Trays setsInOrder(const Orders& orders, const StudySize& size, int alternatives, Random& random)
 {
-    const auto foilSets = drawFoilSets(size, alternatives - 1, random);
     const auto places = placesOf(orders, size);
+    std::vector<std::vector<int>> timesTrue;
+    for (const auto& participant : places) {
+        auto& times = timesTrue.emplace_back();
+        for (const Places& own : participant) times.push_back(static_cast<int>(own.size()));
+    }
+    auto foilSets = drawFoilSets(timesTrue, alternatives - 1, random);
+    AdditionalSets additional(static_cast<std::size_t>(size.fabrics));
     Trays trays;
     for (std::size_t participant = 0; participant < orders.size(); ++participant) {
         auto& list = trays.emplace_back(orders[participant].size());
-        for (std::size_t fabric = 0; fabric < places[participant].size(); ++fabric)
-            for (std::size_t i = 0; i < places[participant][fabric].size(); ++i) {
-                Tray& tray = list[places[participant][fabric][i]];
+        additional.beginParticipant();
+        for (std::size_t fabric = 0; fabric < places[participant].size(); ++fabric) {
+            Places own = places[participant][fabric];
+            const auto extras =
+                std::ranges::stable_partition(own, [&](std::size_t at) { return !isAdditional(orders[participant][at]); });
+            additional.moveToEnd(fabric, foilSets[participant][fabric], extras.size());
+            for (std::size_t i = 0; i < own.size(); ++i) {
+                Tray& tray = list[own[i]];
                 tray = {static_cast<int>(fabric)};
                 const FoilSet& foils = foilSets[participant][fabric][i];
                 tray.insert(tray.end(), foils.begin(), foils.end());
             }
+        }
     }
     return trays;
 }
@@ -295,16 +354,18 @@ void layOut(Trays& trays, const Orders& orders, const StudySize& size, int alter
     std::vector<int> study(static_cast<std::size_t>(alternatives), 0);
     for (std::size_t participant = 0; participant < trays.size(); ++participant) {
         std::vector<int> own(study.size(), 0);
-        for (const Places& list : places[participant]) {
-            const std::vector<std::size_t> slots = evenSlots(list.size(), own, study, random);
-            for (std::size_t i = 0; i < list.size(); ++i) {
-                Tray& tray = trays[participant][list[i]];
-                Tray foils(tray.begin() + 1, tray.end());
-                random.shuffle(foils);
-                foils.insert(foils.begin() + static_cast<std::ptrdiff_t>(slots[i]), tray.front());
-                tray = std::move(foils);
+        for (const bool additional : {false, true})
+            for (Places list : places[participant]) {
+                std::erase_if(list, [&](std::size_t at) { return isAdditional(orders[participant][at]) != additional; });
+                const std::vector<std::size_t> slots = evenSlots(list.size(), own, study, random);
+                for (std::size_t i = 0; i < list.size(); ++i) {
+                    Tray& tray = trays[participant][list[i]];
+                    Tray foils(tray.begin() + 1, tray.end());
+                    random.shuffle(foils);
+                    foils.insert(foils.begin() + static_cast<std::ptrdiff_t>(slots[i]), tray.front());
+                    tray = std::move(foils);
+                }
             }
-        }
     }
 }
 

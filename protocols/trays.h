@@ -12,9 +12,11 @@ namespace protocols {
 /// Fabrics in slot order A, B, C ...
 using Tray = std::vector<int>;
 
-/// [participant][position] for the given running orders. Foil sets are equally frequent per true fabric and do not repeat within
-/// participant x true fabric; each foil is equally frequent per participant. True slots are equally frequent per participant x
-/// fabric and per label, slots of each foil per participant. A participant can notice that a fabric also lay on the tray before
+/// [participant][position] for the given running orders, in which each rendering stands once per participant. Presentations with
+/// the label `additionalLabel` come beside these. Foil sets are equally frequent per true fabric and do not repeat within
+/// participant x true fabric; each fabric lies on the tray equally often per participant. True slots are equally frequent per
+/// participant x fabric and per label, slots of each foil per participant. Additional presentations share in all of this, so that
+/// no tray and no count of trays tells which they are. A participant can notice that a fabric also lay on the tray before
 /// or after, how often it appears, and its slot. All this is as frequent for foils as for true fabrics, so it does not reveal
 /// the true slot. Where this is impossible, a bounded search comes as close as it can.
 ///

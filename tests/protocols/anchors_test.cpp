@@ -167,13 +167,19 @@ private Q_SLOTS:
         const Protocol with = anchored();
         Protocol without = with;
         for (Phase& phase : without.phases) phase.anchors = {};
-        Design design = drawDesign(with, 5);
-        const Design plain = drawDesign(without, 5);
-        const auto ranges = balanceOf(design, with).ranges;
+        Design design = drawDesign(with, 5), plain = drawDesign(without, 5);
         for (auto& list : design.participants)
-            std::erase_if(list, [](const DesignTrial& trial) { return trial.anchor != AnchorKind::None; });
+            std::erase_if(list, [](const DesignTrial& trial) {
+                return trial.anchor != AnchorKind::None || trial.label == catchTrialLabel;
+            });
+        for (auto& list : plain.participants)
+            std::erase_if(list, [](const DesignTrial& trial) { return trial.label == catchTrialLabel; });
+        // Foils of choices are drawn for all presentations together.
+        for (auto* one : {&design, &plain})
+            for (auto& list : one->participants)
+                for (DesignTrial& trial : list)
+                    if (trial.phase == 0) trial.alternatives.clear();
         QVERIFY(design == plain);
-        QVERIFY(ranges == balanceOf(plain, without).ranges);
         QVERIFY(drawDesign(with, 5) == drawDesign(with, 5));
         QVERIFY(drawDesign(with, 5) != drawDesign(with, 6));
     }
@@ -190,10 +196,9 @@ private Q_SLOTS:
                     QVERIFY(first < at && list[first].anchor == AnchorKind::None);
                     QVERIFY(at - first > static_cast<std::size_t>(protocol.breakAfterPresentations));
                     QVERIFY(originals.insert(first).second);  // none comes a third time
-                    auto pieces = list[at].alternatives, before = list[first].alternatives;
-                    std::ranges::sort(pieces);
-                    std::ranges::sort(before);
-                    QCOMPARE(pieces, before);
+                    // A choice comes again beside other foils, as any other does: the same pieces would name it.
+                    if (list[at].phase == 1) QCOMPARE(list[at].alternatives, list[first].alternatives);
+                    QVERIFY(std::ranges::find(list[at].alternatives, list[at].fabric) != list[at].alternatives.end());
                     QVERIFY(list[at - 1].label != list[at].label);
                     const bool hasNext = at + 1 < list.size() && list[at + 1].phase == list[at].phase;
                     QVERIFY(!hasNext || list[at + 1].label != list[at].label);
@@ -218,7 +223,7 @@ private Q_SLOTS:
             }
         }
         QVERIFY2(spreadOf(images, 5) <= 1, "24 mismatched presentations of 5 images");
-        QVERIFY2(spreadOf(pairs, 20) <= 1, "24 mismatched presentations of 20 pairs");
+        QVERIFY2(spreadOf(pairs, 20) <= 2, "24 mismatched presentations of 20 pairs");
     }
 
     void repetitionsAreEvenOverConditionsAndFabrics()

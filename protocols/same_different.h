@@ -1,0 +1,26 @@
+// Draws the order of a phase in which a participant compares the rendering with one piece: which piece lies on the tray, and
+// which rendering is shown beside it.
+#pragma once
+
+#include <vector>
+
+#include "protocols/random.h"
+#include "protocols/running_orders.h"
+#include "protocols/trays.h"
+
+namespace protocols {
+
+struct SameDifferentOrders {
+    std::vector<std::vector<Rendering>> orders;  ///< [participant][position]: what is shown
+    std::vector<std::vector<Tray>> trays;        ///< [participant][position]: the one piece on the tray
+};
+
+/// `pieces`: the pieces on the trays, as a running order whose labels are not read. Everything an operator sees is drawn before
+/// the truth: which half of a piece's trays hold the fabric of the rendering is a draw of its own, so that trays tell nothing.
+/// The half is exact per participant x fabric (of the tray and of the rendering), per participant x label, and per label x
+/// fabric over participants; odd counts differ by at most one. With two fabrics and an odd number of labels, participant x label
+/// is not halved. The other renderings are exchanged among the trays that are left, so that each rendering is shown once, each
+/// other fabric lies beside a fabric equally often, and the orders of fabrics and labels are balanced as a search can make them.
+SameDifferentOrders drawSameDifferent(const std::vector<std::vector<Rendering>>& pieces, const StudySize& size, Random& random);
+
+}  // namespace protocols

@@ -95,12 +95,6 @@ struct LinkedEntry {
     StoredLinks links;
 };
 
-/// Whether only the chain needs the entry: those of trials are nearly all entries, and they change no state.
-bool isOfTrial(const EventRecord& event)
-{
-    return !event.participant.empty() && (event.kind == "answered" || event.kind == "touched" || event.kind == "tray_ready");
-}
-
 constexpr std::size_t entriesOfBatch = 4096;
 
 QSqlQuery queryOfEvents(const SqliteConnection& sqlite)
@@ -113,7 +107,7 @@ QSqlQuery queryOfEvents(const SqliteConnection& sqlite)
 }
 
 /// Takes the next entries with their rows, which are in the log already. Those that later checks need stay in the log, without
-/// answers and notes. Empty at the end.
+/// answers and notes: all but those of trials. Empty at the end.
 std::vector<LinkedEntry> nextEntries(QSqlQuery& row, Log& log)
 {
     std::vector<LinkedEntry> batch;
@@ -265,7 +259,7 @@ void checkUpgrade(const Log& log, std::vector<std::string>& faults)
 {
     const auto upgrade = upgradeIn(log);
     if (!upgrade) return;
-    const nlohmann::json before = nlohmann::json::parse(upgrade->event.payloadJson, nullptr, false);
+    const nlohmann::json before = payloadIn(upgrade->event.payloadJson);
     if (!before.is_object() || !before.contains("faults_before") || !before["faults_before"].is_array())
         faults.push_back(nameOfEntry(upgrade->event) + ": cannot be read");
     else

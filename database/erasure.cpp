@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "database/disk/payload_fields.h"
 #include "database/event_chain.h"
 #include "database/schema.h"
 #include "database/stored_texts.h"
@@ -17,6 +18,7 @@ namespace database {
 namespace {
 
 constexpr const char* emptiedTables[] = {"responses", "voids", "notes", "finger_samples", "events"};
+constexpr const char* certifiedKind = "certified";
 constexpr std::size_t shortestText = 8;  // a shorter one may stand in a file by chance
 
 std::vector<std::string> textsFrom(const SqliteConnection& sqlite, const char* select, const std::string& participant)
@@ -150,6 +152,32 @@ ErasureRecord eraseFrom(const SqliteConnection& sqlite, const Erasure& erasure)
     for (const std::string& copy : copiesBeforeUpgradeOf(erasure.participant.value, {sqlite.file().parent_path()}))
         if (std::ranges::find(record.found, copy) == record.found.end()) record.found.push_back(copy);
     return record;
+}
+
+void recordCertificate(const StudyStore& store, std::int64_t erasure, const std::string& sha256)
+{
+    const SqliteConnection sqlite(store.folder().database(), SqliteConnection::Mode::Write);
+    Transaction transaction(sqlite);
+    database::store(sqlite, actOnStudy(certifiedKind, {{"erasure", erasure}, {"sha256", sha256}}, wallTimeNow()));
+    transaction.commit();
+}
+
+std::map<std::int64_t, std::string> certificatesOf(const StudyStore& store)
+{
+    std::map<std::int64_t, std::string> hashes;
+    for (const EventRecord& event : store.eventsOfKind(certifiedKind)) {
+        const nlohmann::json payload = payloadIn(event.payloadJson);
+        // A later entry must not replace the hash: whoever can write the file could add one.
+        if (event.participant.empty()) hashes.emplace(numberIn(payload, "erasure", 0), textIn(payload, "sha256"));
+    }
+    return hashes;
+}
+
+std::filesystem::path certificatesFolder(const StudyFolder& folder) { return folder.folder / "erasures"; }
+
+std::filesystem::path certificateFile(const StudyFolder& folder, std::int64_t erasure)
+{
+    return certificatesFolder(folder) / ("erasure-" + std::to_string(erasure) + ".txt");
 }
 
 }  // namespace database

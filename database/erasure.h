@@ -2,6 +2,7 @@
 // write-ahead log and the free pages of the file. The hashes stay, so that the rest can be verified.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -12,5 +13,15 @@ namespace database {
 
 /// As StudyStore::erase.
 ErasureRecord eraseFrom(const SqliteConnection& sqlite, const Erasure& erasure);
+
+/// Records that a certificate of the erasure with this entry was written. `sha256`: of the file.
+void recordCertificate(const StudyStore& store, std::int64_t erasure, const std::string& sha256);
+
+/// The first recorded hash of each certificate, by the entry of its erasure. Certificates of earlier versions have none.
+std::map<std::int64_t, std::string> certificatesOf(const StudyStore& store);
+
+/// STUDY/erasures, and the certificate of the erasure with this entry in it.
+std::filesystem::path certificatesFolder(const StudyFolder& folder);
+std::filesystem::path certificateFile(const StudyFolder& folder, std::int64_t erasure);
 
 }  // namespace database

@@ -63,6 +63,9 @@ std::string commitmentOf(const LogEntry& entry, const std::string& salt);
 std::string chainHash(const std::string& previous, const EventRecord& event, const std::string& places,
                       const std::string& commitment);
 
+/// Whether the entry belongs to a presentation: nearly all entries do, and they change no state.
+bool isOfTrial(const EventRecord& event);
+
 /// The kind of the entry that an upgrade from an older schema leaves.
 inline constexpr const char* upgradedKind = "upgraded";
 /// What the log keeps of a fact about a participant: the hash of a salt, which an erasure removes, and the value.
@@ -71,7 +74,8 @@ std::string commitmentOfFact(const std::string& salt, const std::string& fact, c
 /// An entry for an act on the study itself, outside any session.
 LogEntry actOnStudy(const std::string& kind, const nlohmann::ordered_json& payload, const std::string& wallTime);
 
-/// Writes the entry with the next sequence number and all its rows, in the caller's transaction. Returns the number.
+/// Writes the entry with the next sequence number and all its rows, in the caller's transaction. Returns the number. Except in
+/// entries of trials, the payload names the last act (evidence/acts.h), if there is one: "acts": {"number", "sha256"}.
 std::int64_t store(const SqliteConnection& connection, LogEntry entry);
 
 /// Writes an entry under the number that it has, without its rows, and returns its hash. `salt`: empty for an erased entry.

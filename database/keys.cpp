@@ -1,5 +1,7 @@
 #include "database/keys.h"
 
+#include "database/disk/payload_fields.h"
+#include "database/sqlite_connection.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
@@ -46,6 +48,42 @@ std::optional<protocols::AllocationKey> readKey(const StudyStore& store, const P
     if (const auto text = protocols::readIfPossible(file)) return committed(store, *text, file);
     if (!store.facts().hasPassphrase) throw notUsable("the allocation key cannot be read", file);
     return unsealed(store, passphrase);
+}
+
+/// The hash of the sealed key in the log; empty in studies of earlier versions.
+std::string recordedSealHash(const StudyStore& store)
+{
+    const SqliteConnection sqlite(store.folder().database(), SqliteConnection::Mode::Read);
+    const auto first = sqlite.value(QStringLiteral("SELECT payload FROM events WHERE sequence = 1"));
+    return textIn(payloadIn(fromQt(first)), sealedKeyField);
+}
+
+/// A missing file is reported with the open key, because either of them is enough.
+void checkSealedKey(const StudyStore& store, const Passphrase& passphrase, KeyFindings& findings)
+{
+    const fs::path file = store.folder().sealedAllocationKey();
+    const auto sealed = protocols::readIfPossible(file);
+    if (!sealed) return;
+    const std::string recorded = recordedSealHash(store), name = file.filename().string();
+    if (recorded.empty())
+        protocols::requireSealedForm(*sealed, file.string());
+    else if (protocols::sha256(*sealed) != recorded)
+        throw notUsable("the sealed allocation key is not the file that the log names", file);
+    const auto given = passphrase ? passphrase() : std::nullopt;
+    if (!given) {
+        if (recorded.empty())
+            findings.notes.push_back(name +
+                                     ": its hash is not recorded, because an earlier version made the study; "
+                                     "the passphrase would show whether it opens");
+        return;
+    }
+    if (const auto text = protocols::openWithPassphrase(*given, *sealed, file.string()))
+        (void)committed(store, *text, file);
+    else if (recorded.empty())
+        throw notUsable("the passphrase does not open the allocation key: it is another one, or the file was altered", file);
+    else
+        findings.notes.push_back(name +
+                                 ": not opened, because the study was made with another passphrase; the file is unchanged");
 }
 
 protocols::AllocationKey neededKey(const StudyStore& store, const Passphrase& passphrase)
@@ -105,23 +143,30 @@ KeyHashes writeKeys(const StudyFolder& folder, const protocols::AllocationKey& k
     return {protocols::sha256(text), writeStationKey(folder, protocols::stationKeyOf(key.secret))};
 }
 
-std::vector<std::string> faultsOfKeys(const StudyStore& store)
+std::string sha256OfSealedKey(const StudyFolder& folder)
 {
-    std::vector<std::string> faults;
-    const StudyFolder& folder = store.folder();
-    try {
-        (void)readStationKey(store);
-    } catch (const protocols::Error& fault) {
-        faults.push_back(fault.what());
-    }
-    try {
-        (void)readKey(store, {});
-    } catch (const protocols::Error& fault) {
-        faults.push_back(fault.what());
-    }
-    if (store.facts().hasPassphrase && !store.unblinding() && fs::exists(folder.allocationKey()))
-        faults.push_back(folder.allocationKey().string() + ": the allocation key lies open, and the study is not unblinded");
-    return faults;
+    const auto sealed = protocols::readIfPossible(folder.sealedAllocationKey());
+    return sealed ? protocols::sha256(*sealed) : std::string();
+}
+
+KeyFindings findingsOfKeys(const StudyStore& store, const Passphrase& passphrase)
+{
+    KeyFindings findings;
+    const auto check = [&findings](const auto& step) {
+        try {
+            step();
+        } catch (const protocols::Error& fault) {
+            findings.faults.push_back(fault.what());
+        }
+    };
+    check([&] { (void)readStationKey(store); });
+    check([&] { (void)readKey(store, {}); });
+    if (!store.facts().hasPassphrase) return findings;
+    check([&] { checkSealedKey(store, passphrase, findings); });
+    const fs::path open = store.folder().allocationKey();
+    if (!store.unblinding() && fs::exists(open))
+        findings.faults.push_back(open.string() + ": the allocation key lies open, and the study is not unblinded");
+    return findings;
 }
 
 }  // namespace database

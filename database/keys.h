@@ -53,8 +53,17 @@ struct KeyHashes {
 KeyHashes writeKeys(const StudyFolder& folder, const protocols::AllocationKey& key,
                     const std::optional<std::string>& passphrase = std::nullopt);
 
-/// One line for each fault of the key files: missing or altered. A sealed key cannot be compared with its
-/// commitment without the passphrase.
-std::vector<std::string> faultsOfKeys(const StudyStore& store);
+/// SHA-256 of the sealed key in a study folder, which the log's first entry keeps; empty where there is no such file.
+std::string sha256OfSealedKey(const StudyFolder& folder);
+
+/// The field of that entry. Studies of earlier versions lack it.
+inline constexpr const char* sealedKeyField = "sealed_key_sha256";
+
+/// One line for each fault of the key files (missing, altered, not to be opened), and for what could not be checked.
+struct KeyFindings {
+    std::vector<std::string> faults, notes;
+};
+/// A sealed key is compared with the log. With a passphrase it is opened, too, and compared with its commitment.
+KeyFindings findingsOfKeys(const StudyStore& store, const Passphrase& passphrase = {});
 
 }  // namespace database

@@ -1,10 +1,13 @@
 #include "database/older_study.h"
 
+#include <QSqlRecord>
 #include <charconv>
 #include <nlohmann/json.hpp>
 
+#include "database/disk/payload_fields.h"
 #include "database/schema.h"
 #include "database/stored_texts.h"
+#include "database/study_rows.h"
 #include "protocols/files/canonical_bytes.h"
 #include "protocols/files/errors.h"
 
@@ -44,30 +47,39 @@ StudyFacts olderFactsIn(const SqliteConnection& sqlite, std::string& maskedKeySh
 
 void readOlderPieces(const SqliteConnection& sqlite, OlderStudy& study)
 {
-    QSqlQuery swatch = sqlite.run(QStringLiteral("SELECT slot, fabric, code FROM swatches ORDER BY slot"));
-    while (swatch.next()) {
-        study.facts.swatches.resize(static_cast<std::size_t>(swatch.value(0).toInt()));
-        study.facts.swatches.back()[protocols::FabricId(fromQt(swatch.value(1)))] = fromQt(swatch.value(2));
-    }
+    study.facts.swatches = swatchesIn(sqlite, study.facts.fabrics);
     QSqlQuery item = sqlite.run(QStringLiteral("SELECT name, file_code FROM familiarisation ORDER BY position"));
     while (item.next()) study.familiarisation.emplace_back(fromQt(item.value(0)), protocols::FileCode(fromQt(item.value(1))));
+}
+
+protocols::Error damaged(const SqliteConnection& sqlite, const std::string& what, const std::string& expected)
+{
+    return protocols::workFailed(
+        {what, sqlite.file().string(), expected, "restore the study from a backup; it cannot be upgraded like this"});
 }
 
 void readOlderLists(const SqliteConnection& sqlite, OlderStudy& study)
 {
     QSqlQuery row = sqlite.run(QStringLiteral("SELECT file_code, sha256 FROM stimuli"));
     while (row.next()) study.stimuli[protocols::FileCode(fromQt(row.value(0)))] = fromQt(row.value(1));
-    study.slots.resize(sqlite.value(QStringLiteral("SELECT COALESCE(MAX(number), 0) FROM slots")).toULongLong());
+    row = sqlite.run(QStringLiteral("SELECT number FROM slots ORDER BY number"));
+    for (; row.next(); study.slots.emplace_back())
+        if (row.value(0).toULongLong() != study.slots.size() + 1)
+            throw damaged(sqlite, "a slot has the number " + fromQt(row.value(0)), "slots that are numbered from 1");
     row = sqlite.run(QStringLiteral(
         "SELECT slot, number, phase, presentation_code, alternatives, file_code FROM trials ORDER BY slot, number"));
-    while (row.next())
-        study.slots.at(row.value(0).toULongLong() - 1)
-            .push_back({{protocols::TrialNumber{row.value(1).toInt()},
-                         row.value(2).toInt(),
-                         {},
-                         protocols::PresentationCode(fromQt(row.value(3))),
-                         fabricsOf(fromQt(row.value(4)))},
-                        protocols::FileCode(fromQt(row.value(5)))});
+    while (row.next()) {
+        const qulonglong slot = row.value(0).toULongLong();
+        if (slot < 1 || slot > study.slots.size())
+            throw damaged(sqlite, "a trial belongs to slot " + fromQt(row.value(0)),
+                          "a slot from 1 to " + std::to_string(study.slots.size()));
+        study.slots[slot - 1].push_back({{protocols::TrialNumber{row.value(1).toInt()},
+                                          row.value(2).toInt(),
+                                          {},
+                                          protocols::PresentationCode(fromQt(row.value(3))),
+                                          fabricsOf(fromQt(row.value(4)))},
+                                         protocols::FileCode(fromQt(row.value(5)))});
+    }
 }
 
 void readOlderEvents(const SqliteConnection& sqlite, OlderStudy& study)
@@ -150,8 +162,6 @@ std::string olderChainHash(const std::string& previous, const LogEntry& entry)
     return bytes.hash();
 }
 
-nlohmann::json payloadOf(const EventRecord& event) { return nlohmann::json::parse(event.payloadJson, nullptr, false); }
-
 std::vector<std::string> faultsOfOlderChain(const OlderStudy& study)
 {
     std::vector<std::string> faults;
@@ -180,13 +190,24 @@ void checkOlderEnd(const SqliteConnection& sqlite, const OlderStudy& study, std:
 void checkOlderFixedRows(const SqliteConnection& sqlite, const OlderStudy& study, std::vector<std::string>& faults)
 {
     const auto first = study.events.find(1);
-    const nlohmann::json made = first == study.events.end() ? nlohmann::json() : payloadOf(first->second);
+    const nlohmann::json made = payloadIn(first == study.events.end() ? std::string() : first->second.payloadJson);
     const std::span<const char* const> all(olderFixedRows);
-    const bool isOfFirstSchema = !made.is_object() || made.value("schema", 1) < 2;
-    if (!made.is_object() || made.value("fixed_sha256", std::string()) !=
-                                 hashOfRows(sqlite, isOfFirstSchema ? all.first(fixedRowsOfFirstSchema) : all))
+    const bool isOfFirstSchema = numberIn(made, "schema", 1) < 2 || study.version < 2;
+    if (textIn(made, "fixed_sha256") != hashOfRows(sqlite, isOfFirstSchema ? all.first(fixedRowsOfFirstSchema) : all))
         faults.emplace_back(
             "study facts, fabrics, stimulus hashes, trial lists or swatch codes were altered after the study was made");
+}
+
+/// The columns of an older table, "1 AS protocol_version" for one that schema 1 lacks; empty for a table that it lacks.
+QString olderColumnsOf(const QString& table, int version)
+{
+    if (table == QLatin1String("participants"))
+        return QStringLiteral("id, slot, kind, state, ") +
+               QLatin1String(version < 2 ? "1 AS protocol_version" : "protocol_version");
+    if (version < 2) return {};
+    if (table == QLatin1String("participant_facts")) return QStringLiteral("participant, fact, value");
+    if (table == QLatin1String("protocol_versions")) return QStringLiteral("version, event, json, sha256, who, why, wall_time");
+    return QStringLiteral("event, participant, answers_too, who, why, wall_time");
 }
 
 }  // namespace
@@ -203,15 +224,20 @@ OlderStudy readOlderStudy(const SqliteConnection& sqlite)
     return study;
 }
 
-QString olderColumnsOf(const QString& table, int version)
+void copyOlderRows(const SqliteConnection& older, const SqliteConnection& made, const QString& table, int version)
 {
-    if (table == QLatin1String("participants"))
-        return QStringLiteral("id, slot, kind, state, ") +
-               QLatin1String(version < 2 ? "1 AS protocol_version" : "protocol_version");
-    if (version < 2) return {};
-    if (table == QLatin1String("participant_facts")) return QStringLiteral("participant, fact, value");
-    if (table == QLatin1String("protocol_versions")) return QStringLiteral("version, event, json, sha256, who, why, wall_time");
-    return QStringLiteral("event, participant, answers_too, who, why, wall_time");
+    const QString columns = olderColumnsOf(table, version);
+    if (columns.isEmpty()) return;
+    const QString order = table == QLatin1String("participant_facts") ? "participant, fact" : "rowid";
+    QSqlQuery row = older.run(QStringLiteral("SELECT %1 FROM %2 ORDER BY %3").arg(columns, table, order));
+    const int count = row.record().count();
+    const QString places = QStringList(count, QStringLiteral("?")).join(QStringLiteral(", "));
+    while (row.next()) {
+        QVariantList values;
+        for (int column = 0; column < count; ++column) values << row.value(column);
+        made.run(QStringLiteral("INSERT INTO %1(%2) VALUES (%3)").arg(table, olderColumnsOf(table, schemaVersion), places),
+                 values);
+    }
 }
 
 std::map<qlonglong, LogEntry> entriesOf(const OlderStudy& study)
@@ -242,9 +268,8 @@ std::map<std::string, qlonglong> erasuresInOlderLog(const OlderStudy& study)
     std::map<std::string, qlonglong> acts;
     for (const auto& [sequence, event] : study.events) {
         if (event.kind != "erased" || !event.participant.empty()) continue;
-        const nlohmann::json payload = payloadOf(event);
-        if (payload.is_object() && payload.value("answers_too", false))
-            acts[payload.value("participant", std::string())] = sequence;
+        const nlohmann::json payload = payloadIn(event.payloadJson);
+        if (yesIn(payload, "answers_too")) acts[textIn(payload, "participant")] = sequence;
     }
     return acts;
 }

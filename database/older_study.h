@@ -45,11 +45,11 @@ struct OlderStudy {
     std::map<qlonglong, UnblindingRecord> unblindings;
 };
 
-/// Throws workFailed where the facts are missing.
+/// Throws workFailed where the facts are missing, or where a row names a slot that the study lacks.
 OlderStudy readOlderStudy(const SqliteConnection& sqlite);
 
-/// The columns of an older table, "1 AS protocol_version" for one that schema 1 lacks; empty for a table that it lacks.
-QString olderColumnsOf(const QString& table, int version);
+/// Copies the rows of a table that schema 3 did not change; none where the older schema lacks the table.
+void copyOlderRows(const SqliteConnection& older, const SqliteConnection& made, const QString& table, int version);
 
 /// The entries of the log with the rows that each transaction stored.
 std::map<qlonglong, LogEntry> entriesOf(const OlderStudy& study);

@@ -6,6 +6,7 @@
 #include "database/sqlite_connection.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
+#include "protocols/files/strict_json.h"
 
 namespace database {
 
@@ -17,7 +18,7 @@ std::vector<PreregistrationRecord> preregistrationsIn(const SqliteConnection& sq
     QSqlQuery row = sqlite.run(QStringLiteral(
         "SELECT payload, wall_time FROM events WHERE kind = 'preregistered' AND participant = '' ORDER BY sequence"));
     while (row.next()) {
-        const auto payload = nlohmann::json::parse(fromQt(row.value(0)), nullptr, false);
+        const auto payload = protocols::storedJson(fromQt(row.value(0)));
         if (!isPreregistration(payload))
             throw protocols::workFailed({"a preregistration in the log cannot be read", sqlite.file().string(), "",
                                          "see `vis2hap verify`; restore the study from a backup"});

@@ -1,19 +1,26 @@
-// Answers whose database was deleted, replaced or moved in mid-session: a whole copy of the open database is kept aside, and can
-// be brought back.
+// Answers whose database was deleted, replaced, overwritten or moved in mid-session: a whole copy of the open database is kept
+// aside, and can be brought back.
 #pragma once
 
 #include <cstddef>
 #include <filesystem>
 #include <vector>
 
+#include "database/disk/page_copy.h"
 #include "database/disk/study_folder.h"
 #include "database/sqlite_connection.h"
 
 namespace database {
 
 /// Writes the open database into a new file "rescue-N.db" in the study folder; where the folder is gone, "NAME-rescue-N.db"
-/// beside its place, or else in the folder for temporary files. Throws environmentFault where none of them takes it.
-std::filesystem::path keepAside(const SqliteConnection& sqlite, const StudyFolder& folder);
+/// beside its place, or else in the folder for temporary files. `copy`: what it held when every file was in place; null to read
+/// it through the connection, which fails where the files were overwritten. Throws environmentFault where no place takes it.
+std::filesystem::path keepAside(const SqliteConnection& sqlite, const PageCopy* copy, const StudyFolder& folder);
+
+/// Whether the database in the folder is sound to SQLite and has every row of the copy. So it is where another process recorded
+/// acts and moved the write-ahead log into the database, which then holds other bytes than the copy. Takes seconds for large
+/// studies.
+bool holdsAllOf(const PageCopy& copy, const StudyFolder& folder);
 
 /// The rescue files in the study folder and beside it, oldest first.
 std::vector<std::filesystem::path> rescueFiles(const StudyFolder& folder);
@@ -23,9 +30,10 @@ struct Rescue {
     std::filesystem::path earlier;  ///< the database that stood there, kept under another name; empty where there was none
 };
 
-/// Puts the rescue file in the place of study.db. The log of the present study.db must be the beginning of the rescued one.
-/// Throws badInput where it is not, or where the file is no database of a study; nothing is changed then. The caller holds the
-/// write lock.
+/// Puts what the rescue file and its write-ahead log hold in the place of study.db. The log of the present study.db must be the
+/// beginning of the rescued one; a study.db that is damaged, or no study, is only put aside. Throws badInput where the present
+/// log is another, or where the file is no database of a study; nothing is changed then. A file of rescueFiles() is gone
+/// afterwards, any other one stays. The caller holds the write lock.
 Rescue bringBack(const StudyFolder& folder, const std::filesystem::path& rescue);
 
 }  // namespace database

@@ -1,8 +1,12 @@
 #include "database/sqlite_connection.h"
 
+#include <sqlite3.h>
+
+#include <QSqlDriver>
 #include <QStringList>
 #include <QUrl>
 #include <atomic>
+#include <cstring>
 #include <system_error>
 
 #include "protocols/files/errors.h"
@@ -91,6 +95,18 @@ QString withNames(const QString& sql)
     return named;
 }
 
+/// SQLite would take the log of an empty database for one that is out of date, and delete it.
+void requireUsableLog(const std::filesystem::path& file)
+{
+    std::error_code none;
+    const std::filesystem::path log = file.string() + "-wal";
+    if (!std::filesystem::is_regular_file(file, none) || std::filesystem::file_size(file, none) > 0 || none) return;
+    if (std::filesystem::file_size(log, none) == 0 || none) return;
+    throw protocols::badInput(
+        {"the database is empty, but its write-ahead log holds answers", file.string(), "the study.db of a study",
+         "keep " + log.filename().string() + "; bring the answers back with vis2hap rescue, or restore a backup"});
+}
+
 QString nextConnectionName()
 {
     static std::atomic<int> count = 0;  // Qt identifies connections by names in the whole process
@@ -110,8 +126,11 @@ SqliteConnection::SqliteConnection(std::filesystem::path file, Mode mode) : m_fi
         if (!m_connection.isValid())
             throw protocols::environmentFault(
                 {"Qt's SQLite driver cannot be loaded", "", "the package libqt6sql6-sqlite", "install it"});
+        if (mode == Mode::Read || mode == Mode::Write) requireUsableLog(m_file);
         if (mode == Mode::Read)
             openForReading();
+        else if (mode == Mode::Kept)
+            openKept();
         else
             open(toQt(m_file.string()), QStringLiteral("QSQLITE_BUSY_TIMEOUT=5000"));
         applyPragmas(mode);
@@ -152,7 +171,12 @@ void SqliteConnection::openForReading()
     const bool lacksSharedMemory = primaryCode(error) == CannotOpen || primaryCode(error) == ReadOnly;
     if (!lacksSharedMemory || (!noLog && logBytes > 0)) fail(error);
     m_connection.close();
-    const QString address = QString::fromUtf8(QUrl::fromLocalFile(plain).toEncoded());
+    openKept();
+}
+
+void SqliteConnection::openKept()
+{
+    const QString address = QString::fromUtf8(QUrl::fromLocalFile(toQt(m_file.string())).toEncoded());
     open(address + QStringLiteral("?immutable=1"), QStringLiteral("QSQLITE_OPEN_READONLY;QSQLITE_OPEN_URI"));
 }
 
@@ -225,6 +249,14 @@ QVariant SqliteConnection::keptValue(const QString& sql, const QVariantList& val
 {
     KeptQuery query = runKept(sql, values);
     return query.next() ? query.value(0) : QVariant();
+}
+
+sqlite3* SqliteConnection::handle() const
+{
+    const QVariant handle = m_connection.driver()->handle();
+    const bool isHandle = handle.isValid() && std::strcmp(handle.typeName(), "sqlite3*") == 0;
+    if (!isHandle || fromQt(value(QStringLiteral("SELECT sqlite_source_id()"))) != sqlite3_sourceid()) return nullptr;
+    return *static_cast<sqlite3* const*>(handle.constData());
 }
 
 void SqliteConnection::fail(const QSqlError& error) const { throw faultOf(error, m_file.string()); }

@@ -11,6 +11,8 @@
 #include <map>
 #include <string>
 
+struct sqlite3;
+
 namespace database {
 
 /// A statement that its connection keeps prepared for the next time, and the rows of this time, which end with this value.
@@ -39,6 +41,7 @@ public:
         Create,  ///< makes the file
         Write,
         Read,    ///< works in a read-only folder, too
+        Kept,    ///< reads a file that nobody writes any more, and makes no file beside it
         Memory,  ///< no file: a database of its own that ends with the connection
     };
 
@@ -58,6 +61,9 @@ public:
     QVariant value(const QString& sql, const QVariantList& values = {}) const;
     QVariant keptValue(const QString& sql, const QVariantList& values = {}) const;  ///< by runKept()
 
+    /// SQLite's own handle; null where Qt's driver brings another SQLite than this program is linked with.
+    sqlite3* handle() const;
+
     const std::filesystem::path& file() const { return m_file; }
     std::string folder() const { return m_file.parent_path().string(); }  ///< of the study, for messages
 
@@ -65,6 +71,7 @@ private:
     friend class Transaction;
     void open(const QString& name, const QString& options);
     void openForReading();
+    void openKept();
     void applyPragmas(Mode mode);
     QSqlQuery prepared(const QString& sql) const;
     void execute(QSqlQuery& query, const QVariantList& values) const;

@@ -16,16 +16,21 @@ using nlohmann::json;
 struct Told {
     std::string state = "started";
     int protocolVersion = 1;
-    std::map<std::string, std::string> facts;  ///< commitments of the facts that no erasure removed; empty in older studies
+    /// Commitments of the facts that no erasure removed; empty for facts from before an upgrade.
+    std::map<std::string, std::string> facts;
 };
 
-/// Studies of earlier versions name the facts without commitments.
-void takeFacts(const LogEntry& entry, const json& payload, Told& told)
+/// Entries from before an upgrade name the facts without commitments. Any other fact has one.
+void takeFactsBeforeUpgrade(const LogEntry& entry, const json& payload, Told& told)
 {
     if (const auto given = payload.find("given"); given != payload.end() && given->is_array())
         for (const json& fact : *given)
             if (fact.is_string()) told.facts[fact.get<std::string>()];
     if (entry.event.kind == "debriefed") told.facts["debriefing"];
+}
+
+void takeFacts(const json& payload, Told& told)
+{
     if (const auto hashes = payload.find("facts_sha256"); hashes != payload.end() && hashes->is_object())
         for (const auto& [fact, hash] : hashes->items()) told.facts[fact] = hash.is_string() ? hash.get<std::string>() : "?";
 }
@@ -52,9 +57,19 @@ void takeActOnStudy(const LogEntry& entry, const json& payload, std::map<std::st
     }
 }
 
+/// The number of the last upgrade's entry; 0 where there was none.
+std::int64_t lastUpgradeIn(const Log& log)
+{
+    std::int64_t last = 0;
+    for (const auto& [sequence, entry] : log)
+        if (entry.event.kind == upgradedKind && entry.event.participant.empty()) last = sequence;
+    return last;
+}
+
 std::map<std::string, Told> toldBy(const Log& log)
 {
     std::map<std::string, Told> all;
+    const std::int64_t upgrade = lastUpgradeIn(log);
     for (const auto& [sequence, entry] : log) {
         const json payload = payloadIn(entry.event.payloadJson);
         if (entry.event.participant.empty()) {
@@ -64,7 +79,8 @@ std::map<std::string, Told> toldBy(const Log& log)
         Told& told = all[entry.event.participant.value];
         if (entry.event.kind == "debriefed") told.state = "finished";
         if (entry.event.kind == "withdrawn") told.state = "withdrawn";
-        takeFacts(entry, payload, told);
+        if (sequence < upgrade) takeFactsBeforeUpgrade(entry, payload, told);
+        takeFacts(payload, told);
     }
     return all;
 }
@@ -166,6 +182,43 @@ void checkProtocols(const SqliteConnection& sqlite, const Log& log, std::vector<
             faults.push_back("version " + fromQt(row.value(0)) + " of the protocol was altered after it was taken over");
 }
 
+/// An upgrade commits to the fixed tables anew and trusts facts without commitments. So it counts only where the study had an
+/// older schema before.
+void checkUpgradeSteps(const Log& log, std::vector<std::string>& faults)
+{
+    int present = 1;  // the first schema was not named
+    for (const auto& [sequence, entry] : log) {
+        if (!entry.event.participant.empty()) continue;
+        const bool isUpgrade = entry.event.kind == upgradedKind;
+        if (!isUpgrade && entry.event.kind != "created") continue;
+        const int schema = numberIn(payloadIn(entry.event.payloadJson), "schema", 1);
+        if (isUpgrade && schema <= present)
+            faults.push_back("log entry " + std::to_string(sequence) + " (upgraded): the study had schema " +
+                             std::to_string(present) + " before, so it was not upgraded");
+        present = schema;
+    }
+}
+
+/// Entries of the log name the last act of their time. The chain of acts itself does not show that its end was cut off.
+void checkNamedActs(const SqliteConnection& sqlite, const Log& log, std::vector<std::string>& faults)
+{
+    std::map<std::int64_t, std::string> hashes;
+    QSqlQuery row = sqlite.run(QStringLiteral("SELECT number, hash FROM acts"));
+    while (row.next()) hashes[row.value(0).toLongLong()] = fromQt(row.value(1));
+    std::set<int> reported;
+    for (const auto& [sequence, entry] : log) {
+        const json payload = payloadIn(entry.event.payloadJson);
+        const auto named = payload.find("acts");
+        if (named == payload.end() || !named->is_object()) continue;
+        const int number = numberIn(*named, "number", 0);
+        const auto found = hashes.find(number);
+        if (found != hashes.end() && found->second == textIn(*named, "sha256")) continue;
+        if (reported.insert(number).second)
+            faults.push_back("act " + std::to_string(number) + ", which entry " + std::to_string(sequence) +
+                             " of the log names, is not among the acts: they were cut off or written anew");
+    }
+}
+
 }  // namespace
 
 std::vector<std::string> faultsOfStates(const SqliteConnection& sqlite, const Log& log)
@@ -176,6 +229,8 @@ std::vector<std::string> faultsOfStates(const SqliteConnection& sqlite, const Lo
     checkFacts(sqlite, all, faults);
     checkErasures(sqlite, log, faults);
     checkProtocols(sqlite, log, faults);
+    checkUpgradeSteps(log, faults);
+    checkNamedActs(sqlite, log, faults);
     return faults;
 }
 

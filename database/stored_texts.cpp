@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/strict_json.h"
 
 namespace database {
 
@@ -27,7 +28,7 @@ std::string jsonOf(const std::vector<std::string>& texts)
 
 std::vector<std::string> textsOf(const std::string& json)
 {
-    const nlohmann::json parsed = nlohmann::json::parse(json, nullptr, false);
+    const nlohmann::json parsed = protocols::storedJson(json);
     std::vector<std::string> texts;
     if (!parsed.is_array())
         throw protocols::workFailed(

@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "database/event_chain.h"
+#include "database/keys.h"
 #include "database/schema.h"
 #include "database/stored_texts.h"
 #include "protocols/files/errors.h"
@@ -60,11 +61,13 @@ void insertSlot(const SqliteConnection& sqlite, int slot, const std::vector<prot
                         toQt(nameOf(trial.aim)), trial.deadlineMs ? QVariant(*trial.deadlineMs) : QVariant()});
 }
 
-void recordCreation(const SqliteConnection& sqlite, const StudyFacts& facts)
+void recordCreation(const SqliteConnection& sqlite, const StudyFolder& folder, const StudyFacts& facts)
 {
     LogEntry entry;
     entry.event.kind = "created";
-    entry.event.payloadJson = nlohmann::json{{"fixed_sha256", hashOfFixedTables(sqlite)}, {"schema", schemaVersion}}.dump();
+    nlohmann::json payload{{"fixed_sha256", hashOfFixedTables(sqlite)}, {"schema", schemaVersion}};
+    if (const std::string sealed = sha256OfSealedKey(folder); !sealed.empty()) payload[sealedKeyField] = sealed;
+    entry.event.payloadJson = payload.dump();
     entry.event.wallTime = facts.createdAt;
     store(sqlite, entry);
 }
@@ -100,7 +103,7 @@ void createDatabase(const StudyFolder& folder, const StudyFacts& facts,
 {
     makeDatabase(folder, [&](const SqliteConnection& sqlite) {
         insertFixedRows(sqlite, facts, slots, stimulusHashes);
-        recordCreation(sqlite, facts);
+        recordCreation(sqlite, folder, facts);
     });
 }
 

@@ -54,6 +54,12 @@ CurrentAnswer currentAnswerOf(const QSqlQuery& query, KnownTrays& trays)
     return answer;
 }
 
+protocols::Error damagedSwatches(const SqliteConnection& sqlite, const std::string& fault)
+{
+    return protocols::workFailed({"a code on the pieces of fabric " + fault, sqlite.file().string(),
+                                  "a code for each fabric in each slot of the study", "restore the study from a backup"});
+}
+
 }  // namespace
 
 AnswerRecord answerRecordOf(const ResponseRow& row, std::vector<protocols::FabricId> alternatives)
@@ -121,14 +127,27 @@ StudyFacts factsIn(const SqliteConnection& sqlite)
         facts.fabrics.emplace_back(fromQt(fabric.value(0)));
         facts.fabricNames[facts.fabrics.back()] = fromQt(fabric.value(1));
     }
-    QSqlQuery swatch = sqlite.run(QStringLiteral("SELECT slot, fabric, code FROM swatches ORDER BY slot"));
-    while (swatch.next()) {
-        facts.swatches.resize(static_cast<std::size_t>(swatch.value(0).toInt()));
-        facts.swatches.back()[protocols::FabricId(fromQt(swatch.value(1)))] = fromQt(swatch.value(2));
-    }
+    facts.swatches = swatchesIn(sqlite, facts.fabrics);
     QSqlQuery item = sqlite.run(QStringLiteral("SELECT name, sealed_code FROM familiarisation ORDER BY position"));
     while (item.next()) facts.familiarisation.push_back({fromQt(item.value(0)), protocols::SealedCode(fromQt(item.value(1)))});
     return facts;
+}
+
+std::vector<protocols::SwatchLabels> swatchesIn(const SqliteConnection& sqlite, const std::vector<protocols::FabricId>& fabrics)
+{
+    const qlonglong slots = sqlite.value(QStringLiteral("SELECT COUNT(*) FROM slots")).toLongLong();
+    std::vector<protocols::SwatchLabels> swatches;
+    QSqlQuery row = sqlite.run(QStringLiteral("SELECT slot, fabric, code FROM swatches ORDER BY slot"));
+    while (row.next()) {
+        const qlonglong slot = row.value(0).toLongLong();
+        if (slot < 1 || slot > slots) throw damagedSwatches(sqlite, "stands in slot " + std::to_string(slot));
+        swatches.resize(static_cast<std::size_t>(slots));
+        swatches[static_cast<std::size_t>(slot) - 1][protocols::FabricId(fromQt(row.value(1)))] = fromQt(row.value(2));
+    }
+    for (const protocols::SwatchLabels& labels : swatches)
+        for (const protocols::FabricId& fabric : fabrics)
+            if (!labels.contains(fabric)) throw damagedSwatches(sqlite, "is missing for fabric " + fabric.value);
+    return swatches;
 }
 
 std::map<protocols::FileCode, std::string> stimulusHashesIn(const SqliteConnection& sqlite)

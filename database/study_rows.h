@@ -14,6 +14,8 @@
 namespace database {
 
 StudyFacts factsIn(const SqliteConnection& sqlite);
+/// [slot]; empty where the pieces have no codes. Throws workFailed where a code is in no slot, or is missing.
+std::vector<protocols::SwatchLabels> swatchesIn(const SqliteConnection& sqlite, const std::vector<protocols::FabricId>& fabrics);
 std::map<protocols::FileCode, std::string> stimulusHashesIn(const SqliteConnection& sqlite);
 std::vector<Slot> slotsIn(const SqliteConnection& sqlite);
 std::vector<protocols::BlindedTrial> trialsIn(const SqliteConnection& sqlite, int slot);

@@ -5,6 +5,7 @@
 #include <set>
 #include <system_error>
 #include <type_traits>
+#include <utility>
 
 #include "database/audit.h"
 #include "database/disk/open_files.h"
@@ -18,6 +19,7 @@
 #include "database/study_writing.h"
 #include "database/write_lock.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/files/whole_file.h"
 
 namespace database {
@@ -30,9 +32,24 @@ struct StudyStore::Connection {
     std::filesystem::path serverFolder = {};  ///< of a study on a server, of which this is a copy
     std::optional<OpenFiles> files = {};      ///< of a writer
     std::filesystem::path keptAside = {};     ///< the rescue file, once the open files are no longer in place
+    LogHead keptHead = {};                    ///< end of the log in the rescue file
     std::optional<StudyFacts> facts = {};     ///< once they were asked for
     /// Participants that the open batch may store; none without a batch.
     std::optional<std::set<protocols::ParticipantId>> batch = {};
+    bool isGivenUp = false;  ///< the files hold bytes of somebody else
+    bool isTold = false;     ///< that the files are not in place
+
+    /// An overwritten database is noticed at the end, too. The bytes that stand there then are not mixed with older ones.
+    ~Connection()
+    {
+        try {
+            if (files && keptAside.empty() && files->state() == OpenFiles::State::Overwritten) hasFilesInPlace();
+            if (!isTold && (isGivenUp || !keptAside.empty())) std::fprintf(stderr, "%s\n", displaced().what());
+        } catch (const std::exception& fault) {
+            std::fprintf(stderr, "%s\n", fault.what());
+        }
+        if (isGivenUp) files->giveUp(!keptAside.empty());
+    }
 
     void requireInBatch(bool belongs, const protocols::ParticipantId& participant) const
     {
@@ -41,15 +58,44 @@ struct StudyStore::Connection {
                                      "each event of other participants in a transaction of its own", ""});
     }
 
-    /// Stops a writer whose files somebody deleted, replaced or moved. Everything stored so far is kept aside first.
+    /// False for a writer whose files somebody deleted, replaced, overwrote or moved. Everything stored so far is kept aside
+    /// then.
+    bool hasFilesInPlace()
+    {
+        if (!files) return true;
+        if (!keptAside.empty()) return false;
+        const OpenFiles::State state = files->state();
+        if (state == OpenFiles::State::InPlace) return true;
+        if (state == OpenFiles::State::Overwritten && files->copy() && holdsAllOf(*files->copy(), folder)) {
+            files->takeCopy();
+            return true;
+        }
+        isGivenUp = isGivenUp || state == OpenFiles::State::Overwritten;
+        if (isGivenUp && !files->copy()) return false;  // a very large study, or one of simulated participants
+        keptAside = keepAside(sqlite, files->copy(), folder);
+        keptHead = headIn(SqliteConnection(keptAside, SqliteConnection::Mode::Read));
+        return false;
+    }
+
+    protocols::Error displaced() const
+    {
+        if (keptAside.empty())
+            return protocols::workFailed({"the database is damaged (overwritten while it was open)", folder.database().string(),
+                                          "the file that the session began with",
+                                          "keep study.db-wal, which holds the newest answers; restore study.db from a backup"});
+        return protocols::environmentFault(
+            {"the database of the study was deleted, replaced, overwritten or moved while it was open",
+             folder.database().string(), "the file that the session began with",
+             "every stored answer is kept in " + keptAside.string() + "; close the study, then run vis2hap rescue " +
+                 protocols::shellWord(folder.folder.string())});
+    }
+
+    /// Stops a writer whose files are no longer in place.
     void requireFilesInPlace()
     {
-        if (!files || (keptAside.empty() && files->areInPlace())) return;
-        if (keptAside.empty()) keptAside = keepAside(sqlite, folder);
-        throw protocols::environmentFault({"the database of the study was deleted, replaced or moved while it was open",
-                                           folder.database().string(), "the file that the session began with",
-                                           "every stored answer is kept in " + keptAside.string() +
-                                               "; close the study, then run vis2hap rescue " + folder.folder.string()});
+        if (hasFilesInPlace()) return;
+        isTold = true;
+        throw displaced();
     }
 };
 
@@ -145,7 +191,7 @@ StudyStore::StudyStore(const StudyFolder& folder, Access access)
     m_connection.reset(new Connection{std::move(copy), opened, std::move(lock), {opened.database(), mode}});
     if (!writes) return;
     m_connection->sqlite.value(QStringLiteral("SELECT COUNT(*) FROM sqlite_master"));  // opens the write-ahead log
-    m_connection->files.emplace(opened.database());
+    m_connection->files.emplace(opened.database(), m_connection->sqlite.handle());
 }
 
 StudyStore::StudyStore(std::unique_ptr<Connection> connection) : m_connection(std::move(connection)) {}
@@ -256,6 +302,7 @@ struct StudyStore::Batch::Open {
 StudyStore::Batch::Batch(StudyStore& store)
 {
     store.m_connection->requireFilesInPlace();
+    if (store.m_connection->files) store.m_connection->files->letCopyGo();  // simulated participants can be simulated again
     m_open = std::make_unique<Open>(*store.m_connection);
 }
 
@@ -312,12 +359,38 @@ std::map<protocols::ParticipantId, std::map<std::string, std::string>> StudyStor
 
 ErasureRecord StudyStore::erase(const Erasure& erasure)
 {
-    return written(*m_connection, [&] { return eraseFrom(m_connection->sqlite, erasure); });
+    const auto eraseAndForget = [&] {
+        if (m_connection->files) m_connection->files->letCopyGo();  // it holds what is erased
+        const auto takeAgain = [&] {
+            if (m_connection->files) m_connection->files->takeCopy();
+        };
+        try {
+            ErasureRecord record = eraseFrom(m_connection->sqlite, erasure);
+            takeAgain();
+            return record;
+        } catch (...) {
+            takeAgain();
+            throw;
+        }
+    };
+    return written(*m_connection, eraseAndForget);
 }
 
 std::vector<Erasure> StudyStore::erasures() const { return erasuresIn(m_connection->sqlite); }
 
-LogHead StudyStore::head() const { return headIn(m_connection->sqlite); }
+LogHead StudyStore::head() const
+{
+    // The screen that reports a fault shows it, so a writer whose files were overwritten has one, too: that of the rescue file.
+    Connection& open = *m_connection;
+    try {
+        if (open.hasFilesInPlace()) return headIn(open.sqlite);
+        if (!open.isTold) throw open.displaced();
+    } catch (const protocols::Error&) {
+        const bool isInPlace = !open.files || open.files->state() == OpenFiles::State::InPlace;
+        if (isInPlace || !std::exchange(open.isTold, true)) throw;
+    }
+    return open.keptHead;
+}
 
 std::optional<std::int64_t> StudyStore::entryWithHash(const std::string& hash) const
 {

@@ -64,8 +64,8 @@ public:
     std::vector<protocols::ParticipantId> nextParticipantIds(const std::string& prefix, std::size_t count) const;
     void setSlotState(const protocols::ParticipantId& participant, SlotState state);
 
-    /// Every writing call throws environmentFault where somebody deleted, replaced or moved the open database; a rescue file then
-    /// holds everything that was acknowledged.
+    /// Every writing call throws environmentFault where somebody deleted, replaced, overwrote or moved the open database; a
+    /// rescue file then holds everything that was acknowledged.
     void append(const Append& entry) override;
 
     /// Stores many events of simulated participants in one transaction, by the rules and with the rows of append(). They are in
@@ -114,7 +114,8 @@ public:
     ErasureRecord erase(const Erasure& erasure);
     std::vector<Erasure> erasures() const;
 
-    /// Empty for a database without entries.
+    /// Empty for a database without entries. Throws once as writing calls do, and then gives the end of the log in the rescue
+    /// file.
     LogHead head() const override;
     /// The entry with this hash; empty where there is none.
     std::optional<std::int64_t> entryWithHash(const std::string& hash) const;

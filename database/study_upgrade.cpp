@@ -1,6 +1,5 @@
 #include "database/study_upgrade.h"
 
-#include <QSqlRecord>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -46,7 +45,12 @@ std::string plannedBalanceOf(const StudyFacts& facts)
 
 protocols::SealedCode newlySealed(const protocols::FileCode& image, const NewSeals& seals)
 {
-    return protocols::sealed(seals.codes.at(image), seals.stationKey);
+    const auto fresh = seals.codes.find(image);
+    if (fresh == seals.codes.end())
+        throw protocols::workFailed({"a trial shows stimulus " + image.value + ", which the study does not have", "study.db",
+                                     "one of the study's stimuli",
+                                     "restore the study from a backup; it cannot be upgraded like this"});
+    return protocols::sealed(fresh->second, seals.stationKey);
 }
 
 StudyFacts upgradedFacts(const OlderStudy& study, const NewSeals& seals)
@@ -73,23 +77,6 @@ BlindedLists upgradedLists(const OlderStudy& study, const NewSeals& seals)
         }
     }
     return lists;
-}
-
-/// Copies the rows of a table that schema 3 did not change.
-void copyRows(const SqliteConnection& older, const SqliteConnection& made, const QString& table, int version)
-{
-    const QString columns = olderColumnsOf(table, version);
-    if (columns.isEmpty()) return;
-    const QString order = table == QLatin1String("participant_facts") ? "participant, fact" : "rowid";
-    QSqlQuery row = older.run(QStringLiteral("SELECT %1 FROM %2 ORDER BY %3").arg(columns, table, order));
-    const int count = row.record().count();
-    const QString places = QStringList(count, QStringLiteral("?")).join(QStringLiteral(", "));
-    while (row.next()) {
-        QVariantList values;
-        for (int column = 0; column < count; ++column) values << row.value(column);
-        made.run(QStringLiteral("INSERT INTO %1(%2) VALUES (%3)").arg(table, olderColumnsOf(table, schemaVersion), places),
-                 values);
-    }
 }
 
 /// The list of trials of each participant.
@@ -189,7 +176,7 @@ void makeUpgradedDatabase(const std::filesystem::path& file, const SqliteConnect
         makeSchema(made);
         insertFixedRows(made, upgradedFacts(study, seals), lists, seals.hashes);
         for (const char* table : {"participants", "participant_facts", "protocol_versions", "erasures"})
-            copyRows(older, made, QLatin1String(table), study.version);
+            copyOlderRows(older, made, QLatin1String(table), study.version);
         OlderStudy renamed = study;
         renamePresentations(renamed, made, lists);
         insertNumberedRows(made, renamed);
@@ -322,8 +309,9 @@ void writeNewKeys(const StudyFolder& folder, const KeyEntries& entries, const pr
 }
 
 /// Fills .upgrade/ with all that is new.
-void prepare(const StudyFolder& folder)
+void prepareAnew(const StudyFolder& folder)
 {
+    fs::remove_all(folder.upgrade());
     fs::create_directory(folder.upgrade());
     fs::permissions(folder.upgrade(), fs::perms::owner_all);
     const SqliteConnection older(folder.database(), SqliteConnection::Mode::Read);
@@ -378,16 +366,16 @@ void finish(const StudyFolder& folder, const UpgradeStep& reached)
     protocols::syncFolder(folder.folder);
 }
 
-void upgradeOlder(const StudyFolder& folder, const UpgradeStep& reached)
+/// The copy before an upgrade is not sealed, so a failed upgrade leaves none: the older study still lies in its place.
+void replaceOrRemove(const StudyFolder& folder, const fs::path& copy)
 {
-    fs::remove_all(folder.upgrade());
-    prepare(folder);
-    reached("prepared");
-    replaceDatabase(folder);
-    reached("database in place");
+    try {
+        replaceDatabase(folder);
+    } catch (...) {
+        if (isOlder(folder)) fs::remove_all(copy);
+        throw;
+    }
 }
-
-void ignoreStep(const std::string&) {}
 
 }  // namespace
 
@@ -395,15 +383,18 @@ bool needsUpgrade(const StudyFolder& folder) { return isOlder(folder) || fs::exi
 
 std::string upgrade(const StudyFolder& folder, const UpgradeStep& step)
 {
-    const UpgradeStep reached = step ? step : ignoreStep;
+    const UpgradeStep reached = step ? step : [](const std::string&) {};
     return onFiles(folder, [&]() -> std::string {
         if (!isOlder(folder)) {
             finish(folder, reached);
             return folder.folder.string() + ": an upgrade that was interrupted is finished";
         }
+        prepareAnew(folder);
+        reached("prepared");
         const fs::path copy = backUp(folder);
         reached("copied");
-        upgradeOlder(folder, reached);
+        replaceOrRemove(folder, copy);
+        reached("database in place");
         finish(folder, reached);
         return folder.folder.string() +
                ": an earlier version of this program made this study. It is upgraded. The study as it was "
@@ -422,8 +413,11 @@ std::unique_ptr<protocols::TemporaryFolder> upgradedCopy(const StudyFolder& fold
         copyTopFiles(folder, copied.folder);
         if (fs::exists(folder.upgrade())) fs::copy(folder.upgrade(), copied.upgrade(), fs::copy_options::recursive);
         if (fs::is_directory(folder.stimuli())) linkStimuli(folder.stimuli(), copied.stimuli());
-        if (isOlder(copied)) upgradeOlder(copied, ignoreStep);
-        finish(copied, ignoreStep);
+        if (isOlder(copied)) {
+            prepareAnew(copied);
+            replaceDatabase(copied);
+        }
+        finish(copied, [](const std::string&) {});
         return std::move(copy);
     });
 }

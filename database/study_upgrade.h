@@ -1,11 +1,12 @@
 // Studies of earlier versions (schemas 1 and 2), whose stimuli, keys and file codes lay open. Opening one for writing upgrades
 // it:
-//   1. before-upgrade/ becomes a whole copy of the study as it is (a second one before-upgrade-2/).
-//   2. .upgrade/ is filled with the new database, the new keys and the sealed stimuli, and synced.
+//   1. .upgrade/ is filled with the new database, the new keys and the sealed stimuli, and synced.
+//   2. before-upgrade/ becomes a whole copy of the study as it is (a second one before-upgrade-2/).
 //   3. The new database is renamed over study.db. Until here the older study is untouched.
 //   4. Stimuli and keys are moved to their places, the open ones are removed, and .upgrade/ vanishes.
 // A program that is killed before step 3 leaves the older study, and the next opening begins anew. One that is killed after it
-// leaves step 4 to the next opening.
+// leaves step 4 to the next opening. A study that cannot be upgraded keeps its files, and no copy of it is left: that would lie
+// open, too.
 #pragma once
 
 #include <functional>
@@ -25,8 +26,8 @@ bool needsUpgrade(const StudyFolder& folder);
 using UpgradeStep = std::function<void(const std::string& step)>;
 
 /// Upgrades the study or finishes its upgrade; the caller holds the write lock. Returns what the operator must know. Throws
-/// workFailed where the allocation key is missing or altered, environmentFault where another program reads the study or the
-/// disk fails.
+/// workFailed where the allocation key is missing or altered or rows are damaged, environmentFault where another program reads
+/// the study or the disk fails.
 std::string upgrade(const StudyFolder& folder, const UpgradeStep& reached = {});
 
 /// An upgraded copy of the study for a program that only reads. The folder of the study stays as it is.

@@ -9,6 +9,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/id_rule.h"
 #include "protocols/files/sha256.h"
+#include "protocols/files/strict_json.h"
 #include "protocols/secrets/secret_key.h"
 
 namespace database {
@@ -152,7 +153,7 @@ std::vector<SaltedFact> salted(const std::vector<std::pair<std::string, std::str
 std::string withCommitments(const std::string& payloadJson, const std::vector<SaltedFact>& facts)
 {
     if (facts.empty()) return payloadJson;
-    nlohmann::ordered_json payload = nlohmann::ordered_json::parse(payloadJson, nullptr, false);
+    nlohmann::ordered_json payload = protocols::storedOrderedJson(payloadJson);
     if (!payload.is_object()) payload = nlohmann::ordered_json::object();
     for (const auto& [fact, value, salt] : facts) payload["facts_sha256"][fact] = commitmentOfFact(salt, fact, value);
     return payload.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);

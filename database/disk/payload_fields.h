@@ -4,12 +4,14 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "protocols/files/strict_json.h"
+
 namespace database {
 
 /// An empty object for text that is no JSON object.
 inline nlohmann::json payloadIn(const std::string& text)
 {
-    nlohmann::json payload = nlohmann::json::parse(text, nullptr, false);
+    nlohmann::json payload = protocols::storedJson(text);
     return payload.is_object() ? payload : nlohmann::json::object();
 }
 

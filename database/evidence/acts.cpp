@@ -6,6 +6,7 @@
 #include "database/stored_texts.h"
 #include "protocols/files/canonical_bytes.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/strict_json.h"
 
 namespace database {
 
@@ -33,14 +34,15 @@ std::vector<ChainedAct> rowsIn(const SqliteConnection& sqlite)
 std::optional<Act> actOf(const ChainedAct& row)
 {
     try {
-        const auto details = nlohmann::json::parse(row.details);
+        const auto details = protocols::storedJson(row.details);
         return Act{row.kind,
                    details.at("who").get<std::string>(),
                    details.at("program").get<std::string>(),
                    details.at("host").get<std::string>(),
                    details.at("path").get<std::string>(),
                    {details.at("entry").get<std::int64_t>(), details.at("hash").get<std::string>()},
-                   row.wallTime};
+                   row.wallTime,
+                   details.value("note", "")};
     } catch (const nlohmann::json::exception&) {
         return std::nullopt;
     }
@@ -69,9 +71,10 @@ void insert(const SqliteConnection& sqlite, const Act& act)
 
 std::string detailsOf(const Act& act)
 {
-    return nlohmann::ordered_json{{"who", act.who},   {"program", act.program},     {"host", act.host},
-                                  {"path", act.path}, {"entry", act.head.sequence}, {"hash", act.head.hash}}
-        .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    nlohmann::ordered_json details{{"who", act.who},   {"program", act.program},     {"host", act.host},
+                                   {"path", act.path}, {"entry", act.head.sequence}, {"hash", act.head.hash}};
+    if (!act.note.empty()) details["note"] = act.note;
+    return details.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 std::optional<std::string> recordAct(const StudyFolder& folder, Act act)
@@ -104,11 +107,18 @@ std::vector<ChainedAct> chainedActsOf(const StudyStore& store)
     return rowsIn(SqliteConnection(store.folder().database(), SqliteConnection::Mode::Read));
 }
 
+LogHead headOfActs(const StudyStore& store)
+{
+    const SqliteConnection sqlite(store.folder().database(), SqliteConnection::Mode::Read);
+    QSqlQuery last = sqlite.run(QStringLiteral("SELECT number, hash FROM acts ORDER BY number DESC LIMIT 1"));
+    return last.next() ? LogHead{last.value(0).toLongLong(), fromQt(last.value(1))} : LogHead{};
+}
+
 std::vector<Act> copiesSince(const StudyStore& store, std::int64_t sequence)
 {
     std::vector<Act> copies;
     for (Act& act : actsOf(store)) {
-        const bool leavesCopy = act.kind == "export" || act.kind == "backup" || act.kind == "report";
+        const bool leavesCopy = act.kind == "export" || act.kind == "backup" || act.kind == "report" || act.kind == serverAct;
         if (leavesCopy && !act.path.empty() && act.head.sequence >= sequence) copies.push_back(std::move(act));
     }
     return copies;

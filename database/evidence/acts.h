@@ -1,6 +1,7 @@
 // What was done with a study outside its sessions: exports, backups, reports, unblindings. The acts have a hash chain of their
 // own (table acts). A short transaction writes them without the lock of the session, so an export during a session is recorded,
-// too. Each act names the head of the log at that time. A log that was chained anew without the acts disagrees with them.
+// too. Each act names the head of the log at that time. A log that was chained anew without the acts disagrees with them. Later
+// entries of the log name the last act (event_chain.h), so acts that lie before a known head cannot be cut off.
 #pragma once
 
 #include <optional>
@@ -11,12 +12,16 @@
 
 namespace database {
 
+/// The act of a study that came back from a server, whose log, write-ahead log and backups may hold what it had until then.
+constexpr const char* serverAct = "server";
+
 struct Act {
     std::string kind;                ///< "export", "backup", "report", "unblind", "leak-check", "sign"
     std::string who, program, host;  ///< account or --operator, program version, machine
     std::string path;                ///< what was written; empty if nothing
     LogHead head;                    ///< of the log at that time
     std::string wallTime;            ///< set by recordAct where it is empty
+    std::string note = {};           ///< what the act found wrong; empty for most acts
 };
 
 /// The JSON of an act in its chain.
@@ -33,13 +38,17 @@ std::vector<Act> actsOf(const StudyStore& store);
 struct ChainedAct {
     std::int64_t number = 0;     ///< from 1 without gaps
     std::string kind, wallTime;  ///< as in Act
-    std::string details;         ///< JSON: who, program, host, path, and entry and hash of the log's head at that time
+    std::string details;         ///< JSON: who, program, host, path, entry and hash of the log's head at that time, note
     std::string previous, hash;
 };
 /// Every act in its order, also where its details cannot be read.
 std::vector<ChainedAct> chainedActsOf(const StudyStore& store);
 
-/// The exports, backups and reports that were recorded when the log had entry `sequence`: they may hold its content.
+/// Number and hash of the last act, which commits to every act before it; empty where there is none.
+LogHead headOfActs(const StudyStore& store);
+
+/// The exports, backups, reports and stays on a server that were recorded when the log had entry `sequence`: they may hold its
+/// content.
 std::vector<Act> copiesSince(const StudyStore& store, std::int64_t sequence);
 
 /// One line for each fault of the chain, and for each act whose head is not in the log.

@@ -14,7 +14,7 @@ namespace {
 constexpr int majorVersion = 15;
 
 // A cut network is noticed after these times, s and ms.
-constexpr const char* patience =
+constexpr const char* callOptions =
     "connect_timeout=4;keepalives_idle=5;keepalives_interval=2;keepalives_count=3;tcp_user_timeout=5000";
 
 QString nextServerConnectionName()
@@ -49,6 +49,21 @@ ServerRefusal refusalOfRule(const QString& code, const QStringList& parts, const
                                                                   : protocols::ExitCode::WorkFailed;
     return {exitCode, {partAt(parts, 0), where, partAt(parts, 1), partAt(parts, 2)}, code.toStdString()};
 }
+
+/// What a function returns in place of an error: functions.sql, rules for callers. Else nothing.
+const nlohmann::json* refusalIn(const nlohmann::json& reply)
+{
+    if (!reply.is_object()) return nullptr;
+    const auto found = reply.find("refused");
+    return found != reply.end() && found->is_object() ? &*found : nullptr;
+}
+
+/// Statements of these sessions stay out of the server's log where the login may say so: they hold answers and facts.
+constexpr const char* quietSession =
+    "SELECT set_config('client_min_messages', 'warning', false), "
+    "(SELECT count(set_config(name, value, false)) FROM (VALUES ('log_min_error_statement', 'panic'), ('log_statement', 'none'), "
+    "('log_min_duration_statement', '-1'), ('log_error_verbosity', 'terse')) quiet(name, value) "
+    "WHERE has_parameter_privilege(name, 'SET'))";
 
 /// "?" outside quotes as ":v1", ":v2": QPSQL would rewrite a text that holds another question mark.
 QString withNumbers(const QString& sql)
@@ -96,7 +111,7 @@ void ServerConnection::open()
     if (!m_address.port.empty()) m_connection.setPort(QString::fromStdString(m_address.port).toInt());
     m_connection.setDatabaseName(toQt(m_address.database));
     m_connection.setUserName(toQt(m_address.user));
-    QString options = QLatin1String(patience);
+    QString options = QLatin1String(callOptions);
     for (const auto& [name, setting] : m_address.settings)
         options += QStringLiteral(";%1='%2'").arg(toQt(name), toQt(setting).replace(QLatin1Char('\''), QStringLiteral("\\'")));
     m_connection.setConnectOptions(options);
@@ -111,11 +126,11 @@ void ServerConnection::open()
         if (isRefused) throw protocols::badInput(fault);
         throw ServerAway(fault);
     }
-    run(QStringLiteral("SET client_min_messages = warning"));
     const int version = value(QStringLiteral("SHOW server_version_num")).toString().toInt() / 10000;
     if (version != majorVersion)
         throw protocols::environmentFault({"the server is PostgreSQL " + std::to_string(version), m_address.text,
                                            "PostgreSQL " + std::to_string(majorVersion), "use a server of this version"});
+    run(QLatin1String(quietSession));
 }
 
 QStringList ServerConnection::studies() const
@@ -186,7 +201,12 @@ nlohmann::json ServerConnection::call(const char* function, const QVariantList& 
         QStringLiteral("SELECT CAST(@schema@.%1(%2) AS text)").arg(QLatin1String(function), places.join(QStringLiteral(", "))),
         arguments);
     const std::string text = fromQt(result);  // empty where the function returns nothing
-    return text.empty() ? nlohmann::json() : nlohmann::json::parse(text);
+    auto reply = text.empty() ? nlohmann::json() : nlohmann::json::parse(text);
+    if (const auto* refusal = refusalIn(reply)) {
+        const auto part = [&](const char* name) { return toQt(refusal->value(name, std::string())); };
+        fail(part("code"), {part("message"), part("detail"), part("hint")});
+    }
+    return reply;
 }
 
 void ServerConnection::runScript(const QString& sql) const
@@ -198,15 +218,19 @@ void ServerConnection::runScript(const QString& sql) const
     if (query.lastError().isValid()) fail(query.lastError());
 }
 
-void ServerConnection::fail(const QSqlError& error) const
+void ServerConnection::fail(const QSqlError& error) const { fail(error.nativeErrorCode(), partsOf(error.databaseText())); }
+
+void ServerConnection::fail(const QString& code, const QStringList& parts) const
 {
-    const QString code = error.nativeErrorCode();
-    const QStringList parts = partsOf(error.databaseText());
     const std::string what = partAt(parts, 0), where = m_address.text;
     if (code.startsWith(QLatin1String("VH"))) throw refusalOfRule(code, parts, where);
     if (meansAway(code))
         throw ServerAway({"the connection to the server ended (" + what + ")", where, "", "check the network and the server"});
-    if (code == QLatin1String("42501") || code == QLatin1String("42883") || code == QLatin1String("3F000"))
+    if (code == QLatin1String("42883"))
+        throw protocols::badInput({"the server does not know this step (" + what + ")", where,
+                                   "a study that this version moved there",
+                                   "move the study back with the version that moved it, and there again with this one"});
+    if (code == QLatin1String("42501") || code == QLatin1String("3F000"))
         throw protocols::badInput({"this login may not do this (" + what + ")", where, "a login with the role for it",
                                    "ask the owner of the study; see vis2hap server roles"});
     if (code == QLatin1String("53100"))

@@ -56,7 +56,7 @@ public:
     /// Executes the statement with its values bound to "?" in order. @schema@ stands for the study's schema.
     QSqlQuery run(const QString& sql, const QVariantList& values = {}) const;
     QVariant value(const QString& sql, const QVariantList& values = {}) const;
-    /// The JSON that one of the study's functions returns.
+    /// The JSON that one of the study's functions returns. A refusal that it returns as a value is thrown as one.
     nlohmann::json call(const char* function, const QVariantList& arguments) const;
     /// Executes a file of several statements without values.
     void runScript(const QString& sql) const;
@@ -65,6 +65,8 @@ private:
     QString completed(const QString& sql) const;
     void open();
     [[noreturn]] void fail(const QSqlError& error) const;
+    /// `parts`: what, expected and next step.
+    [[noreturn]] void fail(const QString& code, const QStringList& parts) const;
 
     ServerAddress m_address;
     QString m_name;

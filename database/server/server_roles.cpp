@@ -3,6 +3,7 @@
 #include <QFile>
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 
 #include "database/disk/server_note.h"
 #include "database/server/server_connection.h"
@@ -16,6 +17,27 @@ namespace database {
 namespace {
 
 constexpr std::array<const char*, 4> roleNames{"experimenter", "monitor", "analyst", "display"};
+
+/// What PostgreSQL 15 can write of a statement into its log, and the value that prevents it. Only a superuser may set them.
+constexpr std::array<std::pair<const char*, const char*>, 6> quietLog{{{"log_min_error_statement", "panic"},
+                                                                       {"log_statement", "none"},
+                                                                       {"log_min_duration_statement", "-1"},
+                                                                       {"log_min_duration_sample", "-1"},
+                                                                       {"log_transaction_sample_rate", "0"},
+                                                                       {"log_error_verbosity", "terse"}}};
+
+/// Whether sessions of the database have the value, by a setting of the database or of the whole server.
+bool isQuiet(const ServerConnection& server, const QString& name, const QString& wanted)
+{
+    return server
+        .value(QStringLiteral("SELECT coalesce("
+                              "(SELECT split_part(pair, '=', 2) FROM pg_db_role_setting s, unnest(s.setconfig) pair "
+                              "WHERE s.setrole = 0 AND s.setdatabase = (SELECT oid FROM pg_database WHERE datname = "
+                              "current_database()) AND split_part(pair, '=', 1) = ?), "
+                              "(SELECT reset_val FROM pg_settings WHERE name = ?)) = ?"),
+               {name, name, wanted})
+        .toBool();
+}
 
 void requireKnown(const ServerConnection& server, const std::string& login, const std::string& role)
 {
@@ -62,6 +84,45 @@ void giveImagesTo(const ServerAddress& address, const std::string& place)
     ServerConnection server(address);
     server.chooseStudy();
     server.run(QStringLiteral("SELECT @schema@.give_images_to(?)"), {toQt(place)});
+}
+
+std::vector<std::string> releaseHeld(const ServerAddress& address)
+{
+    ServerConnection server(address);
+    server.chooseStudy();
+    std::vector<std::string> lines;
+    for (const auto& one : server.call("release_held", {})) {
+        const auto count = [&](const char* field) { return std::to_string(one.at(field).get<int>()); };
+        const bool isSlot = one.at("state") == "withdrawn";
+        const auto& logins = one.at("logins");
+        lines.push_back((isSlot ? "slot " + count("slot") + " is free again, after " : "the next presentation is due for ") +
+                        one.at("participant").get<std::string>() + " (presentations: " + count("presentations") +
+                        ", answers: " + count("answers") + ", voids: " + count("voids") + ", login " +
+                        (logins.is_string() ? logins.get<std::string>() : "unknown") + ")");
+    }
+    return lines;
+}
+
+std::vector<std::string> keepLogQuiet(const ServerAddress& address)
+{
+    const ServerConnection server(address);
+    const std::string database = quoted(server.address().database).toStdString();
+    std::vector<std::string> missing;
+    for (const auto& [name, wanted] : quietLog) {
+        if (isQuiet(server, QLatin1String(name), QLatin1String(wanted))) continue;
+        const std::string command = "ALTER DATABASE " + database + " SET " + name + " = " + wanted;
+        const bool isAllowed =
+            server
+                .value(QStringLiteral("SELECT has_parameter_privilege(?, 'SET') AND (SELECT pg_has_role(datdba, 'MEMBER') FROM "
+                                      "pg_database WHERE datname = current_database())"),
+                       {QString(QLatin1String(name))})
+                .toBool();
+        if (isAllowed)
+            server.run(QString::fromStdString(command));
+        else
+            missing.push_back(command);
+    }
+    return missing;
 }
 
 JoinedStudy joinStudy(const ServerAddress& address, const std::filesystem::path& folder, const std::string& station)

@@ -19,6 +19,14 @@ std::vector<std::string> makeRoles(const ServerAddress& address, const std::vect
 /// Throws workFailed while a station is connected.
 void giveImagesTo(const ServerAddress& address, const std::string& place);
 
+/// Lets go on what the server holds back until the owner has looked: slots of participants who withdrew at a station, and the
+/// next presentation after three voids in a row. Returns one line for each participant concerned. Only the owner may call it.
+std::vector<std::string> releaseHeld(const ServerAddress& address);
+
+/// Keeps statements of the database out of the server's log, for connections made from now on: a refused one would put answers,
+/// notes and facts there. Returns the SQL commands that this login may not give; a superuser of the server must run them.
+std::vector<std::string> keepLogQuiet(const ServerAddress& address);
+
 struct JoinedStudy {
     std::filesystem::path folder;
     std::string name, station;

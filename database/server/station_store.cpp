@@ -22,6 +22,7 @@ constexpr auto rest = 2000ms;      ///< after a lost connection, until an operat
 constexpr auto leaving = 1000ms;
 constexpr auto nearlyNothing = 0ms;
 constexpr std::size_t keptImages = 4;
+constexpr int mostSlots = 100'000;  ///< more than any protocol has participants
 constexpr const char* familiarisationPrefix = "familiarisation:";
 constexpr const char* joinAgain = "VH205";  ///< this connection has no claim on the participant: the server began anew
 
@@ -255,6 +256,9 @@ void StationStore::takeClaim(const Json& claimed)
 {
     reading(m_note.address, [&] {
         m_slot = claimed.at("slot").get<int>();
+        if (m_slot < 1 || m_slot > mostSlots)
+            throw protocols::workFailed({"the server gave slot " + std::to_string(m_slot), m_note.address, "a slot of the study",
+                                         "ask the owner of the study to run vis2hap verify"});
         m_slotState = stateNamed(textIn(claimed, "state"));
         m_protocolVersion = claimed.at("protocol_version").get<int>();
         if (m_protocolVersion != m_versions.back().version && m_versions.front().version != m_protocolVersion)

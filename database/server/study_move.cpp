@@ -14,6 +14,7 @@
 #include "database/study_creation.h"
 #include "database/study_rows.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/files/temporary_folder.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
@@ -215,6 +216,17 @@ void requireArrived(const ServerConnection& server, const StudyFolder& folder)
                                      "a folder without study.db", "move that file elsewhere"});
 }
 
+/// Before the note of the server is removed, so that an interrupted move records it later.
+void recordStay(const StudyFolder& folder, Act act, const std::string& address, const LogHead& head)
+{
+    act.kind = serverAct;
+    act.path = address;
+    act.head = head;
+    if (const auto refused = recordAct(folder, act))
+        throw protocols::workFailed({"the study is back, but its time on the server could not be recorded: " + *refused,
+                                     folder.folder.string(), "", "run the same command again"});
+}
+
 void copyFilesBeside(const StudyFolder& folder, const StudyFolder& copy)
 {
     for (const auto& entry : fs::directory_iterator(folder.folder)) {
@@ -230,6 +242,14 @@ void copyFilesBeside(const StudyFolder& folder, const StudyFolder& copy)
 
 }  // namespace
 
+// A recycled segment of the write-ahead log keeps its old content, so the segments are removed for once. Every switch fills one.
+const char* const removalFromServer =
+    "  sudo -u postgres psql -c \"ALTER SYSTEM SET wal_recycle = off\" -c \"SELECT pg_reload_conf()\" \\\n"
+    "    -c \"SELECT pg_logical_emit_message(false, '', ''), pg_switch_wal() FROM pg_ls_waldir()\" -c \"CHECKPOINT\" \\\n"
+    "    -c \"ALTER SYSTEM RESET wal_recycle\" -c \"SELECT pg_reload_conf()\"\n"
+    "  sudo sh -c 'rm -f /var/log/postgresql/*.log.*; truncate -s 0 /var/log/postgresql/*.log'\n"
+    "  Then delete the server's backups and its archive of the write-ahead log, where it has them.\n";
+
 void requireFreeName(const ServerAddress& address)
 {
     const ServerConnection server(address);
@@ -240,9 +260,9 @@ LogHead moveToServer(const StudyFolder& folder, const ServerAddress& address, co
 {
     if (const auto note = readServerNote(folder.folder)) {
         if (note->address != address.text)
-            throw protocols::badInput(
-                {"this study lies on a server already", note->address, "",
-                 "bring it back first: vis2hap study move " + note->address + " " + folder.folder.string()});
+            throw protocols::badInput({"this study lies on a server already", note->address, "",
+                                       "bring it back first: vis2hap study move " + protocols::shellWord(note->address) + " " +
+                                           protocols::shellWord(folder.folder.string())});
         return openOnServer(folder, ServerConnection(address));
     }
     const ServerConnection server(address);
@@ -256,7 +276,7 @@ LogHead moveToServer(const StudyFolder& folder, const ServerAddress& address, co
     return openOnServer(folder, server);
 }
 
-LogHead moveToFolder(const ServerAddress& address, const StudyFolder& folder)
+LogHead moveToFolder(const ServerAddress& address, const StudyFolder& folder, const Act& by)
 {
     const ServerNote note = ownersNote(folder);
     const ServerConnection server(serverAddressFrom(note.address));
@@ -270,8 +290,10 @@ LogHead moveToFolder(const ServerAddress& address, const StudyFolder& folder)
     else if (hasStudy(server))
         requireArrived(server, folder);
     if (hasStudy(server)) dropStudy(server);
+    const LogHead head = headIn(SqliteConnection(folder.database(), SqliteConnection::Mode::Read));
+    if (!by.program.empty()) recordStay(folder, by, note.address, head);
     fs::remove(serverNoteOf(folder.folder));
-    return headIn(SqliteConnection(folder.database(), SqliteConnection::Mode::Read));
+    return head;
 }
 
 StudyStore readStudy(const StudyFolder& folder)

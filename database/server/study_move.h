@@ -23,7 +23,11 @@ LogHead moveToServer(const StudyFolder& folder, const ServerAddress& address, co
 void requireFreeName(const ServerAddress& address);
 
 /// Brings the study back into its owner's folder and takes it off the server. Throws workFailed while a station is at work.
-LogHead moveToFolder(const ServerAddress& address, const StudyFolder& folder);
+/// `by`: who moved it, with which program, on which machine; recorded as a serverAct where it names a program.
+LogHead moveToFolder(const ServerAddress& address, const StudyFolder& folder, const Act& by = {});
+
+/// The commands that remove what a study left in the files of a server, for an administrator of it; one a line, indented.
+extern const char* const removalFromServer;
 
 /// The study as it stands now, wherever it lies. Of a study on a server this reads a copy of rows and files, which its owner's
 /// folder gives the right to.

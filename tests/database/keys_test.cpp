@@ -11,6 +11,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 #include "tests/support/error_text.h"
+#include "tests/support/raw_sqlite.h"
 #include "tests/support/study_builder.h"
 
 using namespace database;
@@ -109,7 +110,7 @@ private Q_SLOTS:
         QCOMPARE(act->record().who, std::string("A. Lab"));
         QCOMPARE(act->record().why, std::string("the study is over"));
         QCOMPARE(readAllocationKey(store, *act).entries.size(), 6u);
-        QVERIFY(store.faults().empty() && faultsOfKeys(store).empty());
+        QVERIFY(store.faults().empty() && findingsOfKeys(store, given).faults.empty());
     }
 
     void aKeyThatWasNotCommittedIsRefused_data()
@@ -127,7 +128,7 @@ private Q_SLOTS:
         QFETCH(bool, station);
         QFETCH(bool, removed);
         const StudyStore store(newStudy(), StudyStore::Access::Read);
-        QVERIFY(faultsOfKeys(store).empty());
+        QVERIFY(findingsOfKeys(store).faults.empty());
         const auto file = station ? store.folder().stationKey() : store.folder().allocationKey();
         if (removed)
             std::filesystem::remove(file);
@@ -137,8 +138,51 @@ private Q_SLOTS:
                     station ? void(readStationKey(store))
                             : void(readAllocationKeyForTestDriver(store, ParticipantKind::Scripted, {}));
                 }).startsWith("1:"));
-        QCOMPARE(faultsOfKeys(store).size(), 1u);
-        QVERIFY(faultsOfKeys(store).front().find(file.filename().string()) != std::string::npos);
+        const auto faults = findingsOfKeys(store).faults;
+        QCOMPARE(faults.size(), 1u);
+        QVERIFY(faults.front().find(file.filename().string()) != std::string::npos);
+    }
+
+    void aSealedKeyIsCheckedWithoutThePassphraseToo()
+    {
+        const StudyFolder folder = newStudy(passphrase);
+        const StudyStore store(folder, StudyStore::Access::Read);
+        const auto giving = [](const char* text) { return [text] { return std::optional<std::string>(text); }; };
+        for (const Passphrase& given : {Passphrase(), Passphrase(giving(passphrase))}) {
+            const auto findings = findingsOfKeys(store, given);
+            QVERIFY(findings.faults.empty() && findings.notes.empty());
+        }
+        const auto findings = findingsOfKeys(store, giving("another passphrase"));
+        QVERIFY(findings.faults.empty() && findings.notes.size() == 1);
+        QVERIFY(findings.notes.front().find("another passphrase") != std::string::npos);
+        std::ofstream(folder.sealedAllocationKey()) << "garbage\n";
+        QVERIFY(findingsOfKeys(store).faults.front().find("not the file that the log names") != std::string::npos);
+        QVERIFY(!findingsOfKeys(store, giving(passphrase)).faults.empty());
+    }
+
+    /// Versions up to now did not record the hash of the sealed file.
+    void aSealedKeyOfAnOlderStudyIsCheckedAsFarAsPossible()
+    {
+        const StudyFolder folder = newStudy(passphrase);
+        {
+            RawSqlite raw(folder.database());
+            raw.dropTriggers();
+            QCOMPARE(raw.run("UPDATE events SET payload = json_remove(payload, '$.sealed_key_sha256') WHERE sequence = 1"),
+                     std::string());
+        }
+        const StudyStore store(folder, StudyStore::Access::Read);
+        const Passphrase given = [] { return std::optional<std::string>(passphrase); };
+        QVERIFY(findingsOfKeys(store).faults.empty());
+        QVERIFY(findingsOfKeys(store).notes.front().find("is not recorded") != std::string::npos);
+        QVERIFY(findingsOfKeys(store, given).faults.empty() && findingsOfKeys(store, given).notes.empty());
+        std::string sealed = protocols::readWholeFile(folder.sealedAllocationKey());
+        char& digit = sealed[sealed.find("\"box\"") + 100];
+        digit = digit == '0' ? '1' : '0';
+        std::ofstream(folder.sealedAllocationKey()) << sealed;
+        QVERIFY(findingsOfKeys(store).faults.empty());  // only the passphrase shows it
+        QVERIFY(findingsOfKeys(store, given).faults.front().find("does not open") != std::string::npos);
+        std::ofstream(folder.sealedAllocationKey()) << "garbage\n";
+        QVERIFY(!findingsOfKeys(store).faults.empty());
     }
 };
 

@@ -3,11 +3,15 @@
 #include "database/rescue.h"
 
 #include <sqlite3.h>
+#include <sys/stat.h>
 
 #include <QTemporaryDir>
 #include <QTest>
 #include <filesystem>
+#include <fstream>
+#include <memory>
 
+#include "database/evidence/acts.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 #include "tests/support/error_text.h"
@@ -43,6 +47,13 @@ void putInPlace(const std::filesystem::path& copy, const StudyFolder& folder)
 {
     for (const char* ending : {"", "-wal", "-shm"}) std::filesystem::remove(folder.database().string() + ending);
     std::filesystem::copy_file(copy, folder.database());
+}
+
+/// Gives a file another time and another mode, as a program for backups or rights may do.
+void touch(const std::filesystem::path& file)
+{
+    std::filesystem::last_write_time(file, std::filesystem::file_time_type::clock::now());
+    std::filesystem::permissions(file, std::filesystem::perms::group_read, std::filesystem::perm_options::add);
 }
 
 }  // namespace
@@ -113,6 +124,181 @@ private Q_SLOTS:
         const auto done = StudyStore::rescue(folder, rescue);
         QVERIFY(done.events > 0 && std::filesystem::exists(done.earlier));
         QCOMPARE(StudyStore(folder, StudyStore::Access::Read).answers().size(), 6u);
+    }
+
+    void theWriteAheadLogOfARescueFileIsBroughtBackToo()
+    {
+        const StudyFolder folder = newStudy();
+        const std::filesystem::path copy = folder.folder.string() + "-copy.db", older = folder.folder.string() + "-older.db";
+        {
+            OpenSession session(folder, "S01");
+            session.playUntilAnswers(2);
+            session.store.copyTo(older);
+            session.playUntilAnswers(7);
+            // As `cp study.db* elsewhere` does: the newest answers are in the log only.
+            std::filesystem::copy_file(folder.database(), copy);
+            std::filesystem::copy_file(folder.database().string() + "-wal", copy.string() + "-wal");
+        }
+        putInPlace(older, folder);
+        QVERIFY(StudyStore::rescue(folder, copy).events > 0);
+        QVERIFY(std::filesystem::exists(copy));
+        QCOMPARE(StudyStore(folder, StudyStore::Access::Read).answers().size(), 7u);
+        QVERIFY(StudyStore(folder, StudyStore::Access::Read).faults().empty());
+    }
+
+    void aPipeIsNoRescueFile()
+    {
+        const StudyFolder folder = newStudy();
+        const std::filesystem::path pipe = folder.folder.string() + "-pipe";
+        QCOMPARE(::mkfifo(pipe.c_str(), 0600), 0);
+        const QString told = errorOf([&] { StudyStore::rescue(folder, pipe); });
+        QVERIFY2(told.startsWith("2:") && told.contains("no regular file"), qPrintable(told));
+        QVERIFY(errorOf([&] { StudyStore::rescue(folder, folder.folder / "none.db"); }).contains("no such file"));
+    }
+
+    void whatOthersMayDoStopsNoSession_data()
+    {
+        QTest::addColumn<int>("act");
+        QTest::newRow("a reader keeps an old state") << 1;
+        QTest::newRow("a backup is made") << 2;
+        QTest::newRow("another SQLite moves the log into the database") << 3;
+        QTest::newRow("another SQLite empties the log") << 4;
+        QTest::newRow("a program changes times and modes") << 5;
+        QTest::newRow("another process records acts and empties the log") << 6;
+        QTest::newRow("another process records acts, empties the log and goes on") << 7;
+    }
+    void whatOthersMayDoStopsNoSession()
+    {
+        QFETCH(int, act);
+        const StudyFolder folder = newStudy();
+        {
+            OpenSession session(folder, "S01");
+            for (int answers = 2; answers <= 24; answers += 2) {
+                const std::unique_ptr<Reader> reader = act == 1 ? std::make_unique<Reader>(folder.database()) : nullptr;
+                session.playUntilAnswers(answers);
+                if (act == 2) {
+                    const StudyStore seen(folder, StudyStore::Access::Read);
+                    QVERIFY(seen.faults().empty());
+                    seen.copyTo(folder.folder.string() + "-backup" + std::to_string(answers));
+                }
+                if (act == 3) tests::support::RawSqlite(folder.database()).rows("PRAGMA wal_checkpoint(PASSIVE)");
+                if (act == 4) tests::support::RawSqlite(folder.database()).rows("PRAGMA wal_checkpoint(TRUNCATE)");
+                if (act == 6 || act == 7) {
+                    const database::Act exported{"export", "Ada", "test", "here", "/copies/a.csv", {}, {}};
+                    QCOMPARE(database::recordAct(folder, exported), std::nullopt);
+                    tests::support::RawSqlite(folder.database()).rows("PRAGMA wal_checkpoint(TRUNCATE)");
+                    if (act == 7) QCOMPARE(database::recordAct(folder, exported), std::nullopt);
+                }
+                if (act == 5)
+                    for (const char* ending : {"", "-wal"}) touch(folder.database().string() + ending);
+            }
+            session.playToEnd();
+            QCOMPARE(session.store.answers().size(), 24u);
+            QVERIFY(session.store.faults().empty());
+        }
+        QVERIFY(rescueFiles(folder).empty());
+    }
+
+    void anotherStudyThatWasCopiedOverTheDatabaseStaysAsItIs()
+    {
+        const StudyFolder folder = newStudy(), other = newStudy();
+        {
+            OpenSession(folder, "S02").playToEnd();
+            OpenSession(other, "X01").playUntilAnswers(3);
+        }
+        const std::string otherBytes = protocols::readWholeFile(other.database());
+        {
+            OpenSession session(folder, "S01");
+            session.playUntilAnswers(5);
+            std::filesystem::copy_file(other.database(), folder.database(), std::filesystem::copy_options::overwrite_existing);
+            const QString told = errorOf([&] { session.playUntilAnswers(6); });
+            QVERIFY2(told.startsWith("3:") && told.contains("vis2hap rescue"), qPrintable(told));
+            QCOMPARE(session.driver->state().answersStored, 5);
+            (void)session.driver->view();  // the window shows the state once more, with the fault
+        }
+        QVERIFY(protocols::readWholeFile(folder.database()) == otherBytes);
+        const auto rescue = rescueFiles(folder).front();
+        QVERIFY(errorOf([&] { StudyStore::rescue(folder, rescue); }).contains("answers that the rescue file lacks"));
+        std::filesystem::remove(folder.database());
+        StudyStore::rescue(folder, rescue);
+        QVERIFY(rescueFiles(folder).empty());
+        const StudyStore store(folder, StudyStore::Access::Read);
+        QVERIFY(store.faults().empty());
+        QCOMPARE(store.answers().size(), 24u + 5u);
+    }
+
+    /// SQLite takes pages from the database file as soon as they were moved there, so an older file under them loses answers.
+    void anEarlierCopyPutBackInPlaceStopsTheSession_data()
+    {
+        QTest::addColumn<bool>("isRead");
+        QTest::newRow("nobody reads") << false;
+        QTest::newRow("a reader keeps the log as it is") << true;
+    }
+    void anEarlierCopyPutBackInPlaceStopsTheSession()
+    {
+        QFETCH(bool, isRead);
+        const StudyFolder folder = newStudy();
+        const std::filesystem::path earlier = folder.folder.string() + "-earlier.db";
+        {
+            OpenSession session(folder, "S01");
+            session.playUntilAnswers(6);
+            tests::support::RawSqlite(folder.database()).rows("PRAGMA wal_checkpoint(TRUNCATE)");
+            std::filesystem::copy_file(folder.database(), earlier);
+            session.playUntilAnswers(15);
+            const std::unique_ptr<Reader> reader = isRead ? std::make_unique<Reader>(folder.database()) : nullptr;
+            tests::support::RawSqlite(folder.database()).rows("PRAGMA wal_checkpoint(PASSIVE)");
+            std::filesystem::copy_file(earlier, folder.database(), std::filesystem::copy_options::overwrite_existing);
+            QVERIFY(errorOf([&] { session.playUntilAnswers(16); }).contains("overwritten or moved"));
+        }
+        std::filesystem::remove(folder.database());
+        StudyStore::rescue(folder, rescueFiles(folder).front());
+        const StudyStore store(folder, StudyStore::Access::Read);
+        QVERIFY(store.faults().empty());
+        QCOMPARE(store.answers().size(), 15u);
+    }
+
+    void theLastScreenTellsOfAnEmptiedDatabase()
+    {
+        const StudyFolder folder = newStudy();
+        OpenSession session(folder, "S01");
+        session.playToEnd();
+        doHarm(tests::support::FolderHarm::BothEmptied, folder);
+        const QString told = errorOf([&] { (void)session.driver->view(); });
+        QVERIFY2(told.contains("vis2hap rescue"), qPrintable(told));
+        QVERIFY(!session.driver->view().logHead.empty());
+    }
+
+    /// As for a study that is too large for the copy in memory.
+    void withoutACopyTheLogIsLeftAlone()
+    {
+        const StudyFolder folder = newStudy();
+        const std::filesystem::path log = folder.database().string() + "-wal";
+        {
+            OpenSession session(folder, "S01");
+            StudyStore::Batch{session.store};  // which lets the copy go
+            session.playUntilAnswers(5);
+            std::ofstream(folder.database(), std::ios::binary | std::ios::trunc);
+            const QString told = errorOf([&] { session.playUntilAnswers(6); });
+            QVERIFY2(told.contains("keep study.db-wal"), qPrintable(told));
+        }
+        const auto bytes = std::filesystem::file_size(log);
+        QVERIFY(bytes > 0 && std::filesystem::file_size(folder.database()) == 0);
+        const QString told = errorOf([&] { StudyStore(folder, StudyStore::Access::Read); });
+        QVERIFY2(told.contains("its write-ahead log holds answers"), qPrintable(told));
+        QCOMPARE(std::filesystem::file_size(log), bytes);
+    }
+
+    void aDatabaseThatIsOverwrittenAfterTheLastAnswerIsKeptAside()
+    {
+        const StudyFolder folder = newStudy();
+        {
+            OpenSession session(folder, "S01");
+            session.playToEnd();
+            doHarm(tests::support::FolderHarm::BothEmptied, folder);
+        }
+        const auto done = StudyStore::rescue(folder, rescueFiles(folder).front());
+        QVERIFY(std::filesystem::exists(done.earlier));
+        QCOMPARE(StudyStore(folder, StudyStore::Access::Read).answers().size(), 24u);
     }
 
     void erasedAnswersCannotBeGuessedFromTheLog()

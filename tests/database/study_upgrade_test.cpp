@@ -17,6 +17,7 @@
 #include "protocols/files/canonical_bytes.h"
 #include "protocols/files/errors.h"
 #include "study/records/study_faults.h"
+#include "tests/support/error_text.h"
 #include "tests/support/raw_sqlite.h"
 
 using namespace database;
@@ -98,6 +99,15 @@ int upgradeAndDie(const StudyFolder& folder, int last)
     int status = 0;
     ::waitpid(child, &status, 0);
     return WEXITSTATUS(status);
+}
+
+/// Runs the statement with triggers and checks out of force.
+void alter(const StudyFolder& folder, const QString& sql)
+{
+    RawSqlite raw(folder.database());
+    raw.dropTriggers();
+    const std::string fault = raw.run("PRAGMA ignore_check_constraints = 1; PRAGMA foreign_keys = 0; " + sql.toStdString());
+    if (!fault.empty()) throw std::runtime_error(fault + ": " + sql.toStdString());
 }
 
 QString joined(const std::vector<std::string>& lines)
@@ -238,7 +248,50 @@ private Q_SLOTS:
         fs::copy_file(at("finished").allocationKey(), folder.allocationKey(), fs::copy_options::overwrite_existing);
         QVERIFY_EXCEPTION_THROWN(StudyStore(folder, Access::Write), protocols::Error);
         QCOMPARE(RawSqlite(folder.database()).rows("PRAGMA user_version"), std::vector<std::string>{"2"});
+        QVERIFY(fs::exists(folder.maskedKey()) && !fs::exists(folder.beforeUpgrade()));
+    }
+
+    void aDamagedStudyIsRefusedAndLeavesNoOpenCopy_data()
+    {
+        QTest::addColumn<QString>("sql");
+        QTest::addColumn<QString>("said");
+        QTest::newRow("slot") << "UPDATE slots SET number = 4000000000000000000 WHERE number = 1"
+                              << "a slot has the number";
+        QTest::newRow("slot of a trial") << "UPDATE trials SET slot = 4000000000000000000 WHERE slot = 1 AND number = 1"
+                                         << "a trial belongs to slot 4000000000000000000";
+        QTest::newRow("stimulus of a trial") << "UPDATE trials SET file_code = 'other' WHERE slot = 1 AND number = 1"
+                                             << "a trial shows stimulus other, which the study does not have";
+        QTest::newRow("code of a piece") << "INSERT INTO swatches VALUES (0, 'F01', '100')"
+                                         << "stands in slot 0";
+    }
+
+    void aDamagedStudyIsRefusedAndLeavesNoOpenCopy()
+    {
+        QFETCH(QString, sql);
+        QFETCH(QString, said);
+        const StudyFolder folder = half();
+        alter(folder, sql);
+        for (const Access access : {Access::Write, Access::Write, Access::Read}) {
+            const QString error = tests::support::errorOf([&] { StudyStore(folder, access); });
+            QVERIFY2(error.contains(said), qPrintable(error));
+        }
+        for (const auto& entry : fs::directory_iterator(folder.folder))
+            QVERIFY2(!entry.path().filename().string().starts_with("before-upgrade"), entry.path().c_str());
         QVERIFY(fs::exists(folder.maskedKey()));
+    }
+
+    void alteredPayloadsAreNamedByTheUpgradedStudy()
+    {
+        for (const char* payload : {R"({"schema":"x","fixed_sha256":5})", R"({"schema":[]})", "[]", ""}) {
+            init();
+            const StudyFolder folder = half();
+            alter(folder, QString("UPDATE events SET payload = '%1' WHERE sequence = 1").arg(payload));
+            alter(folder,
+                  R"(UPDATE events SET kind = 'erased', participant = '', payload = '{"answers_too":7,"participant":[]}' )"
+                  "WHERE sequence = (SELECT MAX(sequence) FROM events)");
+            const QString faults = joined(StudyStore(folder, Access::Write).faults());
+            QVERIFY2(faults.contains("were altered after the study was made"), qPrintable(faults));
+        }
     }
 
     void aReaderOfTheOlderFileIsWaitedForAndThenNamed()
@@ -248,6 +301,7 @@ private Q_SLOTS:
         QCOMPARE(reader.run("BEGIN"), std::string());
         QCOMPARE(reader.rows("SELECT COUNT(*) FROM study"), std::vector<std::string>{"1"});
         QVERIFY_EXCEPTION_THROWN(StudyStore(folder, Access::Write), protocols::Error);
+        QVERIFY(!fs::exists(folder.beforeUpgrade()));  // it lies open, and the study is not upgraded
         QCOMPARE(reader.run("COMMIT"), std::string());
         QCOMPARE(reader.rows("PRAGMA user_version"), std::vector<std::string>{"2"});
     }

@@ -7,7 +7,18 @@
 
 namespace tests::support {
 
-enum class FolderHarm { DatabaseDeleted, DatabaseReplaced, DatabaseRenamed, LogDeleted, FolderMoved };
+enum class FolderHarm {
+    DatabaseDeleted,
+    DatabaseReplaced,
+    DatabaseRenamed,
+    LogDeleted,
+    FolderMoved,
+    DatabaseEmptied,      ///< `: > study.db`, the same file with other bytes
+    DatabaseOverwritten,  ///< in place, with as many bytes and the same beginning
+    LogEmptied,
+    LogOverwritten,
+    BothEmptied,
+};
 
 struct NamedHarm {
     FolderHarm harm;
@@ -17,7 +28,7 @@ std::span<const NamedHarm> folderHarms();
 
 void doHarm(FolderHarm harm, const database::StudyFolder& folder);
 
-/// Moves the folder back, or removes the database that is in the way of the rescue file.
+/// Moves the folder back, or removes the database that is in the way of the rescue file. A damaged one is not in the way.
 void putRight(FolderHarm harm, const database::StudyFolder& folder);
 
 }  // namespace tests::support

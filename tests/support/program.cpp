@@ -46,8 +46,11 @@ ProgramResult mustRun(const QStringList& arguments, const QStringList& environme
 {
     const auto ended = runProgram(arguments, environment);
     if (ended.exitCode != 0)
-        throw std::runtime_error(
-            QString("%1 ended with %2: %3").arg(arguments.join(' ')).arg(ended.exitCode).arg(ended.err).toStdString());
+        throw std::runtime_error(QString("%1 ended with %2: %3")
+                                     .arg(arguments.join(' '))
+                                     .arg(ended.exitCode)
+                                     .arg(ended.err.isEmpty() ? ended.out : ended.err)
+                                     .toStdString());
     return ended;
 }
 

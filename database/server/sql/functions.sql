@@ -10,6 +10,9 @@
 --   * A connection is known by its process number and by an advisory lock under a random number that join_study() draws. The
 --     owner could not use the start time of a connection: a server shows it to its own login and to pg_read_all_stats only.
 --     A connection that releases its advisory locks must join again.
+--   * join_study(), claim(), store(), record_act() and record_latency() return a refusal as a value, {"refused": {"code": ...,
+--     "message": ..., "detail": ..., "hint": ...}}. An error would put the whole statement into the server's log, with answers,
+--     notes, facts and tokens. The work is done in functions whose names begin with server_do_; the end of this file wraps them.
 --
 -- Errors: VH101 wrong input. VH102 the participant was erased. VH103 the participant is of another kind. VH104 bad id.
 -- VH105 the login lacks a right. VH201 the station's name is in use. VH202 another station has the participant. VH203 the
@@ -312,6 +315,43 @@ $$ SELECT jsonb_build_object('number', t.number, 'phase', t.phase, 'presentation
        || CASE WHEN is_released
                THEN jsonb_build_object('alternatives', t.alternatives, 'sealed_code', t.sealed_code) ELSE '{}' END $$;
 
+-- Whether the participant has had the presentation: at a station, or before the study was moved to this server.
+CREATE OR REPLACE FUNCTION @schema@.server_was_given(its_participant text, its_trial bigint) RETURNS boolean
+    LANGUAGE sql STABLE AS $$
+    SELECT EXISTS (SELECT FROM @schema@.server_releases r WHERE r.participant = its_participant AND r.trial = its_trial)
+        OR EXISTS (SELECT FROM @schema@.responses r WHERE r.participant = its_participant AND r.trial = its_trial)
+        OR EXISTS (SELECT FROM @schema@.voids v WHERE v.participant = its_participant AND v.trial = its_trial)
+$$;
+
+-- Whether the slot of the participant waits for release_held(): who withdraws at a station may have seen the presentations that
+-- the next participant in the slot would get. server_releases cannot say so, because a login can roll back a release. The owner's
+-- own logins could read the slot anyway.
+CREATE OR REPLACE FUNCTION @schema@.server_holds_slot(its @schema@.participants) RETURNS boolean LANGUAGE sql STABLE AS $$
+    SELECT its.state = 'withdrawn'
+       AND NOT EXISTS (SELECT FROM @schema@.server_cleared c WHERE c.participant = its.id AND c.state = 'withdrawn')
+       AND EXISTS (SELECT FROM @schema@.server_received r
+                   WHERE r.participant = its.id
+                     AND r.login NOT IN (SELECT o.rolname FROM pg_roles o WHERE pg_has_role(o.oid, current_user, 'MEMBER')))
+$$;
+
+-- Whether the next presentation of the participant waits for release_held(): three voids since the last answer that stands.
+CREATE OR REPLACE FUNCTION @schema@.server_holds_next(its @schema@.participants) RETURNS boolean LANGUAGE sql STABLE AS $$
+    SELECT its.state = 'started' AND count(*) >= 3
+    FROM @schema@.voids v
+    WHERE v.participant = its.id
+      AND v.event > coalesce((SELECT max(r.event) FROM @schema@.responses r
+                              WHERE r.participant = its.id AND r.is_correction = 0
+                                AND NOT EXISTS (SELECT FROM @schema@.voids w WHERE w.participant = r.participant
+                                                AND w.trial = r.trial AND w.attempt = r.attempt)), 0)
+      AND v.event > coalesce((SELECT max(c.event) FROM @schema@.server_cleared c WHERE c.participant = its.id), 0)
+$$;
+
+-- Whether nobody new may have the slot.
+CREATE OR REPLACE FUNCTION @schema@.server_is_taken(its_slot bigint) RETURNS boolean LANGUAGE sql STABLE AS $$
+    SELECT EXISTS (SELECT FROM @schema@.participants p
+                   WHERE p.slot = its_slot AND (p.state <> 'withdrawn' OR @schema@.server_holds_slot(p)))
+$$;
+
 CREATE OR REPLACE FUNCTION @schema@.server_overview() RETURNS jsonb LANGUAGE sql STABLE AS $$
     WITH given AS (
         SELECT r.participant, count(*) AS number FROM @schema@.responses r WHERE r.is_correction = 0 GROUP BY r.participant),
@@ -329,7 +369,7 @@ CREATE OR REPLACE FUNCTION @schema@.server_overview() RETURNS jsonb LANGUAGE sql
         UNION ALL
         SELECT s.number, NULL, jsonb_build_object('slot', s.number, 'state', 'free', 'participant', '', 'kind', '', 'answers', 0)
         FROM @schema@.slots s
-        WHERE NOT EXISTS (SELECT FROM @schema@.participants p WHERE p.slot = s.number AND p.state <> 'withdrawn'))
+        WHERE NOT @schema@.server_is_taken(s.number))
     SELECT jsonb_build_object(
         'images_to', (SELECT s.images_to FROM @schema@.server_study s WHERE s.id = 1),
         'places', coalesce((SELECT jsonb_agg(place ORDER BY slot, position NULLS LAST) FROM places), '[]'),
@@ -338,8 +378,8 @@ $$;
 
 -- What a station may call.
 
-CREATE OR REPLACE FUNCTION @schema@.join_study(station text, token text, program text) RETURNS jsonb LANGUAGE plpgsql SECURITY DEFINER
-    SET search_path = pg_catalog, pg_temp SET client_min_messages = warning SET lock_timeout = '10s' AS $$
+CREATE OR REPLACE FUNCTION @schema@.server_do_join_study(station text, token text, program text) RETURNS jsonb
+    LANGUAGE plpgsql AS $$
 DECLARE
     its_station text := station;
     its_token text := token;
@@ -429,11 +469,14 @@ BEGIN
             HINT = 'choose another id';
     END IF;
     SELECT s.number INTO free FROM @schema@.slots s
-    WHERE NOT EXISTS (SELECT FROM @schema@.participants p WHERE p.slot = s.number AND p.state <> 'withdrawn')
+    WHERE NOT @schema@.server_is_taken(s.number)
     ORDER BY s.number LIMIT 1;
     IF free IS NULL THEN
         RAISE EXCEPTION USING ERRCODE = 'VH207', MESSAGE = 'all slots of the study are taken',
-            DETAIL = 'a free slot for ' || its_id, HINT = 'make a study with more participants';
+            DETAIL = 'a free slot for ' || its_id,
+            HINT = CASE WHEN EXISTS (SELECT FROM @schema@.participants p WHERE @schema@.server_holds_slot(p))
+                        THEN 'ask the owner to give out slots of those who withdrew: vis2hap server roles ADDRESS --release-held'
+                        ELSE 'make a study with more participants' END;
     END IF;
     SELECT coalesce(max(v.version), 1) INTO version FROM @schema@.protocol_versions v;
     INSERT INTO @schema@.participants(id, slot, kind, state, protocol_version) VALUES (its_id, free, its_kind, 'started', version)
@@ -446,8 +489,7 @@ BEGIN
 END
 $$;
 
-CREATE OR REPLACE FUNCTION @schema@.claim(participant text, kind text) RETURNS jsonb LANGUAGE plpgsql SECURITY DEFINER
-    SET search_path = pg_catalog, pg_temp SET client_min_messages = warning SET lock_timeout = '10s' AS $$
+CREATE OR REPLACE FUNCTION @schema@.server_do_claim(participant text, kind text) RETURNS jsonb LANGUAGE plpgsql AS $$
 DECLARE
     its_id text := participant;
     own @schema@.server_stations;
@@ -482,8 +524,7 @@ BEGIN
                                   (SELECT s.protocol_json FROM @schema@.study s)),
         'swatches', coalesce((SELECT jsonb_object_agg(s.fabric, s.code) FROM @schema@.swatches s WHERE s.slot = its.slot), '{}'),
         'trials', coalesce((
-            SELECT jsonb_agg(@schema@.server_trial(t, EXISTS (
-                SELECT FROM @schema@.server_releases r WHERE r.participant = its_id AND r.trial = t.number)) ORDER BY t.number)
+            SELECT jsonb_agg(@schema@.server_trial(t, @schema@.server_was_given(its_id, t.number)) ORDER BY t.number)
             FROM @schema@.trials t WHERE t.slot = its.slot), '[]'),
         'events', coalesce((
             SELECT jsonb_agg(jsonb_build_object('sequence', e.sequence, 'sitting', e.sitting, 'kind', e.kind, 'payload', e.payload,
@@ -493,27 +534,32 @@ BEGIN
 END
 $$;
 
--- The lowest trial that was not released, where every question of those before it is answered or the trial was voided.
+-- The lowest trial that the participant has not had, where the present attempt at every trial before it is answered whole. A void
+-- lets a trial wait: the session presents it again later. Three voids without an answer between them let nothing pass.
 CREATE OR REPLACE FUNCTION @schema@.server_due(its @schema@.participants) RETURNS bigint LANGUAGE plpgsql STABLE AS $$
 DECLARE
     phases jsonb := @schema@.server_phases(its.protocol_version);
 BEGIN
-    IF its.state <> 'started' OR jsonb_typeof(phases) IS DISTINCT FROM 'array' THEN RETURN NULL; END IF;
+    IF its.state <> 'started' OR jsonb_typeof(phases) IS DISTINCT FROM 'array' OR @schema@.server_holds_next(its) THEN
+        RETURN NULL;
+    END IF;
     IF EXISTS (
         SELECT FROM @schema@.trials t
-        WHERE t.slot = its.slot
-          AND EXISTS (SELECT FROM @schema@.server_releases r WHERE r.participant = its.id AND r.trial = t.number)
-          AND NOT EXISTS (SELECT FROM @schema@.voids v WHERE v.participant = its.id AND v.trial = t.number)
-          AND (jsonb_array_length(coalesce(phases -> t.phase::int, '[]')) = 0
-               OR EXISTS (SELECT FROM jsonb_array_elements_text(phases -> t.phase::int) asked(question)
-                          WHERE NOT EXISTS (SELECT FROM @schema@.responses a
-                                            WHERE a.participant = its.id AND a.trial = t.number AND a.attempt = 1
-                                              AND a.question = asked.question AND a.is_correction = 0)))) THEN
+        CROSS JOIN LATERAL (SELECT @schema@.server_attempt(its.id, t.number) AS attempt) present
+        CROSS JOIN LATERAL (
+            SELECT count(*) AS asked,
+                   count(*) FILTER (WHERE EXISTS (
+                       SELECT FROM @schema@.responses a
+                       WHERE a.participant = its.id AND a.trial = t.number AND a.attempt = present.attempt
+                         AND a.question = asked.question AND a.is_correction = 0)) AS answered
+            FROM jsonb_array_elements_text(coalesce(phases -> t.phase::int, '[]')) asked(question)) questions
+        WHERE t.slot = its.slot AND @schema@.server_was_given(its.id, t.number)
+          AND (questions.asked = 0 OR questions.answered < questions.asked)
+          AND (present.attempt = 1 OR questions.answered > 0)) THEN
         RETURN NULL;
     END IF;
     RETURN (SELECT min(t.number) FROM @schema@.trials t
-            WHERE t.slot = its.slot
-              AND NOT EXISTS (SELECT FROM @schema@.server_releases r WHERE r.participant = its.id AND r.trial = t.number));
+            WHERE t.slot = its.slot AND NOT @schema@.server_was_given(its.id, t.number));
 END
 $$;
 
@@ -537,8 +583,12 @@ BEGIN
             DETAIL = 'a study whose move is complete', HINT = 'ask its owner where it is now';
     END IF;
     SELECT * INTO its FROM @schema@.participants p WHERE p.id = own.participant;
-    IF NOT EXISTS (SELECT FROM @schema@.server_releases r WHERE r.participant = its.id AND r.trial = wanted)
-       AND NOT coalesce(wanted = @schema@.server_due(its), false) THEN
+    IF NOT @schema@.server_was_given(its.id, wanted) AND NOT coalesce(wanted = @schema@.server_due(its), false) THEN
+        IF @schema@.server_holds_next(its) THEN
+            RAISE EXCEPTION USING ERRCODE = 'VH203', MESSAGE = 'three presentations in a row are void, so no new one is given',
+                DETAIL = 'an answer between voids',
+                HINT = 'ask the owner of the study to let it go on: vis2hap server roles ADDRESS --release-held';
+        END IF;
         RAISE EXCEPTION USING ERRCODE = 'VH203', MESSAGE = 'the presentation is not due yet',
             DETAIL = 'the next presentation of the participant, after every answer to those before it',
             HINT = 'store the answers to the present presentation first';
@@ -617,7 +667,7 @@ $$;
 CREATE OR REPLACE FUNCTION @schema@.server_require_released(its_participant text, its_trial bigint) RETURNS void
     LANGUAGE plpgsql AS $$
 BEGIN
-    IF NOT EXISTS (SELECT FROM @schema@.server_releases r WHERE r.participant = its_participant AND r.trial = its_trial) THEN
+    IF NOT @schema@.server_was_given(its_participant, its_trial) THEN
         RAISE EXCEPTION USING ERRCODE = 'VH211', MESSAGE = 'presentation ' || its_trial || ' was not released to '
                 || its_participant,
             DETAIL = 'a presentation that this participant has had', HINT = 'ask for the presentation first';
@@ -738,8 +788,7 @@ BEGIN
 END
 $$;
 
-CREATE OR REPLACE FUNCTION @schema@.store(entry jsonb) RETURNS jsonb LANGUAGE plpgsql SECURITY DEFINER
-    SET search_path = pg_catalog, pg_temp SET client_min_messages = warning SET lock_timeout = '10s' AS $$
+CREATE OR REPLACE FUNCTION @schema@.server_do_store(entry jsonb) RETURNS jsonb LANGUAGE plpgsql AS $$
 DECLARE
     session_kinds CONSTANT text[] := ARRAY[
         'sitting_started', 'begun', 'consented', 'facts_given', 'familiarisation_shown', 'familiarisation_done', 'scale_placed',
@@ -962,9 +1011,8 @@ CREATE OR REPLACE FUNCTION @schema@.progress() RETURNS jsonb LANGUAGE sql VOLATI
 $$;
 
 -- Exports, backups and reports: database/evidence/acts.cpp. details: the text of a JSON object.
-CREATE OR REPLACE FUNCTION @schema@.record_act(kind text, details text, wall_time text) RETURNS jsonb
-    LANGUAGE plpgsql SECURITY DEFINER
-    SET search_path = pg_catalog, pg_temp SET client_min_messages = warning SET lock_timeout = '10s' AS $$
+CREATE OR REPLACE FUNCTION @schema@.server_do_record_act(kind text, details text, wall_time text) RETURNS jsonb
+    LANGUAGE plpgsql AS $$
 DECLARE
     its_kind text := kind;
     its_time text := coalesce(nullif(wall_time, ''), @schema@.server_wall_time());
@@ -1005,9 +1053,7 @@ END
 $$;
 
 -- The operator's latency task: database/evidence/operator_latency.cpp.
-CREATE OR REPLACE FUNCTION @schema@.record_latency(payload text, wall_time text) RETURNS jsonb
-    LANGUAGE plpgsql SECURITY DEFINER
-    SET search_path = pg_catalog, pg_temp SET client_min_messages = warning SET lock_timeout = '10s' AS $$
+CREATE OR REPLACE FUNCTION @schema@.server_do_record_latency(payload text, wall_time text) RETURNS jsonb LANGUAGE plpgsql AS $$
 DECLARE
     known CONSTANT text[] := ARRAY['operator', 'signal', 'seconds', 'taps', 'misses', 'anticipations', 'median_ms', 'q1_ms',
                                    'q3_ms'];
@@ -1086,6 +1132,31 @@ BEGIN
 END
 $$;
 
+-- What the server holds back until the owner has looked: slots of participants who withdrew at a station, and the next
+-- presentation after voids in a row. Returns what is given out from here on, one object each.
+CREATE OR REPLACE FUNCTION @schema@.release_held() RETURNS jsonb LANGUAGE plpgsql
+    SET search_path = pg_catalog, pg_temp SET lock_timeout = '10s' AS $$
+DECLARE
+    held jsonb;
+BEGIN
+    PERFORM @schema@.server_lock(true);
+    SELECT coalesce(jsonb_agg(jsonb_build_object(
+               'participant', p.id, 'state', p.state, 'slot', p.slot,
+               'presentations', (SELECT count(DISTINCT r.trial) FROM @schema@.server_releases r WHERE r.participant = p.id),
+               'answers', (SELECT count(*) FROM @schema@.responses r WHERE r.participant = p.id AND r.is_correction = 0),
+               'voids', (SELECT count(*) FROM @schema@.voids v WHERE v.participant = p.id),
+               'logins', (SELECT string_agg(DISTINCT r.login, ', ') FROM @schema@.server_received r WHERE r.participant = p.id))
+               ORDER BY p.position), '[]') INTO held
+    FROM @schema@.participants p
+    WHERE @schema@.server_holds_slot(p) OR @schema@.server_holds_next(p);
+    INSERT INTO @schema@.server_cleared(participant, state, event, login)
+    SELECT p.id, p.state, (SELECT max(e.sequence) FROM @schema@.events e), session_user
+    FROM @schema@.participants p
+    WHERE @schema@.server_holds_slot(p) OR @schema@.server_holds_next(p);
+    RETURN held;
+END
+$$;
+
 -- Where images go: 'station', or 'display' with tickets for the stations.
 CREATE OR REPLACE FUNCTION @schema@.give_images_to(place text) RETURNS void LANGUAGE plpgsql
     SET search_path = pg_catalog, pg_temp AS $$
@@ -1122,5 +1193,38 @@ $$;
 
 CREATE OR REPLACE FUNCTION @schema@.cancel_leaving() RETURNS void LANGUAGE sql SET search_path = pg_catalog, pg_temp AS
 $$ UPDATE @schema@.server_study SET state = 'open' WHERE id = 1 AND state = 'leaving' $$;
+
+-- The functions that return a refusal as a value: nothing that they are given comes into the server's log.
+DO $wrap$
+DECLARE
+    name text;
+    given text;
+BEGIN
+    FOREACH name IN ARRAY ARRAY['join_study', 'claim', 'store', 'record_act', 'record_latency'] LOOP
+        SELECT pg_catalog.pg_get_function_arguments(p.oid) INTO STRICT given
+        FROM pg_catalog.pg_proc p
+        WHERE p.pronamespace = '@schema@'::pg_catalog.regnamespace AND p.proname = 'server_do_' || name;
+        EXECUTE format($text$
+            CREATE OR REPLACE FUNCTION @schema@.%I(%s) RETURNS jsonb LANGUAGE plpgsql SECURITY DEFINER
+                SET search_path = pg_catalog, pg_temp SET client_min_messages = warning SET lock_timeout = '10s' AS $$
+            DECLARE
+                message text;
+                detail text;
+                hint text;
+            BEGIN
+                RETURN @schema@.%I(%s);
+            EXCEPTION
+                WHEN OTHERS OR query_canceled THEN
+                    GET STACKED DIAGNOSTICS
+                        message = MESSAGE_TEXT, detail = PG_EXCEPTION_DETAIL, hint = PG_EXCEPTION_HINT;
+                    RETURN jsonb_build_object('refused', jsonb_build_object(
+                        'code', SQLSTATE, 'message', message, 'detail', detail, 'hint', hint));
+            END
+            $$
+            $text$, name, given, 'server_do_' || name,
+            (SELECT string_agg('$' || n, ', ') FROM generate_series(1, array_length(string_to_array(given, ', '), 1)) n));
+    END LOOP;
+END
+$wrap$;
 
 REVOKE ALL ON ALL FUNCTIONS IN SCHEMA @schema@ FROM PUBLIC;

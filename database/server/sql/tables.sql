@@ -153,6 +153,11 @@ CREATE TABLE @schema@.server_received(
     id uuid PRIMARY KEY, participant text COLLATE "C" NOT NULL, event bigint NOT NULL, station text NOT NULL,
     login text NOT NULL, at timestamptz NOT NULL DEFAULT clock_timestamp());
 
+-- What the owner has let go on: the slot of a participant who withdrew, or the list of one with voids in a row up to this event.
+CREATE TABLE @schema@.server_cleared(
+    number bigint GENERATED ALWAYS AS IDENTITY PRIMARY KEY, participant text COLLATE "C" NOT NULL, state text NOT NULL,
+    event bigint NOT NULL, login text NOT NULL, at timestamptz NOT NULL DEFAULT clock_timestamp());
+
 CREATE FUNCTION @schema@.server_refuse_change() RETURNS trigger LANGUAGE plpgsql
     SET search_path = pg_catalog, pg_temp AS $$
 BEGIN
@@ -169,7 +174,8 @@ BEGIN
     FOREACH name IN ARRAY ARRAY[
         'study', 'fabrics', 'stimuli', 'slots', 'trials', 'events', 'responses', 'voids', 'notes', 'finger_samples',
         'unblindings', 'swatches', 'familiarisation', 'protocol_versions', 'erasures', 'acts',
-        'server_images', 'server_trials', 'server_familiarisation', 'server_releases', 'server_fetches', 'server_received']
+        'server_images', 'server_trials', 'server_familiarisation', 'server_releases', 'server_fetches', 'server_received',
+        'server_cleared']
     LOOP
         FOREACH change IN ARRAY ARRAY['update', 'delete', 'truncate'] LOOP
             EXECUTE format('CREATE TRIGGER %I BEFORE %s ON @schema@.%I FOR EACH STATEMENT '

@@ -2,6 +2,7 @@
 // presentations have the same image.
 #include <QProcess>
 #include <QRegularExpression>
+#include <QTcpSocket>
 #include <QTemporaryDir>
 #include <QTest>
 #include <map>
@@ -83,6 +84,7 @@ private Q_SLOTS:
     void aTicketHoldsForThePresentPresentationOnly();
     void rolesAreKeptApart();
     void theWrongDisplayIsRefused();
+    void otherProgramsDoNotKeepTheStationOut();
 
 private:
     /// A study on the server whose images go to the display's login, and its owner's folder.
@@ -260,6 +262,23 @@ void OwnDisplayTest::theWrongDisplayIsRefused()
                                session.display, session.clock);
     });
     QVERIFY2(fetching.contains("--images display"), qPrintable(fetching));
+}
+
+/// Any program of the computer can connect to the port. It gets nothing, and the station comes in after it.
+void OwnDisplayTest::otherProgramsDoNotKeepTheStationOut()
+{
+    studyOnServer("crowded", "display");
+    const ServedDisplay served(m_server->address("crowded", "device"), m_folder.filePath("crowded-device"));
+    const auto port = QString::fromStdString(served.specification.substr(served.specification.rfind(':') + 1)).toUShort();
+    QTcpSocket nesting, silent;
+    nesting.connectToHost("127.0.0.1", port);
+    nesting.write(R"({"type":"show","bytes":1,"id":)" + QByteArray(30000, '[') + QByteArray(30000, ']') + "}\n");
+    QTRY_COMPARE(nesting.state(), QAbstractSocket::UnconnectedState);
+    silent.connectToHost("127.0.0.1", port);
+    QVERIFY(silent.waitForConnected());
+    std::unique_ptr<rendering::HapticDisplay> display;
+    QCOMPARE(errorOf([&] { display = rendering::openDisplay(served.specification); }), QString());
+    QVERIFY(display->fetchesImages());
 }
 
 QTEST_GUILESS_MAIN(OwnDisplayTest)

@@ -60,6 +60,11 @@ private Q_SLOTS:
     void noTableCanBeReadOrWritten_data();
     void noTableCanBeReadOrWritten();
     void nothingIsStoredForAnybodyElse();
+    void aSlotThatAStationHasSeenWaitsForTheOwner();
+    void voidsInARowShowNothingAhead();
+    void voidsBetweenAnswersHoldNobodyUp();
+    void aRefusedEntryStaysOutOfTheLog();
+    void theOwnerKeepsStatementsOutOfTheLog();
     void textsAreNeverStatements_data();
     void textsAreNeverStatements();
     void aMonitorSeesProgressAndStationsOnly();
@@ -68,7 +73,12 @@ private Q_SLOTS:
     void wrongGrantsAreOneLine();
 
 private:
-    database::ServerAddress as(const char* login) const { return database::serverAddressFrom(m_server->address("roles", login)); }
+    database::ServerAddress as(const char* login, const char* study = "roles") const
+    {
+        return database::serverAddressFrom(m_server->address(study, login));
+    }
+    /// A study of its own on the server, where anna runs sessions.
+    StudyFolder studyOfAnna(const char* name, StudyRecipe recipe) const;
     QTemporaryDir m_folder;
     StudyFolder m_owner;
     std::unique_ptr<PrivateServer> m_server;
@@ -216,6 +226,113 @@ void RolesTest::nothingIsStoredForAnybodyElse()
     QVERIFY(errorOf([&] { bert.run("SELECT * FROM @schema@.presentation(?)", {2}); }).contains("not due"));
     QCOMPARE(send(bert, entry("P11", 0, "begun")), QString());
     QCOMPARE(readStudy(m_owner).faults(), std::vector<std::string>());
+}
+
+StudyFolder RolesTest::studyOfAnna(const char* name, StudyRecipe recipe) const
+{
+    const StudyFolder folder = buildStudy(m_folder.filePath(name).toStdString(), recipe);
+    moveToServer(folder, as("owner", name), "owner");
+    makeRoles(as("owner", name), {{"anna", "experimenter"}});
+    return folder;
+}
+
+/// Somebody who holds the login of a station enrols nobody, looks at a slot, and leaves it to the next participant.
+void RolesTest::aSlotThatAStationHasSeenWaitsForTheOwner()
+{
+    const StudyFolder study = studyOfAnna("peek", {.participants = 2});
+    const ServerConnection anna(as("anna", "peek"));
+    anna.call("join_study", {"one", token, "test"});
+    QCOMPARE(anna.call("claim", {"FAKE", "human"}).at("slot").get<int>(), 1);
+    anna.run("SELECT * FROM @schema@.presentation(1)");
+    auto leaves = entry("FAKE", 0, "withdrawn");
+    leaves["state"] = "withdrawn";
+    anna.call("store", {QString::fromStdString(leaves.dump())});
+    QCOMPARE(anna.call("claim", {"P02", "human"}).at("slot").get<int>(), 2);
+    const QString full = errorOf([&] { anna.call("claim", {"P03", "human"}); });
+    QVERIFY2(full.contains("all slots") && full.contains("--release-held"), qPrintable(full));
+
+    QVERIFY(errorOf([&] { releaseHeld(as("anna", "peek")); }).contains("may not do this"));
+    const auto released = releaseHeld(as("owner", "peek"));
+    QCOMPARE(released.size(), std::size_t{1});
+    QVERIFY2(released[0].starts_with("slot 1 is free again, after FAKE (presentations: 1,"), released[0].c_str());
+    QVERIFY2(released[0].ends_with("login anna)"), released[0].c_str());
+    QCOMPARE(releaseHeld(as("owner", "peek")), std::vector<std::string>());
+    QCOMPARE(anna.call("claim", {"P03", "human"}).at("slot").get<int>(), 1);
+    QCOMPARE(readStudy(study).faults(), std::vector<std::string>());
+}
+
+void RolesTest::voidsInARowShowNothingAhead()
+{
+    studyOfAnna("voids", {.participants = 2});
+    const ServerConnection anna(as("anna", "voids"));
+    anna.call("join_study", {"one", token, "test"});
+    anna.call("claim", {"P01", "human"});
+    for (const int number : {1, 2, 3}) {
+        anna.run("SELECT * FROM @schema@.presentation(?)", {number});
+        auto voided = entry("P01", number - 1, "voided");
+        voided["voids"] = number;
+        anna.call("store", {QString::fromStdString(voided.dump())});
+    }
+    const QString refusal = errorOf([&] { anna.run("SELECT * FROM @schema@.presentation(4)"); });
+    QVERIFY2(refusal.contains("three presentations in a row are void"), qPrintable(refusal));
+    const auto released = releaseHeld(as("owner", "voids"));
+    QCOMPARE(released.size(), std::size_t{1});
+    QVERIFY2(released[0].starts_with("the next presentation is due for P01"), released[0].c_str());
+    anna.run("SELECT * FROM @schema@.presentation(4)");
+}
+
+void RolesTest::voidsBetweenAnswersHoldNobodyUp()
+{
+    const StudyFolder study = studyOfAnna("mishaps", {.participants = 2});
+    const auto folder = m_folder.filePath("anna-mishaps").toStdString();
+    joinStudy(as("anna", "mishaps"), folder, "left");
+    {
+        ServerSession session(StudyFolder{folder}, "P01");
+        for (const int answers : {1, 4, 7, 10}) {
+            session.playUntilAnswers(answers);
+            for (int mishap = 0; mishap < 2; ++mishap) {
+                session.stepUntil("Presenting");
+                session.send(study::session::Voided{"wrong piece"});
+            }
+        }
+        session.playToEnd();
+    }
+    const StudyStore rows = readStudy(study);
+    QCOMPARE(rows.faults(), std::vector<std::string>());
+    QCOMPARE(rows.enrolments().front().state, database::SlotState::Finished);
+}
+
+/// PostgreSQL writes the statement of every error into its log. An entry that another station overtook must not be one.
+void RolesTest::aRefusedEntryStaysOutOfTheLog()
+{
+    const ServerConnection anna(as("anna"));
+    const QString secret = QString(64, QLatin1Char('c'));
+    anna.call("join_study", {"late", secret, "test"});
+    anna.call("claim", {"P14", "human"});
+    auto late = entry("P14", 9, "noted");
+    late["note"] = {{"trial", 1}, {"text", "SPOKEN ALOUD"}, {"is_flag", false}};
+    late["facts"] = {{"age", "SEVENTY", std::string(64, 'd')}};
+    const QString refusal = errorOf([&] { anna.call("store", {QString::fromStdString(late.dump())}); });
+    QVERIFY2(refusal.contains("another station went on"), qPrintable(refusal));
+    QVERIFY(errorOf([&] {
+                ServerConnection(as("bert")).call("join_study", {"late", QString(64, QLatin1Char('e')), "test"});
+            }).contains("another connection has joined"));
+    (void)errorOf([&] { anna.run("SELECT * FROM @schema@.presentation(?)", {99}); });
+    const QByteArray log = m_server->log();
+    QVERIFY(log.contains("the presentation is not due yet") && log.contains("STATEMENT"));
+    for (const char* text : {"SPOKEN ALOUD", "SEVENTY", "dddddddd", "cccccccc", "eeeeeeee"}) QVERIFY2(!log.contains(text), text);
+}
+
+void RolesTest::theOwnerKeepsStatementsOutOfTheLog()
+{
+    const auto commands = keepLogQuiet(as("eve"));
+    QVERIFY(isAmong(commands, "ALTER DATABASE \"lab\" SET log_min_error_statement = panic"));
+    QCOMPARE(keepLogQuiet(as("owner")), std::vector<std::string>());
+    QCOMPARE(keepLogQuiet(as("eve")), std::vector<std::string>());
+    const ServerConnection anna(as("anna"));
+    QCOMPARE(anna.value("SHOW log_min_error_statement").toString(), QString("panic"));
+    (void)errorOf([&] { anna.run("SELECT CAST(? AS int)", {"WHISPERED"}); });
+    QVERIFY(!m_server->log().contains("STATEMENT:  EXECUTE qpsqlpstmt_1 ('WHISPERED"));
 }
 
 void RolesTest::textsAreNeverStatements_data()

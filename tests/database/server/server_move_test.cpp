@@ -9,6 +9,7 @@
 #include "tests/support/error_text.h"
 #include "tests/support/played_session.h"
 #include "tests/support/server/private_server.h"
+#include "tests/support/server/server_session.h"
 #include "tests/support/whole_protocol.h"
 
 using namespace tests::support;
@@ -62,6 +63,8 @@ class ServerMoveTest : public QObject {
 private Q_SLOTS:
     void initTestCase();
     void aStudyComesBackAsItWas();
+    void aSessionGoesOnAfterTheMove();
+    void itsTimeOnTheServerIsOnRecord();
     void readersSeeTheStudyWhileItIsOnTheServer();
     void anInterruptedMoveIsCompleted();
     void aSecondStudyOfTheNameIsRefused();
@@ -97,6 +100,43 @@ void ServerMoveTest::aStudyComesBackAsItWas()
     QCOMPARE(linesOf(store), lines);
     QCOMPARE(store.head(), before);
     QVERIFY(ServerConnection(address).studies().isEmpty());
+}
+
+/// Presentations that the participant had before the move are known on the server.
+void ServerMoveTest::aSessionGoesOnAfterTheMove()
+{
+    const StudyFolder study = buildStudy(folder("goes-on").folder);
+    {
+        OpenSession session(study, "S01");
+        session.playUntilAnswers(5);
+        session.stepUntil("Presenting");
+        session.send(Voided{"the piece fell"});
+        session.playUntilAnswers(7);
+    }
+    moveToServer(study, database::serverAddressFrom(m_server->address("goes-on")), "owner");
+    {
+        ServerSession session(study, "S01", database::ParticipantKind::Scripted);
+        session.playToEnd();
+    }
+    const StudyStore store = readStudy(study);
+    QCOMPARE(store.faults(), std::vector<std::string>());
+    QCOMPARE(store.enrolments().front().state, database::SlotState::Finished);
+}
+
+/// The server's log and write-ahead log keep copies, so erasures must be able to name them.
+void ServerMoveTest::itsTimeOnTheServerIsOnRecord()
+{
+    const StudyFolder study = livedStudy(folder("stay").folder);
+    const auto address = database::serverAddressFrom(m_server->address("stay"));
+    moveToServer(study, address, "owner");
+    moveToFolder(address, study, {{}, "Ada", "test", "here", {}, {}, {}});
+    const StudyStore store = readStudy(study);
+    const auto copies = copiesSince(store, store.head().sequence);
+    QCOMPARE(copies.size(), std::size_t{1});
+    QCOMPARE(copies[0].kind, std::string(database::serverAct));
+    QCOMPARE(copies[0].path, address.text);
+    QCOMPARE(store.faults(), std::vector<std::string>());
+    QCOMPARE(faultsOfActs(store), std::vector<std::string>());
 }
 
 void ServerMoveTest::readersSeeTheStudyWhileItIsOnTheServer()

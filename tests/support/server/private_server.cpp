@@ -85,6 +85,13 @@ std::string PrivateServer::address(const std::string& study, const std::string& 
     return "postgresql://" + user + "@127.0.0.1:" + std::to_string(port == 0 ? m_port : port) + "/lab?study=" + study;
 }
 
+QByteArray PrivateServer::log() const
+{
+    QFile file(m_folder.filePath("log"));
+    if (!file.open(QIODevice::ReadOnly)) throw std::runtime_error("the server's log cannot be read");
+    return file.readAll();
+}
+
 void PrivateServer::start() { run("pg_ctl", {"-D", data(), "-w", "-t", "60", "-l", m_folder.filePath("log"), "start"}); }
 
 void PrivateServer::stop() { run("pg_ctl", {"-D", data(), "-w", "-m", "immediate", "stop"}); }

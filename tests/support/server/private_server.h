@@ -22,6 +22,9 @@ public:
     /// postgresql://USER@127.0.0.1:PORT/lab?study=STUDY. `port`: another way to the server, such as a CutNetwork.
     std::string address(const std::string& study, const std::string& user = "owner", int port = 0) const;
 
+    /// What the server has written into its log.
+    QByteArray log() const;
+
     /// Kills all processes of the server at once, as a power cut does.
     void kill();
     void start();

@@ -9,6 +9,7 @@
 #include "protocols/records/anchor_trials.h"
 #include "study/leaks/cache_marks.h"
 #include "study/leaks/readable_files.h"
+#include "study/leaks/tray_counts.h"
 #include "study/leaks/value_guessers.h"
 
 namespace study::leaks {
@@ -160,14 +161,15 @@ LeakReport leakReport(const database::StudyStore& store, const std::optional<pro
                                   ".lock",    "station-key.json", "allocation-key.sealed", "stimuli"};
     for (auto& table : tablesOfFolder(folder.folder, codesOf(seen), left)) tables.push_back(std::move(table));
     if (!report.isUnblinded) readExports(exporters, seen, report, tables);
-    const auto features = featuresOf(seen, tables, folder.database());
+    auto features = featuresOf(seen, tables, folder.database());
     report.features = features.size();
+    for (auto& count : trayCounts(seen)) features.push_back(std::move(count));
     std::optional<Truth> truth;
     if (key) truth = truthOf(store, *key, seen);
     report.hasTruth = truth.has_value();
     report.stationKey = withStationKey(store, seen, truth);
     if (!truth) return report;
-    for (auto guesses : {guessesByValues(seen, features, *truth), guessesByTrays(seen, *truth),
+    for (auto guesses : {guessesByValues(seen, features, *truth), guessesByTrays(seen, *truth), guessesOfAnchors(seen, *truth),
                          guessesByFiles(marksOfStimuli(folder.stimuli()), *truth),
                          guessesByFiles(hasCache ? marksOfCache(cache, folder.stimuli()) : std::vector<FileMark>{}, *truth)})
         report.guesses.insert(report.guesses.end(), guesses.begin(), guesses.end());

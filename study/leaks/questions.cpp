@@ -87,13 +87,25 @@ TrialQuestion sameness(const SeenStudy& study, const Truth& truth)
     return classesOf("same or different", trials, names);
 }
 
+std::vector<bool> behindTheFirstBlock(const SeenStudy& study)
+{
+    const auto block = static_cast<std::size_t>(std::max(0, study.protocol.breakAfterPresentations));
+    std::vector<bool> behind;
+    for (std::size_t begin = 0, end = 0; begin < study.trials.size(); begin = end) {
+        while (end < study.trials.size() && study.trials[end].isInListOf(study.trials[begin])) ++end;
+        for (std::size_t at = begin; at < end; ++at) behind.push_back(at - begin >= std::min(block + 1, (end - begin) / 2));
+    }
+    return behind;
+}
+
 TrialQuestion anchors(const SeenStudy& study, const Truth& truth)
 {
+    const auto behind = behindTheFirstBlock(study);
     std::vector<std::size_t> trials;
     std::vector<std::string> names;
     for (std::size_t i = 0; i < study.trials.size(); ++i) {
         const auto& phase = study.protocol.phases.at(static_cast<std::size_t>(study.trials[i].phase));
-        if (phase.anchors.presentations() == 0) continue;
+        if (phase.anchors.presentations() == 0 || !behind[i]) continue;
         trials.push_back(i);
         names.push_back(truth.trials[i].anchor);
     }

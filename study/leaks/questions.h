@@ -32,7 +32,11 @@ std::vector<std::string> conditionNames(const Truth& truth);
 /// Whether the fabric on the tray is the rendered one, in trials that ask this.
 TrialQuestion sameness(const SeenStudy& study, const Truth& truth);
 
-/// Whether a presentation is an anchor, and which kind, in the phases that have anchors.
+/// Whether a trial stands behind the first block of its list, [trial of SeenStudy]. A repetition comes a block later, so that
+/// none stands before: whoever knows the protocol knows this.
+std::vector<bool> behindTheFirstBlock(const SeenStudy& study);
+
+/// Whether a presentation is an anchor, and which kind, in the phases that have anchors. Trials of the first block are left out.
 TrialQuestion anchors(const SeenStudy& study, const Truth& truth);
 
 /// Trials of which the guesser knows the class: the fabric on the tray of a rating trial, or the truth of the other slots.

@@ -9,6 +9,7 @@
 
 #include "protocols/counterbalancing.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
 
@@ -345,7 +346,7 @@ protocols::Error notAStudy(const std::string& what)
 /// The fabrics in the stored list. Throws workFailed where it is none, or empty.
 std::vector<std::string> trayOf(const std::string& alternatives)
 {
-    const auto json = nlohmann::json::parse(alternatives, nullptr, false);
+    const auto json = protocols::storedJson(alternatives);
     std::vector<std::string> tray;
     if (json.is_array())
         for (const auto& fabric : json) tray.push_back(fabric.is_string() ? fabric.get<std::string>() : fabric.dump());

@@ -2,12 +2,15 @@
 
 #include <QSqlRecord>
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "database/schema.h"
 #include "database/sqlite_connection.h"
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
 
 namespace study::leaks {
@@ -35,51 +38,79 @@ bool isWithoutRowid(const QString& sql) { return sql.contains(QStringLiteral("WI
 
 std::string textOfCell(const json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
 
+/// A file with more columns, or more cells in all, is no export: it is read as lines.
+constexpr std::size_t mostColumns = 400;
+constexpr std::size_t mostCells = 30'000'000;
+
+/// Bytes kept of a line with a word.
+constexpr std::size_t longestLine = 4096;
+
 /// The plain fields of an object and of the objects around it.
 using Fields = std::vector<std::pair<std::string, std::string>>;
 
+/// One field too many says that there are more than `mostColumns`.
 Fields fieldsOf(const json& object, Fields around)
 {
     for (const auto& [name, value] : object.items())
         if (!value.is_object() && !(value.is_array() && !value.empty() && value.front().is_object())) {
+            if (around.size() > mostColumns) break;
             std::erase_if(around, [&, &key = name](const auto& field) { return field.first == key; });
             around.emplace_back(name, textOfCell(value));
         }
     return around;
 }
 
-void addRow(TextTable& table, const Fields& fields)
-{
-    std::vector<std::string> row(table.columns.size());
-    for (const auto& [name, value] : fields) {
-        const auto found = table.column(name);
-        if (!found) {
-            table.columns.push_back(name);
-            row.push_back(value);
-        } else {
-            row.at(*found) = value;
-        }
+/// The arrays of objects of one JSON file as tables.
+class TablesOfJson {
+public:
+    /// None where the file has too many columns or cells.
+    static std::optional<std::vector<TextTable>> of(const json& content, const std::string& name)
+    {
+        TablesOfJson reader;
+        if (!reader.collect(content, name, {})) return std::nullopt;
+        return std::move(reader.m_tables);
     }
-    table.rows.push_back(std::move(row));
-}
 
-void collectTables(const json& value, const std::string& name, const Fields& around, std::vector<TextTable>& tables)
-{
-    if (value.is_object()) {
-        const Fields fields = fieldsOf(value, around);
-        for (const auto& [key, inner] : value.items())
-            if (inner.is_structured()) collectTables(inner, name + "/" + key, fields, tables);
-    } else if (value.is_array()) {
+private:
+    bool collect(const json& value, const std::string& name, const Fields& around)
+    {
+        if (value.is_object()) {
+            const Fields fields = fieldsOf(value, around);
+            if (fields.size() > mostColumns) return false;
+            for (const auto& [key, inner] : value.items())
+                if (inner.is_structured() && !collect(inner, name + "/" + key, fields)) return false;
+            return true;
+        }
         TextTable table{name, {}, {}};
+        std::map<std::string, std::size_t> places;
         for (const auto& item : value) {
             if (!item.is_object()) continue;
-            addRow(table, fieldsOf(item, around));
-            collectTables(item, name, around, tables);
+            if (!addRow(table, places, fieldsOf(item, around)) || !collect(item, name, around)) return false;
         }
         for (auto& row : table.rows) row.resize(table.columns.size());
-        if (!table.rows.empty()) tables.push_back(std::move(table));
+        m_cells += table.rows.size() * table.columns.size();
+        if (!table.rows.empty()) m_tables.push_back(std::move(table));
+        return true;
     }
-}
+
+    bool addRow(TextTable& table, std::map<std::string, std::size_t>& places, const Fields& fields)
+    {
+        std::vector<std::string> row(table.columns.size());
+        for (const auto& [name, value] : fields) {
+            const auto [place, isNew] = places.emplace(name, table.columns.size());
+            if (isNew) {
+                table.columns.push_back(name);
+                row.emplace_back();
+            }
+            row.at(place->second) = value;
+        }
+        table.rows.push_back(std::move(row));
+        return table.columns.size() <= mostColumns && m_cells + table.rows.size() * table.columns.size() <= mostCells;
+    }
+
+    std::vector<TextTable> m_tables;
+    std::size_t m_cells = 0;  ///< of `m_tables`
+};
 
 /// One row for each word in each line.
 TextTable linesWith(const std::set<std::string>& words, const std::string& text, const std::string& name)
@@ -91,7 +122,8 @@ TextTable linesWith(const std::set<std::string>& words, const std::string& text,
             const auto isLetter = [&](std::size_t i) { return std::isalnum(static_cast<unsigned char>(line[i])) != 0; };
             std::size_t end = at;
             while (end < line.size() && isLetter(end)) ++end;
-            if (const auto word = line.substr(at, end - at); words.contains(word)) table.rows.push_back({word, line});
+            if (const auto word = line.substr(at, end - at); words.contains(word))
+                table.rows.push_back({word, line.substr(0, longestLine)});
             at = end + 1;
         }
     return table;
@@ -107,10 +139,9 @@ std::vector<TextTable> tablesOfFile(const fs::path& file, const std::string& nam
         } catch (const protocols::Error&) {
             // Read as lines below.
         }
-    if (const auto content = json::parse(text, nullptr, false); !content.is_discarded() && content.is_structured())
-        collectTables(content, name, {}, tables);
-    else if (auto lines = linesWith(words, text, name); !lines.rows.empty())
-        tables.push_back(std::move(lines));
+    if (const auto content = protocols::storedJson(text); content.is_structured())
+        if (auto found = TablesOfJson::of(content, name)) return *std::move(found);
+    if (auto lines = linesWith(words, text, name); !lines.rows.empty()) tables.push_back(std::move(lines));
     return tables;
 }
 
@@ -125,6 +156,10 @@ std::optional<std::size_t> TextTable::column(const std::string& wanted) const
 std::vector<TextTable> tablesOfDatabase(const fs::path& file)
 {
     const SqliteConnection sqlite(file, SqliteConnection::Mode::Read);
+    for (const auto& fault : database::faultsOfSchema(sqlite))
+        if (fault.find(": the view ") != std::string::npos)
+            throw protocols::workFailed({fault, file.string(), "the views that this program makes, because others may never end",
+                                         "see `vis2hap verify`, and remove the view"});
     std::vector<TextTable> tables;
     QSqlQuery names = sqlite.run(QStringLiteral("SELECT name, type, sql FROM sqlite_master WHERE type IN ('table', 'view')"));
     while (names.next()) {

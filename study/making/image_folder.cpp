@@ -29,7 +29,7 @@ fs::path imagePath(const fs::path& folder, const protocols::FabricId& fabric, co
 std::optional<ordered_json> manifestIn(const fs::path& file)
 {
     try {
-        return protocols::parseStrictOrderedJson(protocols::readWholeFile(file), file.string());
+        return protocols::parseStrictOrderedJson(protocols::readWholeFile(file, protocols::largestJson), file.string());
     } catch (const protocols::Error&) {
         return std::nullopt;
     }

@@ -9,6 +9,7 @@
 #include "protocols/condition.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/files/sha256.h"
 #include "rendering/display/stimulus_bank.h"
 #include "study/analyse/power/planned_power.h"
@@ -39,8 +40,9 @@ void requireFreePlace(const NewStudy& request)
 {
     if (!fs::exists(request.study)) return;
     if (!request.replaceSimulated)
-        throw protocols::badInput({"the folder exists", request.study.string(), "the name of a new folder",
-                                   "choose another name, or open this study with `vis2hap " + request.study.string() + "`"});
+        throw protocols::badInput(
+            {"the folder exists", request.study.string(), "the name of a new folder",
+             "choose another name, or open this study with `vis2hap " + protocols::shellWord(request.study.string()) + "`"});
     if (!mayBeReplaced(request.study))
         throw protocols::badInput({"the folder holds answers of people, or is not a study; nothing was deleted",
                                    request.study.string(), "a study with simulated participants only",
@@ -138,6 +140,12 @@ std::optional<protocols::BalanceCertificate> balanceWithEvenSlots(protocols::Pro
 }
 
 }  // namespace
+
+void requireInputs(const NewStudy& request)
+{
+    requireFreePlace(request);
+    requireMaterial(request);
+}
 
 MadeStudy makeStudy(const NewStudy& request, const StudyProgress& progress)
 {

@@ -63,6 +63,9 @@ struct StudyProgress {
     std::function<void(const std::string& name)> stage = {};
 };
 
+/// Throws badInput where makeStudy() would refuse the place, the protocol or the list of fabrics. Computes nothing.
+void requireInputs(const NewStudy& request);
+
 /// Throws badInput: the folder exists, the protocol does not fit the data set, a signal is missing, the model was trained on
 /// all samples. Throws environmentFault: faults of the disk.
 MadeStudy makeStudy(const NewStudy& request, const StudyProgress& progress = {});

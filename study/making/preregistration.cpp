@@ -5,6 +5,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/sha256.h"
+#include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
 #include "study/making/plan_json.h"
 #include "study/making/plan_text.h"
@@ -65,7 +66,7 @@ std::vector<std::string> changesBetween(const ordered_json& before, const ordere
 /// The plan in the registered JSON. Throws workFailed where somebody altered it.
 ordered_json registeredPart(const database::StudyStore& store, const PreregistrationRecord& record)
 {
-    const auto json = ordered_json::parse(record.json, nullptr, false);
+    const auto json = protocols::storedOrderedJson(record.json);
     if (json.is_object() && json.contains("plan") && json["plan"].is_object()) return json["plan"];
     throw protocols::workFailed({"registered plan " + std::to_string(record.number) + " cannot be read",
                                  store.folder().folder.string(), "a plan of schema vis2hap.preregistration/1",
@@ -105,13 +106,18 @@ void requireUtf8(const std::string& who)
 
 fs::path inOut(const PreregistrationCall& call, const fs::path& file) { return call.out / file.filename(); }
 
+/// Before the plan is recorded: a folder that cannot be made ends the call while nothing is registered.
+void makeOut(const PreregistrationCall& call)
+{
+    if (!call.out.empty()) protocols::makeFolders(call.out);
+}
+
 void writeFiles(const database::StudyStore& store, const PreregistrationCall& call,
                 const std::vector<PreregistrationRecord>& records, Preregistered& done)
 {
     for (const auto& record : records)
         for (const auto& one : filesOf(store.folder(), record)) writeMissing(one, done.written);
     if (call.out.empty()) return;
-    protocols::makeFolders(call.out);
     for (const auto& one : filesOf(store.folder(), records.back()))
         writeMissing({inOut(call, one.file), one.bytes}, done.written);
 }
@@ -131,6 +137,7 @@ Preregistered preregister(database::StudyStore& store, const PreregistrationCall
     const ordered_json before = records.empty() ? ordered_json() : registeredPart(store, records.back());
     if (!records.empty()) done.changes = changesBetween(before, planned);
     done.isNew = records.empty() || !done.changes.empty();
+    makeOut(call);
     if (done.isNew) {
         const auto record = recordOf(plan, stampFor(store, call, records, done.changes));
         for (const auto& one : filesOf(store.folder(), record)) {

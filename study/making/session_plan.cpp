@@ -8,6 +8,7 @@
 #include "protocols/files/number_text.h"
 #include "protocols/records/balance.h"
 #include "stats/power/power.h"
+#include "study/analyse/power/planned_power.h"
 
 namespace study::making {
 
@@ -18,7 +19,6 @@ using protocols::Phase;
 using protocols::Protocol;
 
 constexpr std::uint64_t shownSeed = 1;
-constexpr double largestEffect = 10;  ///< scale points, or log odds
 
 std::string counted(int n, const std::string& what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); }
 
@@ -77,17 +77,19 @@ ordered_json detected(const std::string& question, const std::string& claim, con
     return json;
 }
 
-ordered_json ratingPower(const Protocol& protocol, const protocols::Question& question)
+/// The largest difference that fits the scale is its length.
+ordered_json ratingPower(const Protocol& protocol, const protocols::Question& question, const protocols::RatingScale& scale)
 {
     const stats::StudyDesign design = designOf(protocol);
-    const stats::RatingTruth truth;
+    const stats::RatingTruth truth = analyse::ratingTruthOf(scale);
     const auto power = [&](double effect) {
         return stats::tTestPower(protocol.participants, effect / truth.sdOfDifference(design));
     };
-    return detected(question.id.value, "difference of two conditions, these fabrics",
-                    protocol.participants < 2 ? stats::Value::undefined("needs at least 2 participants")
-                                              : stats::smallestDetectable(power, largestEffect),
-                    "scale points");
+    stats::Value smallest = stats::Value::undefined("needs at least 2 participants");
+    if (protocol.participants >= 2) smallest = stats::smallestDetectable(power, truth.scaleMax - truth.scaleMin);
+    if (protocol.participants >= 2 && !smallest.exists())
+        smallest = stats::Value::undefined("no difference that fits the scale is detected that surely");
+    return detected(question.id.value, "difference of two conditions, these fabrics", smallest, "scale points");
 }
 
 ordered_json choicePower(const Protocol& protocol, const protocols::Question& question)
@@ -161,8 +163,8 @@ ordered_json detectableEffects(const Protocol& protocol)
     ordered_json rows = ordered_json::array();
     for (const Phase& phase : protocol.phases)
         for (const protocols::Question& question : phase.questions) {
-            if (std::holds_alternative<protocols::Rating>(question.kind) && protocol.conditions.size() > 1)
-                rows.push_back(ratingPower(protocol, question));
+            if (const auto* rating = std::get_if<protocols::Rating>(&question.kind); rating && protocol.conditions.size() > 1)
+                rows.push_back(ratingPower(protocol, question, rating->scale));
             if (protocols::alternativesOf(question.kind) > 1) rows.push_back(choicePower(protocol, question));
         }
     return rows;

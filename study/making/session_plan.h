@@ -11,7 +11,8 @@ namespace study::making {
 
 /// Schema vis2hap.session_plan/1. The balance is that of the design of seed 1; another seed reaches one alike. The smallest
 /// effects with 80 % power hold under the usual assumptions of `power` (RatingTruth, ChoiceTruth): ratings for the t test of
-/// the participants' means, choices for the exact test of one condition against chance.
+/// the participants' means, with variances stretched to the scale of each question; choices for the exact test of one condition
+/// against chance.
 nlohmann::ordered_json sessionPlan(const protocols::Protocol& protocol);
 
 /// Its part "detects", which needs no running order.

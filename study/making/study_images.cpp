@@ -4,6 +4,8 @@
 #include <cctype>
 #include <nlohmann/json.hpp>
 
+#include "protocols/files/errors.h"
+#include "protocols/files/strict_json.h"
 #include "protocols/random.h"
 #include "rendering/cache/cache_key.h"
 #include "rendering/composition/image_warnings.h"
@@ -11,6 +13,7 @@
 #include "rendering/composition/render_json.h"
 #include "rendering/models/kept_generation.h"
 #include "reports/json/prices_json.h"
+#include "reports/json/signals_json.h"
 #include "study/making/image_folder.h"
 #include "study/making/rendering_prices.h"
 #include "study/making/sample_choice.h"
@@ -56,6 +59,29 @@ bool isWhole(const nlohmann::ordered_json& json)
            !json["why"]["controls"].get<std::string>().starts_with("the controls could not be computed");
 }
 
+/// Throws nlohmann's exception where the field holds something else than texts.
+std::vector<std::string> warningsIn(const nlohmann::ordered_json& signalsOfImages)
+{
+    if (!signalsOfImages.contains(imageWarningsField)) return {};
+    return signalsOfImages.at(imageWarningsField).get<std::vector<std::string>>();
+}
+
+/// Whether the report can read what was kept beside images: somebody may have altered it.
+bool isReadable(const nlohmann::ordered_json& signalsOfImages)
+{
+    if (!signalsOfImages.is_object()) return false;
+    try {
+        (void)warningsIn(signalsOfImages);
+        (void)reports::pricesFromJson(signalsOfImages.value(pricesField, nlohmann::ordered_json::array()));
+        (void)reports::signalsFromJson(signalsOfImages.dump());
+        return true;
+    } catch (const nlohmann::ordered_json::exception&) {
+        return false;
+    } catch (const protocols::Error&) {
+        return false;
+    }
+}
+
 /// Generated against measured signals, beside the controls. The cache gives the comparison of the same images.
 nlohmann::ordered_json comparedSignals(const NewStudy& request, const StudyMaterial& material, const std::string& imagesKey,
                                        const database::StudyFacts& facts, const rendering::RenderedFabrics& rendering,
@@ -64,7 +90,7 @@ nlohmann::ordered_json comparedSignals(const NewStudy& request, const StudyMater
     const std::string key = request.cache ? keyOfComparison(request, material, imagesKey, facts) : "";
     if (request.cache)
         if (const auto kept = request.cache->find(key))
-            if (auto json = nlohmann::ordered_json::parse(*kept, nullptr, false); json.is_object()) return json;
+            if (auto json = protocols::storedOrderedJson(*kept); isReadable(json)) return json;
     auto json = signalQuality(rendering.signals);
     addControls(json, {material, rendering, facts.datasetSha256, request.seed}, progress.comparison);
     auto lines = describe(imageFaults(rendering), rendering);
@@ -72,11 +98,6 @@ nlohmann::ordered_json comparedSignals(const NewStudy& request, const StudyMater
     if (!lines.empty()) json[imageWarningsField] = lines;
     if (request.cache && isWhole(json)) request.cache->keep(key, json.dump());
     return json;
-}
-
-std::vector<std::string> warningsIn(const std::string& signalsJson)
-{
-    return nlohmann::json::parse(signalsJson).value(imageWarningsField, std::vector<std::string>{});
 }
 
 /// The study's renderings and, where conditions carry a quality, what each costs and gives up.
@@ -112,7 +133,7 @@ StudyImages rendered(const NewStudy& request, const StudyMaterial& material, con
     images.signalsJson = json.dump();
     for (const auto& line : strangePhotographs(rendering)) images.stamps.push_back(sentence(line));
     for (const auto& line : uncertainFriction(rendering)) images.stamps.push_back(sentence(line));
-    images.warnings = warningsIn(images.signalsJson);
+    images.warnings = warningsIn(json);
     for (const auto& line : shadingWarnings(rendering)) images.warnings.push_back(line);
     for (const auto& line : cutPhotographs(rendering)) images.warnings.push_back(line);
     if (!request.images.empty())
@@ -143,7 +164,8 @@ StudyImages renderedOrKept(const NewStudy& request, const StudyMaterial& materia
     const std::string key = imageFolderKey(facts, material.render) + (request.evenStrange ? ", even strange" : "");
     if (!request.images.empty())
         if (auto kept = readImageFolder(request.images, key, material.render))
-            return {std::move(kept->images), kept->signalsJson, true, kept->stamps, warningsIn(kept->signalsJson)};
+            if (const auto stored = protocols::storedOrderedJson(kept->signalsJson); isReadable(stored))
+                return {std::move(kept->images), kept->signalsJson, true, kept->stamps, warningsIn(stored)};
     return rendered(request, material, key, facts, progress);
 }
 

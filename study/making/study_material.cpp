@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
 #include "protocols/random.h"
@@ -23,7 +24,8 @@ void readProtocol(const NewStudy& request, StudyMaterial& material)
 {
     const std::string where = request.protocol.empty() ? "the paper's protocol" : request.protocol.string();
     auto& json = material.protocolJson;
-    json = request.protocol.empty() ? protocols::paperProtocolIn(request.language) : protocols::readWholeFile(request.protocol);
+    json =
+        request.protocol.empty() ? protocols::paperProtocolIn(request.language) : protocols::readProtocolText(request.protocol);
     material.protocol = protocols::protocolFromJson(json, where);
     if (!request.participants || *request.participants == material.protocol.participants) return;
     auto changed = nlohmann::ordered_json::parse(json);
@@ -74,7 +76,7 @@ void readModel(const NewStudy& request, StudyMaterial& material)
 void readDisplayResponse(const NewStudy& request, StudyMaterial& material)
 {
     if (request.response.empty()) return;
-    material.responseJson = protocols::readWholeFile(request.response);
+    material.responseJson = protocols::readWholeFile(request.response, protocols::largestJson);
     material.render.mapping.response = std::make_shared<rendering::DisplayResponse>(
         rendering::responseFromJson(material.responseJson, request.response.string()));
     if (!material.own.images.empty() || !request.programs.empty())
@@ -83,6 +85,13 @@ void readDisplayResponse(const NewStudy& request, StudyMaterial& material)
 }
 
 }  // namespace
+
+void requireMaterial(const NewStudy& request)
+{
+    StudyMaterial material;
+    readProtocol(request, material);
+    (void)fabricsFor(material.protocol, rendering::fabrics::readDataset(request.dataset), request.seed);
+}
 
 StudyMaterial materialFor(const NewStudy& request)
 {

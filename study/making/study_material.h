@@ -30,6 +30,9 @@ struct StudyMaterial {
     std::vector<std::string> stamps;                          ///< sentences that every report must carry
 };
 
+/// Reads the protocol and the list of fabrics only. Throws badInput as materialFor().
+void requireMaterial(const NewStudy& request);
+
 /// Throws badInput: a protocol with faults, a data set with too few fabrics or without a needed signal, only samples that
 /// the model was trained on.
 StudyMaterial materialFor(const NewStudy& request);

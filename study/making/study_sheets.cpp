@@ -2,12 +2,14 @@
 
 #include <QCoreApplication>
 #include <QStringList>
+#include <algorithm>
 #include <cstdio>
 
 #include "protocols/files/csv_table.h"
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/markup_text.h"
 #include "protocols/files/number_text.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/usual_texts.h"
 #include "study/records/stored_study.h"
 
@@ -49,8 +51,9 @@ Markup footOf(const PrintedHead& printed)
     const std::string head = shortTextOf(printed.head);
     const QString entries =
         printed.head.sequence == 1 ? SheetText::tr("1 entry") : SheetText::tr("%1 entries").arg(printed.head.sequence);
-    const QString check = "<code>vis2hap verify " + QString::fromStdString(protocols::escapedMarkup(printed.study)) +
-                          " --against " + QString::fromStdString(head) + "</code>";
+    const QString check = "<code>vis2hap verify " +
+                          QString::fromStdString(protocols::escapedMarkup(protocols::shellWord(printed.study))) + " --against " +
+                          QString::fromStdString(head) + "</code>";
     const QString sentences =
         QString::fromStdString(marked(SheetText::tr("Head of the log when this page was made: %1 (%2). Check: %3")));
     return "<p class=\"foot\">" + sentences.arg("<b>" + QString::fromStdString(head) + "</b>", entries, check).toStdString() +
@@ -138,6 +141,33 @@ Markup preparationPage(const database::StudyFacts& facts, const std::vector<Labe
                 printed);
 }
 
+/// A scale of the protocol, and the questions that are rated on it.
+struct CardScale {
+    protocols::RatingScale scale;
+    std::vector<std::string> questions;  ///< their texts
+};
+
+/// The different scales in the order of the phases.
+std::vector<CardScale> cardScalesOf(const protocols::Protocol& protocol)
+{
+    std::vector<CardScale> cards;
+    for (const protocols::Phase& phase : protocol.phases)
+        for (const protocols::Question& question : phase.questions) {
+            const auto* rating = std::get_if<protocols::Rating>(&question.kind);
+            if (rating == nullptr) continue;
+            auto card = std::ranges::find(cards, rating->scale, &CardScale::scale);
+            if (card == cards.end()) card = cards.insert(card, {rating->scale, {}});
+            card->questions.push_back(question.text);
+        }
+    return cards;
+}
+
+/// Words stand at the ends of the sections, one a step.
+int sectionsOf(const protocols::RatingScale& scale)
+{
+    return scale.labels.size() > 1 ? static_cast<int>(scale.labels.size()) - 1 : scale.sections;
+}
+
 /// The line with its equal sections. Only the ends have numbers, because the participant memorises the rest.
 Markup scaleDrawing(const protocols::RatingScale& scale, const protocols::Protocol& protocol)
 {
@@ -146,9 +176,10 @@ Markup scaleDrawing(const protocols::RatingScale& scale, const protocols::Protoc
                       protocols::escapedMarkup(participantText(protocol, "card_title")) +
                       "\">"
                       "<line x1=\"60\" y1=\"80\" x2=\"960\" y2=\"80\" stroke=\"#000\" stroke-width=\"5\"/>";
-    for (int mark = 0; mark <= scale.sections; ++mark) {
-        const std::string x = shortest(left + width * mark / scale.sections);
-        const bool isEnd = mark == 0 || mark == scale.sections;
+    const int sections = sectionsOf(scale);
+    for (int mark = 0; mark <= sections; ++mark) {
+        const std::string x = shortest(left + width * mark / sections);
+        const bool isEnd = mark == 0 || mark == sections;
         svg += "<line x1=\"" + x + "\" x2=\"" + x + "\" y1=\"" + (isEnd ? "45" : "62") + "\" y2=\"" + (isEnd ? "115" : "98") +
                "\" stroke=\"#000\" stroke-width=\"4\"/>";
     }
@@ -164,9 +195,8 @@ Markup scaleDrawing(const protocols::RatingScale& scale, const protocols::Protoc
            "</svg>\n";
 }
 
-/// For the participant, in the participant's language.
-Markup scaleCard(const database::StudyFacts& facts, const protocols::Protocol& protocol, const protocols::RatingScale& scale,
-                 const PrintedHead& printed)
+/// What stands on the card of one scale.
+Markup scaleText(const protocols::Protocol& protocol, const protocols::RatingScale& scale)
 {
     const auto sentence = [&](const char* key) { return protocols::escapedMarkup(participantText(protocol, key)); };
     const auto number = [&](protocols::Tenths value) { return spokenNumber(value.inScaleUnits(), protocol); };
@@ -179,6 +209,20 @@ Markup scaleCard(const database::StudyFacts& facts, const protocols::Protocol& p
         body += "<ol start=\"" + shortest(scale.min.inScaleUnits()) + "\">";
         for (const auto& label : scale.labels) body += "<li>" + protocols::escapedMarkup(label) + "</li>";
         body += "</ol>\n";
+    }
+    return body;
+}
+
+/// For the participant, in the participant's language: a card for each scale. Several cards name their questions.
+Markup scaleCards(const database::StudyFacts& facts, const protocols::Protocol& protocol, const std::vector<CardScale>& cards,
+                  const PrintedHead& printed)
+{
+    std::string body;
+    for (const CardScale& card : cards) {
+        body += "<div class=\"sheet\">\n";
+        if (cards.size() > 1)
+            for (const std::string& question : card.questions) body += "<h2>" + protocols::escapedMarkup(question) + "</h2>\n";
+        body += scaleText(protocol, card.scale) + "</div>\n";
     }
     return page(facts.name + ": " + participantText(protocol, "card_title"), body, printed, protocol.language);
 }
@@ -246,7 +290,8 @@ void writeSheets(const database::StudyStore& store, const std::filesystem::path&
     write("labels.html", labelsPage(facts, sets, printed));
     write("session.html", sessionPage(facts, printed));
     write("preparation.html", preparationPage(facts, sets, printed));
-    if (const auto* scale = memorisedScaleOf(protocol)) write("scale-card.html", scaleCard(facts, protocol, *scale, printed));
+    if (const auto cards = cardScalesOf(protocol); !cards.empty())
+        write("scale-card.html", scaleCards(facts, protocol, cards, printed));
     if (hasInstructions(protocol)) write("instructions.html", instructionsPage(store, protocol, facts.name, printed));
     draft.putInPlace();
 }

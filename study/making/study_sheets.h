@@ -8,10 +8,10 @@
 
 namespace study::making {
 
-/// Writes labels.html, preparation.html, session.html and, for a protocol with ratings, scale-card.html. Each page is complete in
-/// itself. Its foot names the head of the log (16 digits and the number of entries) and the command that checks it.
-/// Sheets for the operator are in the language of the window, the card of the scale in that of the participants.
-/// The pages name fabrics and pieces, but no condition, presentation or file code. Throws environmentFault.
+/// Writes labels.html, preparation.html, session.html and, for a protocol with ratings, scale-card.html with a card for each
+/// different scale. Each page is complete in itself. Its foot names the head of the log (16 digits and the number of entries) and
+/// the command that checks it. Sheets for the operator are in the language of the window, the card of the scale in that of the
+/// participants. The pages name fabrics and pieces, but no condition, presentation or file code. Throws environmentFault.
 void writeSheets(const database::StudyStore& store, const std::filesystem::path& out);
 
 }  // namespace study::making

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "database/keys.h"
+#include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
 #include "study/leaks/leak_text.h"
@@ -326,6 +327,20 @@ private Q_SLOTS:
         QCOMPARE(report.findings.size(), std::size_t{1});
         QVERIFY(report.findings.front().starts_with("the secret was drawn from the number 2 "));
         QVERIFY(!report.learnsNothing());
+    }
+
+    /// A file with thousands of different fields, and a view that never ends, must not stop the check.
+    void filesAndViewsThatTakeForEverAreNotRead()
+    {
+        const PaperStudy study(1, secretSeeds[0]);
+        std::string rows;
+        for (int i = 0; i < 8000; ++i) rows += (i == 0 ? "" : ",") + ("{\"f" + std::to_string(i)) + "\":1}";
+        protocols::writeWholeFile(study.folder.folder / "wide.json", "[" + rows + "]");
+        protocols::writeWholeFile(study.folder.folder / "deep.json", std::string(200000, '[') + std::string(200000, ']'));
+        QVERIFY(tablesOfFolder(study.folder.folder, {}, {"study.db", "stimuli"}).size() < 10);
+        RawSqlite(study.folder.database())
+            .run("CREATE VIEW endless AS WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT i FROM n");
+        QVERIFY_THROWS_EXCEPTION(protocols::Error, tablesOfDatabase(study.folder.database()));
     }
 
     void nothingIsCountedWithoutTheKey()

@@ -1,14 +1,23 @@
-// A guesser who collects everything visible in a choice phase, over all participants and presentations, finds the true slot only
-// by chance.
+// A guesser who collects everything visible on the trays, over all participants and presentations, finds true slots, sameness and
+// anchors only by chance.
 #include <QTest>
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <utility>
 
 #include "protocols/protocol_json.h"
+#include "protocols/records/anchor_trials.h"
+#include "study/leaks/leak_report.h"
+#include "study/leaks/tray_counts.h"
 #include "study/leaks/tray_guessers.h"
+#include "study/leaks/value_guessers.h"
 
 using namespace protocols;
+using study::leaks::Guess;
+using study::leaks::SeenStudy;
+using study::leaks::Truth;
 
 namespace {
 
@@ -79,6 +88,108 @@ TrayAim trayAim()
 
 quint64 designs() { return qEnvironmentVariableIsSet("VIS2HAP_ALL_SEEDS") ? 40 : 6; }
 
+Protocol fromJson(const std::string& phase, int participants, int fabrics, const std::string& conditions)
+{
+    return protocolFromJson(R"({"schema": "vis2hap.protocol/1", "name": "Trays", "participants": )" +
+                                std::to_string(participants) + R"(, "fabrics": )" + std::to_string(fabrics) +
+                                R"(, "conditions": [)" + conditions + R"(], "break_after": 10, "phases": [)" + phase + "]}",
+                            "test");
+}
+
+/// The size of the shipped example.
+Protocol sameDifferent() { return fromJson(R"({"questions": ["Q1"], "same_different": true})", 12, 6, R"("v_grey", "f", "h")"); }
+
+Protocol repeatedChoices()
+{
+    return fromJson(R"({"questions": ["Q1"], "alternatives": 3, "anchors": {"repeated": 5}})", 8, 9, R"("v_grey", "f", "h")");
+}
+
+/// Ratings with as many additional presentations as fabrics.
+Protocol anchoredRatings()
+{
+    return fromJson(R"({"questions": ["Q2"], "scale": {"min": 0, "max": 10}, "catch_trials": 1,
+                        "anchors": {"mismatched": 2, "repeated": 4}})",
+                    8, 7, R"("v_grey", "f", "h")");
+}
+
+/// How often something that should be true in `chance` of the cases was true.
+struct Cases {
+    double chance = 0.5;
+    double hits = 0;
+    int cases = 0;
+    void add(bool hit)
+    {
+        hits += hit;
+        ++cases;
+    }
+    bool isAtChance(const char* what) const
+    {
+        const double errors = (hits - chance * cases) / std::sqrt(chance * (1 - chance) * std::max(1, cases));
+        qInfo("%s: %.1f %% of %d, chance %.1f %%: %+.1f standard errors", what, 100 * hits / std::max(1, cases), cases,
+              100 * chance, errors);
+        return std::abs(errors) < 4;
+    }
+};
+
+/// Designs as an operator sees them, and what is true.
+std::pair<SeenStudy, Truth> seenAndTrue(const std::vector<Design>& all, const Protocol& protocol)
+{
+    SeenStudy seen;
+    Truth truth;
+    seen.protocol = protocol;
+    for (int fabric = 0; fabric < protocol.fabricCount; ++fabric) seen.fabrics.push_back("F" + std::to_string(fabric));
+    int slot = 0;
+    for (const Design& design : all)
+        for (const auto& list : design.participants) {
+            ++slot;
+            for (std::size_t at = 0; at < list.size(); ++at) {
+                study::leaks::SeenTrial trial{slot, static_cast<int>(at) + 1, list[at].phase, "", "", {}};
+                for (const int fabric : list[at].alternatives) trial.tray.push_back("F" + std::to_string(fabric));
+                seen.trials.push_back(trial);
+                truth.trials.push_back({"F" + std::to_string(list[at].fabric), "K" + std::to_string(list[at].label),
+                                        list[at].anchor == AnchorKind::None ? std::string() : nameOf(list[at].anchor)});
+            }
+        }
+    return {seen, truth};
+}
+
+/// The guessers by counts of trays that are above chance, after Holm's correction.
+std::vector<std::string> foundByCounts(const std::vector<Design>& all, const Protocol& protocol)
+{
+    const auto [seen, truth] = seenAndTrue(all, protocol);
+    auto guesses = study::leaks::guessesOfAnchors(seen, truth);
+    for (auto& guess : study::leaks::guessesByValues(seen, study::leaks::trayCounts(seen), truth)) guesses.push_back(guess);
+    std::vector<Guess*> pointers;
+    for (Guess& guess : guesses) pointers.push_back(&guess);
+    study::leaks::correctForNumber(pointers);
+    std::vector<std::string> found;
+    for (const Guess& guess : guesses)
+        if (guess.pAdjusted < study::leaks::alpha) {
+            qInfo("%s: %s by %s: %lld of %lld, chance %.1f %%", guess.attack.c_str(), guess.target.c_str(), guess.what.c_str(),
+                  guess.hits, guess.trials, 100 * guess.chance);
+            found.push_back(guess.target + " by " + guess.what);
+        }
+    return found;
+}
+
+bool names(const std::vector<std::string>& found, const std::string& guesser)
+{
+    return std::ranges::find(found, guesser) != found.end();
+}
+
+std::vector<Design> designsOf(const Protocol& protocol, quint64 count)
+{
+    std::vector<Design> all;
+    for (quint64 seed = 1; seed <= count; ++seed) all.push_back(drawDesign(protocol, seed));
+    return all;
+}
+
+std::vector<int> sorted(std::vector<int> tray)
+{
+    std::ranges::sort(tray);
+    return tray;
+}
+
 }  // namespace
 
 class TrayLeakTest : public QObject {
@@ -138,6 +249,116 @@ private Q_SLOTS:
                     *std::ranges::find_if(tray, [&](int fabric) { return fabric != trials[at + 1].fabric; }) = trials[at].fabric;
             }
         QVERIFY(!isAtChance(repeatedIn(design).earlierTrue, 3));
+    }
+
+    /// Formerly a piece on one tray of a participant was always the same fabric, and tray neighbours told more.
+    void howOftenAndWhereAPieceLiesDoesNotTellWhetherItIsTheSame()
+    {
+        const Protocol protocol = sameDifferent();
+        Cases first, between, last, surrounded;
+        for (const Design& design : designsOf(protocol, 3 * designs()))
+            for (const auto& list : design.participants) {
+                std::map<int, int> trays, lain;
+                for (const DesignTrial& trial : list) ++trays[trial.alternatives.front()];
+                QCOMPARE(trays.size(), 6u);
+                for (std::size_t at = 0; at < list.size(); ++at) {
+                    const int piece = list[at].alternatives.front();
+                    const bool isSame = piece == list[at].fabric;
+                    QCOMPARE(trays[piece], 3);
+                    QVERIFY(at == 0 || list[at - 1].alternatives != list[at].alternatives);
+                    const int place = ++lain[piece];
+                    (place == 1 ? first : place == 3 ? last : between).add(isSame);
+                    if (at > 0 && at + 1 < list.size() && list[at - 1].alternatives == list[at + 1].alternatives)
+                        surrounded.add(isSame);
+                }
+            }
+        QVERIFY(first.isAtChance("the first of its trays") && between.isAtChance("the second") && last.isAtChance("the last"));
+        QVERIFY(surrounded.isAtChance("between two trays with another piece"));
+        QCOMPARE(foundByCounts(designsOf(protocol, 6), protocol), std::vector<std::string>());
+    }
+
+    void otherPiecesDrawnFreelyAreSeenThrough()
+    {
+        auto all = designsOf(sameDifferent(), 6);
+        Random random(1);
+        for (Design& design : all)
+            for (auto& list : design.participants)
+                for (DesignTrial& trial : list)
+                    if (trial.alternatives.front() != trial.fabric)
+                        trial.alternatives = {(trial.fabric + 1 + static_cast<int>(random.below(5))) % 6};
+        QVERIFY(names(foundByCounts(all, sameDifferent()), "same or different by trays: trays with its rarest piece"));
+    }
+
+    /// Formerly a repetition kept its foils. With 9 fabrics "the same pieces lay there a block earlier" named it.
+    void noSetOfPiecesNamesARepetition()
+    {
+        const Protocol protocol = repeatedChoices();
+        const auto all = designsOf(protocol, 2 * designs());
+        Cases again{5.0 / 21}, rare{5.0 / 21};  // 32 presentations, and the first 11 cannot be repetitions
+        for (const Design& design : all)
+            for (const auto& list : design.participants) {
+                std::map<int, int> trays;
+                for (const DesignTrial& trial : list)
+                    for (const int piece : trial.alternatives) ++trays[piece];
+                for (std::size_t at = 11; at < list.size(); ++at) {
+                    const bool isAnchor = list[at].anchor == AnchorKind::Repeated;
+                    const auto lay = std::ranges::any_of(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(at) - 10,
+                                                         [&](const DesignTrial& earlier) {
+                                                             return sorted(earlier.alternatives) == sorted(list[at].alternatives);
+                                                         });
+                    if (lay) again.add(isAnchor);
+                    const auto isRare = [&](int piece) { return trays[piece] == 10; };
+                    if (std::ranges::any_of(list[at].alternatives, isRare)) rare.add(isAnchor);
+                    for (const int piece : list[at].alternatives) QVERIFY(trays[piece] == 10 || trays[piece] == 11);
+                }
+            }
+        QVERIFY(again.isAtChance("the same pieces lay there a block earlier"));
+        QVERIFY(rare.isAtChance("holds a piece that lies there once less"));
+        QCOMPARE(foundByCounts(all, protocol), std::vector<std::string>());
+    }
+
+    void repetitionsWithTheirOldFoilsAreSeenThrough()
+    {
+        auto all = designsOf(repeatedChoices(), 2);
+        for (Design& design : all)
+            for (auto& list : design.participants)
+                for (auto& trial : list) {
+                    if (trial.anchor != AnchorKind::Repeated) continue;
+                    trial.alternatives = std::ranges::find_if(list, [&](const DesignTrial& original) {
+                                             return original.label == trial.label && original.fabric == trial.fabric;
+                                         })->alternatives;
+                }
+        QVERIFY(names(foundByCounts(all, repeatedChoices()), "anchor by trays: earlier trays with the same pieces"));
+    }
+
+    void additionalPresentationsLieEvenlyOnTheTraysOfRatings()
+    {
+        const Protocol protocol = anchoredRatings();
+        const auto all = designsOf(protocol, 3);
+        for (const Design& design : all)
+            for (const auto& list : design.participants) {
+                std::map<int, int> trays;
+                for (const DesignTrial& trial : list) ++trays[trial.alternatives.front()];
+                for (int fabric = 0; fabric < 7; ++fabric) QCOMPARE(trays[fabric], 4);
+            }
+        QCOMPARE(foundByCounts(all, protocol), std::vector<std::string>());
+    }
+
+    /// Five anchors cannot lie evenly among nine fabrics: which pieces come once more has to change from person to person.
+    void aSurplusChangesFromParticipantToParticipant()
+    {
+        const Protocol protocol = fromJson(R"({"questions": ["Q2"], "scale": {"min": 0, "max": 10}, "anchors": {"repeated": 5}})",
+                                           9, 9, R"("v_grey", "f", "h")");
+        std::map<int, int> oftener;
+        for (const auto& list : drawDesign(protocol, 3).participants) {
+            std::map<int, int> trays;
+            for (const DesignTrial& trial : list) ++trays[trial.alternatives.front()];
+            for (const auto& [piece, count] : trays) {
+                QVERIFY(count == 3 || count == 4);
+                oftener[piece] += count == 4;
+            }
+        }
+        for (int fabric = 0; fabric < 9; ++fabric) QCOMPARE(oftener[fabric], 5);
     }
 };
 

@@ -1,14 +1,17 @@
 // A new study is completely on the disk before it gets its name.
 #include "study/making/new_study.h"
 
+#include <QString>
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
 #include <cerrno>
+#include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
+#include "study/making/study_sheets.h"
 #include "study/participant/sound/wav_sound.h"
 #include "study/records/folder_audit.h"
 #include "tests/support/observed_disk.h"
@@ -85,6 +88,25 @@ private Q_SLOTS:
         QVERIFY(std::find(named, steps.end(), DiskStep{DiskCall::Sync, at("studies")}) != steps.end());
     }
 
+    void aDamagedManifestOfImagesCountsAsAbsent()
+    {
+        const auto isReused = [&] {
+            auto request = requested();
+            request.images = at("images");
+            return makeStudy(request).imagesReused;
+        };
+        QVERIFY(!isReused() && isReused());
+        const fs::path manifest = at("images") / "images.json";
+        const std::string sound = protocols::readWholeFile(manifest);
+        for (const char* signals :
+             {R"({"image_warnings":5})", R"({"image_warnings":[7]})", R"({"prices":[5]})", R"({"t_tests":5})", "7"}) {
+            auto json = nlohmann::ordered_json::parse(sound);
+            json["signals"] = nlohmann::ordered_json::parse(signals);
+            protocols::writeWholeFile(manifest, json.dump());
+            QVERIFY2(!isReused() && isReused(), signals);
+        }
+    }
+
     void failingDiskLeavesNoStudy()
     {
         std::vector<std::size_t> syncs;
@@ -139,6 +161,29 @@ private Q_SLOTS:
         protocols::writeWholeFile(folder.prompt("wait"), wait);
         protocols::writeWholeFile(folder.prompts() / "more.wav", wait);
         QVERIFY2(faults().front().starts_with("prompts/more.wav: does not belong"), faults().front().c_str());
+    }
+
+    /// A participant memorises the card. A mark stands for each word, and no scale of the study is missing.
+    void eachScaleHasItsCard()
+    {
+        protocols::writeWholeFile(at("scales.json"),
+                                  R"({"schema":"vis2hap.protocol/1","name":"scales","participants":1,"fabrics":3,
+          "conditions":["f"],"question_texts":{"W1":"How rough?","W2":"How soft?"},"phases":[
+            {"questions":["Q2","Q3"],"scale":{"min":0,"max":10,"step":0.1,"sections":9}},
+            {"questions":["W1"],"scale":{"min":-3,"max":3,"step":1,"sections":9,"labels":["a","b","c","d","e","f","g"]}},
+            {"questions":["W2"],"scale":{"min":1,"max":4,"step":1,"labels":["gar nicht","kaum","etwas","sehr"]}}]})");
+        auto request = requested();
+        request.protocol = at("scales.json");
+        makeStudy(request);
+        study::making::writeSheets({{request.study}, database::StudyStore::Access::Read}, at("sheets"));
+        const auto cards =
+            QString::fromStdString(protocols::readWholeFile(at("sheets") / "scale-card.html")).split("<div class=\"sheet\">");
+        QCOMPARE(cards.size(), 4);
+        const auto marks = [](const QString& card) { return card.count("stroke-width=\"4\""); };
+        QCOMPARE(marks(cards[1]), 10);
+        QCOMPARE(marks(cards[2]), 7);
+        QCOMPARE(marks(cards[3]), 4);
+        QVERIFY(cards[2].contains("How rough?") && cards[3].contains("gar nicht") && cards[3].contains("How soft?"));
     }
 
     void studyOfSimulatedParticipantsIsReplacedAsAWhole()

@@ -34,8 +34,10 @@ std::optional<stats::RatingReliability> ratingsTwice(const StudyData& data, cons
     return stats::ratingReliability(participants, scale.max, {.low = low, .high = high});
 }
 
-std::optional<stats::ChoiceReliability> choicesTwice(const StudyData& data, const std::string& question, int alternatives)
+std::optional<stats::ChoiceReliability> choicesTwice(const StudyData& data, const QuestionInfo& info, int answersToAgree)
 {
+    const std::string& question = info.id;
+    const bool byOutcome = agreesByOutcome(data, info);
     std::vector<stats::RepeatedChoices> participants;
     for (const auto& [participant, pairs] : answersTwice(data, question)) {
         auto& own = participants.emplace_back();
@@ -43,13 +45,13 @@ std::optional<stats::ChoiceReliability> choicesTwice(const StudyData& data, cons
             const auto* before = std::get_if<ChosenAnswer>(&first->content);
             const auto* after = std::get_if<ChosenAnswer>(&second->content);
             // Right and wrong alone do not say whether two wrong choices are the same.
-            if (before == nullptr || after == nullptr || !before->answer || !after->answer) continue;
+            if (before == nullptr || after == nullptr || (!byOutcome && (!before->answer || !after->answer))) continue;
             ++own.pairs;
-            own.agreeing += *before->answer == *after->answer;
+            own.agreeing += byOutcome ? before->correct == after->correct : *before->answer == *after->answer;
         }
     }
     if (participants.empty()) return std::nullopt;
-    return stats::choiceReliability(participants, alternatives);
+    return stats::choiceReliability(participants, answersToAgree);
 }
 
 std::optional<AnchorFloor> floorOf(const StudyData& data, const AnswerCells& cells, const std::string& question)
@@ -113,22 +115,31 @@ std::map<std::string, std::vector<AnswersTwice>> answersTwice(const StudyData& d
     return pairs;
 }
 
+bool agreesByOutcome(const StudyData& data, const QuestionInfo& question)
+{
+    const Scoring scoring = scoringOf(question.kind);
+    const auto* choice = std::get_if<RightOrWrong>(&scoring);
+    return data.choicesRepeatedAnew && choice != nullptr && !choice->isSameDifferent;
+}
+
 std::vector<QuestionAnchors> anchorsOf(const StudyData& data, const AnswerCells& cells)
 {
     std::vector<QuestionAnchors> all;
     if (data.mismatchedResponses.empty() && data.repeatedResponses.empty()) return all;
     for (const QuestionInfo& question : data.questions) {
-        QuestionAnchors anchors{question.id, {}, {}, {}};
-        std::visit(
-            protocols::Overloaded{
-                [&](const RightOrWrong& choice) { anchors.choices = choicesTwice(data, question.id, choice.alternatives); },
-                [&](const NumberOnScale& scale) {
-                    anchors.floor = floorOf(data, cells, question.id);
-                    anchors.ratings = ratingsTwice(data, question.id, scale);
-                },
-                [](const OpenWords&) {},
-            },
-            scoringOf(question.kind));
+        QuestionAnchors anchors{question.id, {}, {}, {}, agreesByOutcome(data, question), 0};
+        std::visit(protocols::Overloaded{
+                       [&](const RightOrWrong& choice) {
+                           anchors.answersToAgree = anchors.choicesByOutcome ? 2 : choice.alternatives;
+                           anchors.choices = choicesTwice(data, question, anchors.answersToAgree);
+                       },
+                       [&](const NumberOnScale& scale) {
+                           anchors.floor = floorOf(data, cells, question.id);
+                           anchors.ratings = ratingsTwice(data, question.id, scale);
+                       },
+                       [](const OpenWords&) {},
+                   },
+                   scoringOf(question.kind));
         if (anchors.floor || anchors.ratings || anchors.choices) all.push_back(std::move(anchors));
     }
     return all;

@@ -35,6 +35,8 @@ struct QuestionAnchors {
     std::optional<AnchorFloor> floor;                 ///< of a rating with mismatched presentations
     std::optional<stats::RatingReliability> ratings;  ///< of a rating with repeated presentations
     std::optional<stats::ChoiceReliability> choices;  ///< of a choice with repeated presentations
+    bool choicesByOutcome = false;                    ///< agreesByOutcome()
+    int answersToAgree = 0;                           ///< of `choices`: 2 (right, wrong) or the alternatives
 };
 
 /// The first and the second answer to one presentation, in the order of time. A presentation that was voided comes again later,
@@ -43,6 +45,10 @@ using AnswersTwice = std::pair<const StudyResponse*, const StudyResponse*>;
 
 /// The pairs of each participant. Where one of the two presentations has no answer that counts there is no pair.
 std::map<std::string, std::vector<AnswersTwice>> answersTwice(const StudyData& data, const std::string& question);
+
+/// Whether two answers to this question agree where both are right or both are wrong: its choices came again beside other foils,
+/// so that the fabrics that were chosen cannot be compared. Elsewhere the same answer agrees.
+bool agreesByOutcome(const StudyData& data, const QuestionInfo& question);
 
 /// One entry for each question with answers to anchors, in the order of the study.
 std::vector<QuestionAnchors> anchorsOf(const StudyData& data, const AnswerCells& cells);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -11,6 +12,7 @@
 #include "protocols/files/foreign/foreign_table.h"
 #include "protocols/files/number_text.h"
 #include "protocols/protocol.h"
+#include "reports/data/answer_numbers.h"
 #include "reports/text/plain_words.h"
 
 namespace reports {
@@ -65,6 +67,46 @@ bool namesAnchors(const CsvTable& table)
            });
 }
 
+/// The pieces in a list as an export writes it, sorted: ["F02","F01"]. Ids hold no commas.
+std::vector<std::string> piecesIn(std::string_view list)
+{
+    std::vector<std::string> pieces;
+    if (!list.starts_with('[') || !list.ends_with(']')) return pieces;
+    list = list.substr(1, list.size() - 2);
+    while (!list.empty()) {
+        const std::size_t end = std::min(list.find(','), list.size());
+        std::string_view piece = list.substr(0, end);
+        while (piece.starts_with(' ')) piece.remove_prefix(1);
+        pieces.emplace_back(piece);
+        list.remove_prefix(std::min(end + 1, list.size()));
+    }
+    std::ranges::sort(pieces);
+    return pieces;
+}
+
+/// Whether `alternatives` of an export (a list as JSON) hold other pieces where a choice comes a second time.
+bool repeatsChoicesAnew(const CsvTable& table)
+{
+    const auto pieces = table.column("alternatives"), anchor = table.column(anchorColumn);
+    if (!pieces || !anchor) return false;
+    std::map<std::vector<std::string>, std::vector<std::string>> first;
+    for (const bool isSecond : {false, true})
+        for (const auto& row : table.rows) {
+            const auto kind = protocols::anchorKindNamed(row[*anchor]);
+            if (isSecond ? kind != protocols::AnchorKind::Repeated : kind.has_value()) continue;
+            const auto own = piecesIn(row[*pieces]);
+            if (own.size() < 2) continue;
+            std::vector<std::string> presentation;
+            for (const char* column : {"participant", "question", "fabric", "condition", "instruction"})
+                if (const auto at = table.column(column)) presentation.push_back(row[*at]);
+            if (!isSecond)
+                first[presentation] = own;
+            else if (const auto found = first.find(presentation); found != first.end() && found->second != own)
+                return true;
+        }
+    return false;
+}
+
 class LongTable {
 public:
     LongTable(const CsvTable& table, int alternatives)
@@ -79,6 +121,8 @@ public:
 
     void writeInto(AnswerRows& rows)
     {
+        for (const auto& numbers : {m_table.column("rating"), m_seconds})
+            if (numbers) requireOneDecimalMark(m_table, *numbers);
         findQuestions(rows);
         writeHeader(rows.table);
         for (std::size_t row = 0; row < m_table.rows.size(); ++row) addAnswer(rows, row);
@@ -218,6 +262,14 @@ void nameTheOnlyQuestion(CsvTable& table)
 
 }  // namespace
 
+std::string wordsForScores()
+{
+    std::string words;
+    for (std::size_t i = 0; i < wordsForRight.size(); ++i)
+        words.append(i == 0 ? "" : ", ").append(wordsForRight[i]).append("/").append(wordsForWrong[i]);
+    return words;
+}
+
 AnswerRows readAnswerRows(const std::filesystem::path& file, const AnswerRowsOptions& options, int alternatives)
 {
     protocols::ForeignTable foreign = protocols::readForeignTable(file, options.encoding);
@@ -228,6 +280,7 @@ AnswerRows readAnswerRows(const std::filesystem::path& file, const AnswerRowsOpt
     rows.isOwnExport = isExport(foreign.table);
     nameTheOnlyQuestion(foreign.table);
     rows.hasAnchors = namesAnchors(foreign.table);
+    rows.choicesRepeatedAnew = rows.isOwnExport && rows.hasAnchors && repeatsChoicesAnew(foreign.table);
     if (!foreign.table.column("question")) {
         rows.table = std::move(foreign.table);
         return rows;

@@ -25,6 +25,7 @@ struct AnswerRows {
     std::string taken;                                   ///< what the file was taken for; empty for a usual one
     bool isOwnExport = false;                            ///< answers.csv of this program
     bool hasAnchors = false;                             ///< the column "anchor" names anchors, and nothing else
+    bool choicesRepeatedAnew = false;                    ///< of an export: choices came again beside other foils
 };
 
 /// Reads a wide or a long table. A long one has a column `question` and one row an answer, with `correct` (right or wrong),
@@ -35,5 +36,8 @@ struct AnswerRows {
 /// `question`: it is called Q1. TRUE and FALSE, also in German and French, are read as 1 and 0 in columns of right and wrong
 /// answers. Throws badInput as readForeignTable() does, for an unknown column of `names`, and for a doubled answer.
 AnswerRows readAnswerRows(const std::filesystem::path& file, const AnswerRowsOptions& options, int alternatives);
+
+/// The words that columns of right and wrong answers may hold instead of 1 and 0: "true/false, wahr/falsch, ...".
+std::string wordsForScores();
 
 }  // namespace reports

@@ -11,7 +11,9 @@
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/number_text.h"
+#include "protocols/files/utf8.h"
 #include "protocols/question_ids.h"
+#include "reports/data/answer_numbers.h"
 #include "reports/text/plain_words.h"
 
 namespace reports {
@@ -72,6 +74,7 @@ public:
         m_data.expectedResponses = m_data.answersPerCell * m_data.participants.size() * m_data.fabrics.size() *
                                    m_data.conditions.size() * m_data.questions.size();
         m_data.voided = m_rows.voided;
+        m_data.choicesRepeatedAnew = m_rows.choicesRepeatedAnew;
         putInOrder();
         requireKnownContrasts();
         writeNotes();
@@ -79,9 +82,10 @@ public:
     }
 
 private:
-    [[noreturn]] void fail(const std::string& what, const std::string& place, const std::string& expected) const
+    [[noreturn]] void fail(const std::string& what, const std::string& place, const std::string& expected,
+                           const std::string& nextStep = {}) const
     {
-        throw protocols::badInput({what, place, expected, ""});
+        throw protocols::badInput({what, place, expected, nextStep});
     }
 
     std::string headerRow() const { return m_where + ", header row"; }
@@ -140,6 +144,8 @@ private:
         std::vector<std::string> unused = m_unused;
         unused.insert(unused.end(), m_rows.unused.begin(), m_rows.unused.end());
         if (!unused.empty()) m_options.note(m_where + ": not analysed: " + listed(unused));
+        if (m_hasOtherScale)
+            m_options.note(m_where + ": some ratings are outside 0 to 10; name their scale by --scale LOW,HIGH or by --protocol");
         if (m_rows.voided > 0) m_options.note(m_where + ": " + counted(m_rows.voided, "voided answer") + " left out");
     }
 
@@ -205,13 +211,16 @@ private:
         for (const char* needed : {"participant", "fabric", "condition"})
             if (!m_table.column(needed))
                 fail("the column \"" + std::string(needed) + "\" is missing", headerRow(),
-                     "participant,fabric,condition and the questions, such as Q1_correct,Q2,Q3,Q4");
+                     "participant,fabric,condition and the questions, such as Q1_correct,Q2,Q3,Q4",
+                     "where the column has another name, give it by --map " + std::string(needed) + "=COLUMN");
         for (std::size_t i = 0; i < m_table.columns.size(); ++i) readColumn(m_table.columns[i], i);
         for (const QuestionColumns& known : m_questions)
             if (!known.value)
                 fail("the question " + known.info.id + " has no answers", headerRow(),
                      "a column " + known.info.id + "_correct or " + known.info.id);
-        if (m_questions.empty()) fail("there is no question", headerRow(), "columns such as Q1_correct,Q2,Q3,Q4");
+        if (m_questions.empty())
+            fail("there is no question", headerRow(), "columns such as Q1_correct,Q2,Q3,Q4",
+                 "where a question has another name, give it by --map Q1_correct=COLUMN or --map Q2=COLUMN");
         std::stable_sort(m_questions.begin(), m_questions.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
     }
 
@@ -401,7 +410,7 @@ private:
                 StudyResponse response{participant, fabric, condition, columns.info.id, *content};
                 response.repetition = repetition;
                 std::optional<double> taken;
-                if (columns.time) taken = protocols::numberOrMissing(m_table, row, *columns.time);
+                if (columns.time) taken = answerNumberOrMissing(m_table, row, *columns.time);
                 response.seconds = taken;
                 response.trial = countIn(row, columns.trial ? columns.trial : m_trial);
                 const auto sitting = columns.sitting ? columns.sitting : m_sitting;
@@ -426,7 +435,7 @@ private:
     /// A whole number from 1; none where there is no such column or the cell is missing.
     std::optional<int> countIn(std::size_t row, const std::optional<std::size_t>& column) const
     {
-        const auto number = column ? protocols::numberOrMissing(m_table, row, *column) : std::nullopt;
+        const auto number = column ? answerNumberOrMissing(m_table, row, *column) : std::nullopt;
         if (!number) return std::nullopt;
         constexpr double largest = 1e9;
         if (!(*number >= 1 && *number <= largest) || *number != std::floor(*number))
@@ -436,7 +445,7 @@ private:
     }
 
     /// None where the cell is missing.
-    std::optional<AnswerContent> contentIn(std::size_t row, const QuestionColumns& columns) const
+    std::optional<AnswerContent> contentIn(std::size_t row, const QuestionColumns& columns)
     {
         if (protocols::isMissing(cell(row, *columns.value))) return std::nullopt;
         const std::string place = nameOf(row) + ", column " + m_table.columns[*columns.value];
@@ -450,20 +459,37 @@ private:
 
     ChosenAnswer choiceIn(std::size_t row, const QuestionColumns& columns, const std::string& place) const
     {
-        const double number = protocols::numberAt(m_table, row, *columns.value);
-        if (number != 0 && number != 1) fail("\"" + cell(row, *columns.value) + "\" is neither right nor wrong", place, "0 or 1");
-        ChosenAnswer choice{number == 1, {}, {}};
+        const std::string& score = cell(row, *columns.value);
+        const auto number = protocols::numberIn(score);
+        if (number != 0.0 && number != 1.0)
+            fail("\"" + protocols::inShort(score, 60) + "\" is neither right nor wrong", place,
+                 "0 or 1; or one of the words " + wordsForScores(),
+                 "replace the words; where another column holds the right answers, name it by --map " +
+                     m_table.columns[*columns.value] + "=COLUMN");
+        ChosenAnswer choice{number == 1.0, {}, {}};
         if (columns.answer && !protocols::isMissing(cell(row, *columns.answer))) choice.answer = cell(row, *columns.answer);
         return choice;
     }
 
-    RatedAnswer ratingIn(std::size_t row, const QuestionColumns& columns, const NumberOnScale& scale,
-                         const std::string& place) const
+    /// Whether the table comes from an export of this program, which was checked against its protocol. A public one has no times
+    /// of day.
+    bool isExport() const
     {
-        const double number = protocols::numberAt(m_table, row, *columns.value);
-        if ((m_options.protocol || m_options.scale) && (number < scale.min || number > scale.max))
+        const auto has = [this](const char* column) { return std::ranges::find(m_rows.unused, column) != m_rows.unused.end(); };
+        return m_rows.isOwnExport || (has("stored_at") && has("touched_by") && has("corrections"));
+    }
+
+    RatedAnswer ratingIn(std::size_t row, const QuestionColumns& columns, const NumberOnScale& scale, const std::string& place)
+    {
+        const double number = answerNumberAt(m_table, row, *columns.value);
+        if (number >= scale.min && number <= scale.max) return {number};
+        const bool isScaleNamed = m_options.protocol || m_options.scale;
+        if (isScaleNamed || !isExport())
             fail("the rating " + cell(row, *columns.value) + " is outside the scale", place,
-                 protocols::shortest(scale.min) + " to " + protocols::shortest(scale.max));
+                 protocols::shortest(scale.min) + " to " + protocols::shortest(scale.max) +
+                     (isScaleNamed ? "" : ", because no scale is named"),
+                 isScaleNamed ? "" : "correct the cell, or name the scale by --scale LOW,HIGH or by --protocol");
+        m_hasOtherScale = true;
         return {number};
     }
 
@@ -472,6 +498,7 @@ private:
     AnswerRows m_rows;
     const protocols::CsvTable& m_table = m_rows.table;
     StudyData m_data;
+    bool m_hasOtherScale = false;       ///< ratings of an export are outside the scale that nobody named
     std::vector<std::string> m_unused;  ///< columns that are not analysed
     std::vector<QuestionColumns> m_questions;
     std::optional<std::size_t> m_trial, m_sitting, m_instruction, m_anchor;

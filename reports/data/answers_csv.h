@@ -25,7 +25,7 @@ struct AnswersCsvOptions {
     AnswerRowsOptions rows = {};                  ///< encoding, and names of columns
     std::optional<std::pair<double, double>> equivalenceBounds = {};  ///< instead of the protocol's
     std::vector<std::pair<std::string, std::string>> planned = {};    ///< contrasts instead of the protocol's
-    std::optional<protocols::RatingScale> scale = {};                 ///< of ratings that the protocol does not describe
+    std::optional<protocols::RatingScale> scale = {};            ///< of ratings that the protocol does not describe (0 to 10)
     std::function<void(const std::string& sentence)> note = {};  ///< gets what was found in the file and what is not analysed
 };
 
@@ -36,7 +36,8 @@ struct AnswersCsvOptions {
 /// conditions keep the order of their first appearance; "h_g+f_g" reads as "h_g&f_g". Empty, NA and NaN cells are missing.
 /// Columns with other names are not analysed; options.note names them.
 /// Throws badInput naming row and column: a missing or malformed column, a column Q1_x with an unknown x, a doubled row, a value
-/// that is no number or lies outside the protocol's scale, a participant in two groups.
+/// that is no number, a participant in two groups, a rating outside the scale. Where neither the protocol nor options.scale names
+/// a scale, it is 0 to 10; for an export of this program options.note then names ratings outside it instead.
 StudyData readAnswersCsv(const std::filesystem::path& file, const AnswersCsvOptions& options = {});
 
 }  // namespace reports

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
 #include "reports/json/anchors_json.h"
 #include "reports/json/chain_json.h"
@@ -28,7 +29,7 @@ Json studyPart(const StudyData& data, const ReportOrigin& origin)
     study["blinded"] = data.blinded;
     study["simulated"] = data.simulated;
     if (!origin.logHead.empty()) study["log_head"] = origin.logHead;
-    if (Json made = Json::parse(origin.madeWith, nullptr, false); made.is_object()) study["made_with"] = std::move(made);
+    if (Json made = protocols::storedOrderedJson(origin.madeWith); made.is_object()) study["made_with"] = std::move(made);
     putReasonsLast(study);
     return study;
 }

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/strict_json.h"
 #include "reports/json/json_fields.h"
 
 namespace reports {
@@ -187,7 +188,7 @@ std::optional<SignalComparison> signalsFromJson(const std::string& text)
 {
     if (text.empty() || text == "{}") return std::nullopt;
     try {
-        const Json json = Json::parse(text);
+        const Json json = protocols::storedOrderedJson(text);
         SignalComparison signals{valueOf(json, "friction_mae"),
                                  valueOf(json, "friction_mae_over_mean"),
                                  valueOf(json, "height_ssim"),

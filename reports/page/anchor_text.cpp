@@ -64,10 +64,12 @@ std::string reliabilitySentences(const std::string& question, const stats::Ratin
     return text;
 }
 
-std::string choiceSentences(const std::string& question, const stats::ChoiceReliability& found, int alternatives)
+std::string choiceSentences(const std::string& question, const stats::ChoiceReliability& found, bool byOutcome, int alternatives)
 {
-    std::string text = question + " test&ndash;retest: " + std::to_string(found.agreeing) + " of " +
-                       counted(found.pairs, "choice") + " that came twice were the same";
+    std::string text =
+        question + " test&ndash;retest: " + std::to_string(found.agreeing) + " of " + counted(found.pairs, "choice") +
+        (byOutcome ? " that came twice, the second time beside other foils, were right both times or wrong both times"
+                   : " that came twice were the same");
     if (!found.kappa.value.exists()) return text + ".";
     return text + "; corrected for chance (1/" + std::to_string(alternatives) + "), kappa is " +
            valueWithInterval(found.kappa.value, found.kappa.ci95, 2) +
@@ -96,7 +98,7 @@ std::string choiceAnchorsText(const StudyAnalysis& analysis)
     for (const auto& question : questionsWith<ChoiceAnalysis>(analysis))
         if (const QuestionAnchors* anchors = anchorsOf(analysis.anchors, question.id()); anchors != nullptr && anchors->choices)
             items.push_back(choiceSentences("<b>" + protocols::escapedMarkup(question.id()) + "</b>", *anchors->choices,
-                                            question.findings.alternatives));
+                                            anchors->choicesByOutcome, anchors->answersToAgree));
     return listedAnchors(items);
 }
 
@@ -114,7 +116,9 @@ std::string anchorsMethod(const StudyAnalysis& analysis)
            "the "
            "ICC (Spearman 1904). The highest mean rating is the end of the scale minus SD/&radic;(2&pi;): noise around the end "
            "can "
-           "only lower a rating. For choices, kappa is the agreement corrected for chance 1/m (Brennan and Prediger 1981). Its "
+           "only lower a rating. For choices, kappa is the agreement corrected for chance 1/m (Brennan and Prediger 1981); where "
+           "the foils were "
+           "others the second time, right and wrong are compared, and m is 2. Its "
            "interval is Wilson&rsquo;s, with a design effect where participants differ. The highest share of right answers is (1 "
            "+ "
            "(m &minus; 1)&radic;kappa)/m: among all probabilities of the alternatives that give this agreement, it is the "

@@ -227,15 +227,13 @@ void addAnchorNumbers(std::string& text, const StudyAnalysis& analysis, const Qu
             .put("sd", anchors.floor->sd)
             .ends("ci95", anchors.floor->ci95);
     if (anchors.choices)
-        for (const QuestionInfo& question : analysis.data.questions)
-            if (const auto scoring = scoringOf(question.kind); question.id == anchors.question)
-                NumberRows(text, "anchor_choices", anchors.question, "", "")
-                    .within(std::get<RightOrWrong>(scoring).alternatives, "")
-                    .count("pairs", anchors.choices->pairs)
-                    .put("agreement", anchors.choices->agreement.value)
-                    .ends("agreement_ci95", anchors.choices->agreement.ci95)
-                    .put("kappa", anchors.choices->kappa.value)
-                    .put("ceiling_of_proportion", anchors.choices->shareCeiling.value);
+        NumberRows(text, "anchor_choices", anchors.question, "", "")
+            .within(anchors.answersToAgree, "")
+            .count("pairs", anchors.choices->pairs)
+            .put("agreement", anchors.choices->agreement.value)
+            .ends("agreement_ci95", anchors.choices->agreement.ci95)
+            .put("kappa", anchors.choices->kappa.value)
+            .put("ceiling_of_proportion", anchors.choices->shareCeiling.value);
     if (!anchors.ratings) return;
     for (const QuestionInfo& question : analysis.data.questions)
         if (const auto scoring = scoringOf(question.kind); question.id == anchors.question)

@@ -115,6 +115,22 @@ private Q_SLOTS:
         QVERIFY(ceilingOf(anchors[0]) == &anchors[0].choices->shareCeiling);
     }
 
+    /// A choice that comes again has other foils, so that a wrong answer cannot be the same one.
+    void besideOtherFoilsRightAndWrongAreCompared()
+    {
+        StudyData data = builders::emptyStudy(1, 4, {"h"}, {{"Q1", "", builders::amongThree}});
+        data.choicesRepeatedAnew = true;
+        data.responses = {chosen("P01", "F01", "F02"), chosen("P01", "F02", "F02"), chosen("P01", "F03", "F03"),
+                          chosen("P01", "F04", "F04")};
+        data.repeatedResponses = {chosen("P01", "F01", "F04"), chosen("P01", "F02", "F01"), chosen("P01", "F03", "F03"),
+                                  chosen("P01", "F04", "F04")};
+        const auto anchors = anchorsOf(data, AnswerCells(data));
+        QCOMPARE(anchors.at(0).choices->pairs, 4u);
+        QCOMPARE(anchors.at(0).choices->agreeing, 3u);  // wrong both times agrees, whatever was chosen
+        QCOMPARE(anchors.at(0).answersToAgree, 2);
+        QCOMPARE(*anchors.at(0).choices->kappa.value, 0.5);  // (2 * 3/4 - 1) / (2 - 1)
+    }
+
     void theFloorStandsBesideTheLowestCondition()
     {
         StudyData data = builders::emptyStudy(2, 1, {"a", "b"}, {{"Q2", "", builders::onScale}});

@@ -75,6 +75,23 @@ private Q_SLOTS:
         QTest::newRow("no number") << head + "P1,F1,a,1,5\nP2,F1,a,1,five\n" << QStringList{"line 3", "Q2", "five"};
         QTest::newRow("comma as decimal point") << head + "P1,F1,a,1,\"5,4\"\n" << QStringList{"line 2", "5,4"};
         QTest::newRow("number with a tail") << head + "P1,F1,a,1,5.4x\n" << QStringList{"line 2", "5.4x"};
+        const QString german = "participant;fabric;condition;Q2;Q2_seconds\nP1;F1;a;5,5;3,2\nP2;F1;a;6,5;4,1\n";
+        QTest::newRow("a word among decimal commas") << german + "P3;F1;a;6,2;k.A.\n"
+                                                     << QStringList{"line 4", "Q2_seconds: \"k.A.\" is not", "3,2", "NA"};
+        QTest::newRow("a point among decimal commas")
+            << german + "P3;F1;a;6.2;4,0\n"
+            << QStringList{"line 4", "column Q2:", "\"6.2\" is not a number with a decimal comma"};
+        QTest::newRow("a comma among points") << QString(german).replace(',', '.') + "P3;F1;a;6,2;4.0\n"
+                                              << QStringList{"line 4", "column Q2:", "\"6,2\" is not a number"};
+        QTest::newRow("a word among decimal commas of a long table")
+            << "participant;fabric;condition;question;rating\nP1;F1;a;Q2;5,5\nP1;F1;a;Q3;6,5\nP2;F1;a;Q3;k.A.\n"
+            << QStringList{"line 4", "rating: \"k.A.\" is not"};
+        QTest::newRow("a lost comma") << head + "P1,F1,a,1,6.2\nP2,F1,a,1,62\n"
+                                      << QStringList{"line 3", "column Q2", "62", "0 to 10", "--scale LOW,HIGH"};
+        QTest::newRow("below the scale") << head + "P1,F1,a,1,-1\n" << QStringList{"line 2", "-1", "--scale LOW,HIGH"};
+        QTest::newRow("yes in German") << head + "P1,F1,a,ja,5\n" << QStringList{"line 2", "\"ja\"", "wahr/falsch", "yes/no"};
+        QTest::newRow("German headers") << "Teilnehmer;Stoff;Bedingung;Q2\nP1;F1;a;5\n"
+                                        << QStringList{"participant", "--map participant=COLUMN"};
         QTest::newRow("infinite") << head + "P1,F1,a,1,inf\n" << QStringList{"line 2", "inf"};
         QTest::newRow("trial 0") << "participant,fabric,condition,trial,Q2\nP1,F1,a,0,5\n"
                                  << QStringList{"line 2", "column trial", "a whole number from 1"};
@@ -129,6 +146,30 @@ private Q_SLOTS:
         QCOMPARE(data.questions[1].text, std::string("How?"));
         QVERIFY_EXCEPTION_THROWN(reports::readAnswersCsv(written(folder, header + "P1,F1,a,1,10.5\n"), {protocol, "", 3}),
                                  protocols::Error);
+    }
+
+    /// Answers on another scale need its name. An export was checked against its protocol, so it needs none.
+    void otherScalesAreNamed()
+    {
+        QTemporaryDir folder;
+        QStringList notes;
+        reports::AnswersCsvOptions options;
+        options.note = [&](const std::string& sentence) { notes << QString::fromStdString(sentence); };
+        options.scale.emplace().max = protocols::Tenths{1000};
+        const auto lost = written(folder, header + "P1,F1,a,1,62\nP1,F1,b,0,6\n");
+        QCOMPARE(std::get<reports::RatedAnswer>(reports::readAnswersCsv(lost, options).responses[1].content).rating, 62.0);
+        options.scale.reset();
+        QVERIFY_EXCEPTION_THROWN(reports::readAnswersCsv(lost, options), protocols::Error);
+        for (const std::string times : {"answer_begun_at,wall_time,", ""}) {
+            notes.clear();
+            const std::string cells = times.empty() ? "" : ",,";
+            const auto data = reports::readAnswersCsv(
+                written(folder, "participant,fabric,condition,alternatives,touched_by,stored_at,corrections," + times +
+                                    "question,rating\nP1,F1,f,[],,1,0," + cells + "Q2,62\nP1,F1,h,[],,1,0," + cells + "Q2,6\n"),
+                options);
+            QCOMPARE(data.responses.size(), std::size_t{2});
+            QVERIFY2(notes.join('\n').contains("outside 0 to 10; name their scale by --scale"), qPrintable(notes.join('\n')));
+        }
     }
 
     void extraColumnsAreNamedAndNotAnalysed()

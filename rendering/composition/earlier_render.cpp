@@ -4,12 +4,21 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "protocols/files/errors.h"
+#include "protocols/files/strict_json.h"
+
 namespace rendering {
 
 namespace {
 
 using nlohmann::ordered_json;
 using Names = std::set<std::string>;
+
+JoinedRender replaced(const std::string& json, const std::string& where)
+{
+    return {json,
+            {where + ": cannot be read and is replaced; the ranges of the images in that folder are unknown: render them again"}};
+}
 
 /// Strings of an array; throws nlohmann's exceptions for anything else.
 Names namesIn(const ordered_json& condition, const char* field)
@@ -90,7 +99,7 @@ void joinCondition(const std::string& id, ordered_json& now, const ordered_json&
 JoinedRender joinedOrThrow(const std::string& json, std::string_view earlier, const std::string& where)
 {
     ordered_json now = ordered_json::parse(json);
-    const ordered_json before = ordered_json::parse(earlier);
+    const ordered_json before = protocols::parseStrictOrderedJson(earlier, where);
     JoinedRender result;
     const std::string data = before.at("dataset").get<std::string>();
     const std::string otherData =
@@ -117,9 +126,9 @@ JoinedRender joined(const std::string& json, std::string_view earlier, const std
     try {
         return joinedOrThrow(json, earlier, where);
     } catch (const nlohmann::json::exception&) {
-        return {
-            json,
-            {where + ": cannot be read and is replaced; the ranges of the images in that folder are unknown: render them again"}};
+        return replaced(json, where);
+    } catch (const protocols::Error&) {
+        return replaced(json, where);
     }
 }
 

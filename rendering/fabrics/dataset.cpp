@@ -5,6 +5,7 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
+#include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/fabrics/dataset_hash.h"
 #include "rendering/fabrics/dataset_json.h"
@@ -95,7 +96,7 @@ Dataset readDataset(const fs::path& folder)
     if (!fs::is_regular_file(file, problem))
         throw protocols::badInput({"is not a data set (dataset.json is missing)", folder.string(), "a data set folder",
                                    "make one with `vis2hap fabrics make` or `vis2hap import`"});
-    Dataset dataset = datasetFromJson(protocols::readWholeFile(file), file.string());
+    Dataset dataset = datasetFromJson(protocols::readWholeFile(file, protocols::largestJson), file.string());
     dataset.folder = folder;
     return dataset;
 }

@@ -30,13 +30,13 @@ public:
     {
     }
 
-    std::vector<std::string> run()
+    DatasetFindings run()
     {
         try {
-            m_dataset =
-                datasetFromJson(protocols::readWholeFile(m_folder / "dataset.json"), (m_folder / "dataset.json").string());
+            m_dataset = datasetFromJson(protocols::readWholeFile(m_folder / "dataset.json", protocols::largestJson),
+                                        (m_folder / "dataset.json").string());
         } catch (const protocols::Error& error) {
-            return {error.what()};  // The list of fabrics is missing, so no other file can be checked.
+            return {{error.what()}, {}};  // The list of fabrics is missing, so no other file can be checked.
         }
         m_dataset.folder = m_folder;
         if (m_dataset.fabrics.empty()) fault("dataset.json", "lists no fabrics");
@@ -48,7 +48,7 @@ public:
         checkSizes();
         checkSensor();
         checkPlaces();
-        return m_faults;
+        return {m_faults, m_notes};
     }
 
 private:
@@ -188,13 +188,24 @@ private:
         if (!cv::checkRange(*surface)) fault(file, "holds heights that are not finite");
     }
 
-    /// Reports samples that differ from the most frequent size of their signal.
+    static std::map<std::pair<int, int>, int> countsOf(const std::vector<std::pair<fs::path, cv::Size>>& sizes)
+    {
+        std::map<std::pair<int, int>, int> counts;
+        for (const auto& [file, size] : sizes) ++counts[{size.width, size.height}];
+        return counts;
+    }
+
+    /// Reports tactile frames that differ from their most frequent size. Photographs of different sizes are usual, because each
+    /// one is cut and scaled by itself.
     void checkSizes()
     {
         for (const auto& [signal, sizes] : m_sizes) {
-            std::map<std::pair<int, int>, int> counts;
-            for (const auto& [file, size] : sizes) ++counts[{size.width, size.height}];
+            const auto counts = countsOf(sizes);
             if (counts.size() < 2) continue;
+            if (signal == "visual") {
+                noteSizes(counts);
+                continue;
+            }
             const auto commonest =
                 std::max_element(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
             const cv::Size usual(commonest->first.first, commonest->first.second);
@@ -203,6 +214,14 @@ private:
                     fault(file.lexically_relative(m_folder),
                           "is " + sizeText(size) + ", but most " + signal + " samples are " + sizeText(usual));
         }
+    }
+
+    void noteSizes(const std::map<std::pair<int, int>, int>& counts)
+    {
+        std::string list;
+        for (const auto& [size, count] : counts)
+            list += (list.empty() ? "" : ", ") + sizeText({size.first, size.second}) + " (" + std::to_string(count) + ")";
+        m_notes.push_back(m_folder.string() + ": the photographs have different sizes: " + list);
     }
 
     void checkSensor()
@@ -222,7 +241,8 @@ private:
         if (!calibrated || m_dataset.tactileCalibration == "known") return;
         const fs::path file = m_folder / m_dataset.tactileCalibration;
         readable([&] {
-            const nlohmann::json calibration = protocols::parseStrictJson(protocols::readWholeFile(file), file.string());
+            const nlohmann::json calibration =
+                protocols::parseStrictJson(protocols::readWholeFile(file, protocols::largestJson), file.string());
             if (!calibration.is_object() || calibration.value("schema", nlohmann::json()) != "vis2hap.calibration/1")
                 fault(m_dataset.tactileCalibration, "is not a calibration (schema vis2hap.calibration/1)");
         });
@@ -256,20 +276,25 @@ private:
     const std::function<void(int, int)>& m_progress;
     int m_samples = 0, m_done = 0;
     Dataset m_dataset;
-    std::vector<std::string> m_faults;
+    std::vector<std::string> m_faults, m_notes;
     std::map<std::string, std::vector<std::pair<fs::path, cv::Size>>> m_sizes;
     std::set<SampleKey> m_present;
 };
 
 }  // namespace
 
-std::vector<std::string> faultsOfDataset(const fs::path& folder, const std::function<void(int, int)>& progress)
+DatasetFindings findingsOfDataset(const fs::path& folder, const std::function<void(int, int)>& progress)
 {
     std::error_code problem;
     if (!fs::is_regular_file(folder / "dataset.json", problem))
         throw protocols::badInput({"is not a data set (dataset.json is missing)", folder.string(), "a data set folder",
                                    "make one with `vis2hap fabrics make` or `vis2hap import`"});
     return DatasetCheck(folder, progress).run();
+}
+
+std::vector<std::string> faultsOfDataset(const fs::path& folder, const std::function<void(int, int)>& progress)
+{
+    return findingsOfDataset(folder, progress).faults;
 }
 
 }  // namespace rendering::fabrics

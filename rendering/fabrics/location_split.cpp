@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <numbers>
 #include <numeric>
 
+#include "protocols/files/whole_file.h"
 #include "protocols/random.h"
 
 namespace rendering::fabrics {
@@ -25,11 +25,12 @@ struct PixelSize {
 /// Reads the size from the first 24 bytes; decoding thousands of pictures for their size would take minutes.
 std::optional<PixelSize> pngSize(const std::filesystem::path& file)
 {
-    std::array<unsigned char, 24> head{};
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream.read(reinterpret_cast<char*>(head.data()), head.size()) || head[1] != 'P' || head[2] != 'N') return {};
+    constexpr std::size_t bytesToTheSize = 24;
+    const std::string head = protocols::beginningOf(file, bytesToTheSize);
+    if (head.size() < bytesToTheSize || head[1] != 'P' || head[2] != 'N') return {};
+    const auto byte = [&](std::size_t at) { return static_cast<double>(static_cast<unsigned char>(head[at])); };
     const auto number = [&](std::size_t at) {
-        return ((head[at] * 256.0 + head[at + 1]) * 256 + head[at + 2]) * 256 + head[at + 3];
+        return ((byte(at) * 256 + byte(at + 1)) * 256 + byte(at + 2)) * 256 + byte(at + 3);
     };
     return PixelSize{number(16), number(20)};
 }

@@ -93,6 +93,23 @@ protocols::Error notATiff(const std::filesystem::path& file, const std::string& 
                                 "one channel of 32-bit float, 16-bit or 8-bit samples in strips", "export it again"});
 }
 
+/// Numbers of a palette, negatives and pictures that lie on their side would be read as other pixels.
+void requirePlainColours(TIFF* tiff, const std::filesystem::path& file)
+{
+    std::uint16_t samples = 1, kind = 0, orientation = ORIENTATION_TOPLEFT;
+    TIFFGetFieldDefaulted(tiff, TIFFTAG_SAMPLESPERPIXEL, &samples);
+    const bool statesKind = TIFFGetField(tiff, TIFFTAG_PHOTOMETRIC, &kind) == 1;
+    TIFFGetFieldDefaulted(tiff, TIFFTAG_ORIENTATION, &orientation);
+    std::string why;
+    if (statesKind && kind != (samples == 1 ? PHOTOMETRIC_MINISBLACK : PHOTOMETRIC_RGB))
+        why = "its colours are neither grey nor RGB";
+    else if (orientation != ORIENTATION_TOPLEFT)
+        why = "its orientation mark turns or mirrors it";
+    if (!why.empty())
+        throw protocols::badInput({"is a TIFF that this program does not read (" + why + ")", file.string(),
+                                   "an upright TIFF, grey or RGB", "export it again, or convert it to PNG"});
+}
+
 int typeOf(TIFF* tiff, const std::filesystem::path& file, bool mayHaveColours)
 {
     std::uint16_t bits = 1, samples = 1, format = SAMPLEFORMAT_UINT, planes = PLANARCONFIG_CONTIG;
@@ -118,6 +135,7 @@ cv::Mat readPixels(const std::filesystem::path& file, bool mayHaveColours)
     TIFFGetField(tiff.get(), TIFFTAG_IMAGEWIDTH, &width);
     TIFFGetField(tiff.get(), TIFFTAG_IMAGELENGTH, &height);
     const int type = typeOf(tiff.get(), file, mayHaveColours);
+    if (mayHaveColours) requirePlainColours(tiff.get(), file);
     const std::uint64_t pixels = std::uint64_t(width) * height;
     if (pixels == 0 || pixels > mostTiffPixels)
         throw notATiff(file, std::to_string(width) + " x " + std::to_string(height) + " pixels");

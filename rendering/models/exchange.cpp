@@ -156,7 +156,7 @@ GenerationRequest readRequest(const fs::path& folder)
     const auto refused = [&](const std::string& what) {
         return protocols::badInput({what, file.string(), requestSchema, "build both executables again"});
     };
-    const nlohmann::json json = protocols::parseStrictJson(protocols::readWholeFile(file), file.string());
+    const nlohmann::json json = protocols::parseStrictJson(protocols::readWholeFile(file, protocols::largestJson), file.string());
     GenerationRequest request;
     try {
         if (json.at("schema").get<std::string>() != requestSchema) throw refused("has another schema");
@@ -229,7 +229,8 @@ std::vector<GeneratedSignals> readAnswers(const fs::path& folder)
     const fs::path file = folder / "answer.json";
     std::vector<GeneratedSignals> answers;
     try {
-        const nlohmann::json json = protocols::parseStrictJson(protocols::readWholeFile(file), file.string());
+        const nlohmann::json json =
+            protocols::parseStrictJson(protocols::readWholeFile(file, protocols::largestJson), file.string());
         if (json.at("schema") != answerSchema) throw std::invalid_argument("has another schema");
         for (const nlohmann::json& item : json.at("signals")) answers.push_back(answerIn(folder, item));
     } catch (const std::exception& fault) {

@@ -6,6 +6,7 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
+#include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
 
 namespace rendering::models {
@@ -20,7 +21,7 @@ constexpr const char* architectureKind = "unet+summary/3";
 /// The same for seeing_networks.cpp.
 constexpr const char* seeingKind = "seeing/1";
 /// Cards of the shipped weights have less than 1 MB.
-constexpr std::uint64_t largestCard = std::uint64_t{256} << 20, largestWeights = std::uint64_t{1} << 30;
+constexpr std::uint64_t largestCard = protocols::largestJson, largestWeights = std::uint64_t{1} << 30;
 /// Parameters of the one layer whose size grows with the spectrogram; the shipped weights have 73,728.
 constexpr double mostSeedParameters = 1 << 27;
 
@@ -170,7 +171,7 @@ ModelCardFields readModelCardFields(const std::filesystem::path& model)
     const std::string text = protocols::readRegularFile(file, largestCard);
     ModelCardFields card;
     try {
-        const ordered_json json = ordered_json::parse(text);
+        const ordered_json json = protocols::parseStrictOrderedJson(text, file.string());
         if (json.at("schema").get<std::string>() != schema)
             throw notUsable(file, "its schema is " + json.at("schema").get<std::string>());
         card.summary.name = json.at("name").get<std::string>();

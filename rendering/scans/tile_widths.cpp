@@ -35,7 +35,7 @@ double checked(double mm, const std::string& where)
 std::optional<double> widthInJson(const fs::path& file)
 {
     if (!fs::is_regular_file(file)) return {};
-    const protocols::JsonDocument document(protocols::readWholeFile(file), file.string());
+    const protocols::JsonDocument document(protocols::readWholeFile(file, protocols::largestJson), file.string());
     const nlohmann::json& root = document.root();
     if (!root.is_object() || !root.contains("tile_mm") || !root.at("tile_mm").is_number())
         throw document.faultAt("", "states no tile_mm", "{\"tile_mm\": 268.1}", "add the width of the tile in mm");

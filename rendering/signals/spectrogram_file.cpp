@@ -63,7 +63,8 @@ struct SpectrogramHeader {
 SpectrogramHeader headerIn(const fs::path& file)
 {
     try {
-        const nlohmann::json json = protocols::parseStrictJson(protocols::readWholeFile(file), file.string());
+        const nlohmann::json json =
+            protocols::parseStrictJson(protocols::readWholeFile(file, protocols::largestJson), file.string());
         if (json.at("schema") != schema)
             throw notASpectrogram(file, "is not a spectrogram", std::string("\"schema\": \"") + schema + "\"");
         const auto whole = [&](const char* name) {

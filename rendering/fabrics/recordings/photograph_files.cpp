@@ -6,13 +6,23 @@
 #include "protocols/files/errors.h"
 #include "rendering/fabrics/recordings/import_stage.h"
 #include "rendering/images/image_png.h"
+#include "rendering/images/image_tiff.h"
 
 namespace rendering::fabrics {
 
 namespace {
 
-constexpr std::string_view imageEndings[] = {".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp"};
+constexpr std::string_view imageEndings[] = {".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff"};
 constexpr int smallestSidePx = 16;
+
+cv::Mat readPhotographTiff(const std::filesystem::path& file)
+{
+    cv::Mat image = readColourTiff(file);
+    if (image.depth() != CV_8U && image.depth() != CV_16U)
+        throw protocols::badInput({"holds numbers with a fraction, which have no white", file.string(), "a TIFF of 8 or 16 bits",
+                                   "export the photograph with 8 or 16 bits"});
+    return image;
+}
 
 }  // namespace
 
@@ -21,13 +31,16 @@ std::span<const std::string_view> photographEndings() { return imageEndings; }
 cv::Mat readPhotographFile(const std::filesystem::path& file, const DecodeOther& decodeOther)
 {
     cv::Mat image;
-    if (lowerCase(file.extension().string()) == ".png")
+    const std::string ending = lowerCase(file.extension().string());
+    if (ending == ".png")
         image = readPng(file);
+    else if (ending == ".tif" || ending == ".tiff")
+        image = readPhotographTiff(file);
     else if (decodeOther)
         image = decodeOther(file);
     else
         throw protocols::badInput(
-            {"is not a PNG, and this program has no decoder for it", file.string(), "a PNG image", "convert it to PNG"});
+            {"is neither PNG nor TIFF, and there is no decoder for it", file.string(), "a PNG image", "convert it to PNG"});
     if (image.empty() || std::min(image.rows, image.cols) < smallestSidePx)
         throw protocols::badInput({"is " + std::to_string(image.cols) + " x " + std::to_string(image.rows) + " pixels",
                                    file.string(), "at least 16 x 16 pixels", "export it at a larger size"});

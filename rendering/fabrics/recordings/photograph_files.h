@@ -16,10 +16,11 @@ namespace rendering::fabrics {
 /// Decodes the formats that image_io does not read (import.h).
 using DecodeOther = std::function<cv::Mat(const std::filesystem::path&)>;
 
-/// Endings of image files, lower case, with the dot.
+/// Endings of the image files that are photographs, lower case, with the dot. What Qt reads only with a plugin is not among them.
 std::span<const std::string_view> photographEndings();
 
-/// CV_8UC3, RGB, at least 16 x 16 pixels. Throws badInput naming the file.
+/// CV_8UC3, RGB, at least 16 x 16 pixels. Reads PNG and TIFF itself, other formats by `decodeOther`. Throws badInput naming the
+/// file.
 cv::Mat readPhotographFile(const std::filesystem::path& file, const DecodeOther& decodeOther);
 
 struct NewPhotographSet {

@@ -197,7 +197,7 @@ Calibration calibrationFromJson(std::string_view text, const std::string& where)
 
 Calibration readCalibration(const std::filesystem::path& file)
 {
-    return calibrationFromJson(protocols::readWholeFile(file), file.string());
+    return calibrationFromJson(protocols::readWholeFile(file, protocols::largestJson), file.string());
 }
 
 std::string toJson(const Calibration& calibration)

@@ -55,6 +55,19 @@ private Q_SLOTS:
         QCOMPARE(conditionOf(result.json, "h")["range"].toObject()["max"].toDouble(), 1.0);
     }
 
+    void whatIsNestedDeeplyIsReplaced()
+    {
+        const std::string now = rendered("h", "F01", "F01", 1);
+        std::string earlier = rendered("v_grey", "F01", "F01", 9);
+        const std::string field = "\"extension\":{}";
+        earlier.replace(earlier.find(field), field.size(),
+                        "\"extension\":" + std::string(200'000, '[') + std::string(200'000, ']'));
+        const auto result = joined(now, earlier, "render.json");
+        QCOMPARE(result.json, now);
+        QCOMPARE(result.warnings.size(), std::size_t(1));
+        QVERIFY(result.warnings[0].find("cannot be read and is replaced") != std::string::npos);
+    }
+
     void anAddedFabricIsWarnedAbout()
     {
         const auto result =

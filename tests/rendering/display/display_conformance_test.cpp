@@ -1,6 +1,7 @@
 // The check that the owner of a display runs: the reference driver meets every requirement, and each deliberately broken
 // driver is recognised by name.
 #include <QCoreApplication>
+#include <QDir>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QTemporaryDir>
@@ -40,12 +41,20 @@ DisplayCheck checked(const std::string& specification, const DisplayCheckOptions
     return checkDisplay(driverAddressFrom(specification).value(), options);
 }
 
+/// The next line of a program; empty where none comes in time.
+QByteArray lineOf(QProcess& program)
+{
+    while (!program.canReadLine())
+        if (!program.waitForReadyRead(5000)) return {};
+    return program.readLine();
+}
+
 /// The reference driver behind a port that the system chooses.
 class Listening {
 public:
-    explicit Listening(const QStringList& arguments)
+    explicit Listening(const QStringList& arguments, const QString& place = "0")
     {
-        m_process.start(QString::fromStdString(reference()), arguments + QStringList{"--listen", "0"});
+        m_process.start(QString::fromStdString(reference()), arguments + QStringList{"--listen", place});
         while (m_process.state() != QProcess::NotRunning && !m_process.canReadLine()) m_process.waitForReadyRead(1000);
         const auto told = QRegularExpression("port (\\d+)").match(QString::fromUtf8(m_process.readLine()));
         specification = "tcp:127.0.0.1:" + told.captured(1).toStdString();
@@ -99,6 +108,77 @@ private Q_SLOTS:
         const Listening driver({m_folder.filePath("tcp")});
         const auto check = checked(driver.specification, {});
         QVERIFY2(check.faults() == 0, qPrintable(faultsOf(check)));
+    }
+
+    void referenceDriverWithAPortAloneServesItsOwnComputerOnly()
+    {
+        const auto at = [](const Listening& driver, const std::string& host) {
+            return "tcp:" + host + driver.specification.substr(driver.specification.rfind(':'));
+        };
+        const Listening alone({m_folder.filePath("alone")});
+        QVERIFY(checked(at(alone, "127.0.0.2"), impatient()).demands.front().fault.find("cannot be reached") !=
+                std::string::npos);
+        const Listening everywhere({m_folder.filePath("everywhere")}, "0.0.0.0:0");
+        QCOMPARE(checked(at(everywhere, "127.0.0.2"), {}).faults(), 0);
+    }
+
+    void hostileRequestsGetAReply_data()
+    {
+        QTest::addColumn<QByteArray>("request");
+        QTest::newRow("width is a word") << QByteArray(R"({"type":"show","id":2,"width":"x","height":1,"bytes":1})"
+                                                       "\nZ");
+        QTest::newRow("size is negative") << QByteArray(R"({"type":"show","id":2,"width":-1,"height":-1,"bytes":1})"
+                                                        "\nZ");
+        QTest::newRow("no JSON") << QByteArray("show me\n");
+        QTest::newRow("no object") << QByteArray("[1,2]\n");
+        QTest::newRow("not UTF-8") << QByteArray("{\"type\":\"\xff\",\"id\":2}\n");
+        QTest::newRow("nested deeply") << R"({"type":"clear","id":)" + QByteArray(30000, '[') + QByteArray(30000, ']') + "}\n";
+    }
+    void hostileRequestsGetAReply()
+    {
+        QFETCH(QByteArray, request);
+        QProcess driver;
+        driver.start(QString::fromStdString(reference()), {m_folder.filePath("hostile")});
+        driver.write(request + R"({"type":"status","id":3})" + "\n");
+        const QByteArray reply = lineOf(driver), after = lineOf(driver);
+        QVERIFY2(reply.contains(R"("type":"failed")"), reply.constData());
+        QVERIFY2(after.contains(R"("type":"status","id":3)"), after.constData());
+        driver.closeWriteChannel();
+        QVERIFY(driver.waitForFinished());
+        QCOMPARE(driver.exitStatus(), QProcess::NormalExit);
+    }
+
+    void aLineWithoutAnEndEndsTheConnection()
+    {
+        QProcess driver;
+        driver.start(QString::fromStdString(reference()), {m_folder.filePath("endless")});
+        driver.write(QByteArray(70000, 'x'));
+        const QByteArray reply = lineOf(driver);
+        QVERIFY2(reply.contains("longer than 65536 bytes"), reply.constData());
+        QVERIFY(driver.waitForFinished());  // although the input is still open
+        QCOMPARE(driver.exitStatus(), QProcess::NormalExit);
+    }
+
+    void aDeviceThatTakesNoImageIsNotShown()
+    {
+        const QString folder = m_folder.filePath("gone");
+        QProcess driver;
+        driver.start(QString::fromStdString(reference()), {folder});
+        driver.write(R"({"type":"hello","id":1})"
+                     "\n");
+        QVERIFY(lineOf(driver).contains("hello"));
+        const auto isRefused = [&] {
+            driver.write(R"({"type":"show","id":2,"width":1,"height":1,"bytes":1})"
+                         "\nZ");
+            return lineOf(driver).contains(R"("type":"failed","id":2)");
+        };
+        QVERIFY(QFile::link("/dev/full", folder + "/next.pgm.part"));  // the disk is full
+        QVERIFY(isRefused());
+        QVERIFY(QDir(folder).removeRecursively());
+        QVERIFY(isRefused());
+        driver.closeWriteChannel();
+        QVERIFY(driver.waitForFinished());
+        QCOMPARE(driver.exitStatus(), QProcess::NormalExit);
     }
 
     void brokenDriversAreRecognised_data()

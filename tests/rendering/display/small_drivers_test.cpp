@@ -28,6 +28,14 @@ QString faultsIn(const DisplayCheck& check)
     return faults.join("\n");
 }
 
+/// Short times, because nobody answers.
+DisplayCheckOptions impatient()
+{
+    DisplayCheckOptions options;
+    options.patience = {.reply = 300ms, .start = 600ms, .tries = 1};
+    return options;
+}
+
 cv::Mat ramp()
 {
     cv::Mat image(displayHeightPx, displayWidthPx, CV_8U);
@@ -109,9 +117,39 @@ private Q_SLOTS:
             const auto check = checkDisplay(driverAddressFrom(specification).value());
             QVERIFY2(check.faults() == 0, qPrintable(faultsIn(check)));
         }
+        // With a port alone nobody outside this computer can connect.
+        const auto elsewhere = checkDisplay({{}, "127.0.0.2", told.captured(1).toStdString()}, impatient());
+        QVERIFY(elsewhere.demands.front().fault.find("cannot be reached") != std::string::npos);
         QVERIFY(process.state() == QProcess::Running);
         process.kill();
         process.waitForFinished();
+    }
+
+    void hostileRequestsGetAReply_data() { languages(); }
+    void hostileRequestsGetAReply()
+    {
+        QFETCH(QString, language);
+        QStringList driver = words(language);
+        if (driver.isEmpty()) QSKIP(qPrintable("no compiler or interpreter for " + language));
+        QProcess process;
+        const QString program = driver.takeFirst();
+        process.start(program, driver << felt());
+        process.write(R"({"type":"show","id":2,"width":"x","height":1,"bytes":1})"
+                      "\nZ");
+        process.write("show me\n");
+        process.write(R"({"type":"clear","id":)" + QByteArray(30000, '[') + "\n");
+        process.write(R"({"type":"status","id":5})"
+                      "\n");
+        QByteArrayList replies;
+        while (replies.size() < 4 && (process.canReadLine() || process.waitForReadyRead(5000)))
+            while (process.canReadLine()) replies << process.readLine();
+        QCOMPARE(replies.size(), 4);
+        QVERIFY2(replies[0].contains("failed") && replies[0].contains('2'), replies[0].constData());
+        QVERIFY2(replies[1].contains("failed"), replies[1].constData());
+        QVERIFY2(replies[3].contains("status") && replies[3].contains('5'), replies[3].constData());
+        process.write(QByteArray(70000, 'x'));  // a line without an end
+        QVERIFY(process.waitForFinished());     // although the input is still open
+        QCOMPARE(process.exitCode(), 0);
     }
 
     void theOperatorReadsWhyTheEngineFails_data() { languages(); }

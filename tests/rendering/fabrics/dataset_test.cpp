@@ -336,7 +336,7 @@ private Q_SLOTS:
                                          << "F01/visual/001.png"
                                          << "1 channels";
         QTest::newRow("odd size") << "size"
-                                  << "F01/visual/002.png"
+                                  << "F01/tactile/002.png"
                                   << "40 x 10";
         QTest::newRow("missing file") << "remove"
                                       << "samples.csv"
@@ -412,7 +412,11 @@ private:
         const std::map<std::string, std::function<void()>> acts = {
             {"cut", [&] { write(folder / "F01/visual/001.png", read(folder / "F01/visual/001.png").substr(0, 200)); }},
             {"grey", [&] { writePng(folder / "F01/visual/001.png", speckled(20, 30, CV_8UC1)); }},
-            {"size", [&] { writePng(folder / "F01/visual/002.png", speckled(10, 40, CV_8UC3)); }},
+            {"size",
+             [&] {
+                 writePng(folder / "F01/tactile/001.png", speckled(24, 32, CV_8UC3));
+                 writePng(folder / "F01/tactile/002.png", speckled(10, 40, CV_8UC3));
+             }},
             {"remove", [&] { fs::remove(folder / "F01/friction/001.csv"); }},
             {"extra", [&] { write(folder / "F01/friction/002.csv", "t_s,mu\n0,0.1\n1,0.1\n"); }},
             {"contact", [&] { write(folder / "F01/friction/000.csv", "t_s,normal_n,tangential_n\n0,10,1\n1,0,1\n"); }},

@@ -1,6 +1,8 @@
 // The split by location: samples that show the same piece of fabric stay in one part, and the parts remain 8:1:1.
 #include "rendering/fabrics/location_split.h"
 
+#include <sys/stat.h>
+
 #include <map>
 #include <set>
 
@@ -56,6 +58,15 @@ class LocationSplitTest : public QObject {
 
 private Q_SLOTS:
     void init() { m_folder = std::make_unique<QTemporaryDir>(); }
+
+    void aPipeInThePlaceOfAPhotographIsRefused()
+    {
+        const Dataset dataset = photographed(pathOf(*m_folder), {at(Modality::Visual, 0, 0, 0), at(Modality::Visual, 1, 9, 9)});
+        const fs::path photograph = samplePath(dataset, FabricId("F01"), Modality::Visual, 1);
+        fs::remove(photograph);
+        QCOMPARE(::mkfifo(photograph.c_str(), 0600), 0);
+        QVERIFY(refusalOf([&] { (void)splitByLocation(dataset, 1); }).find(photograph.string()) != std::string::npos);
+    }
 
     void samplesOfOnePlaceStayTogether()
     {

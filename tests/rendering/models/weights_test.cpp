@@ -139,7 +139,8 @@ private Q_SLOTS:
                                  "card of other networks",
                                  "card with absurd sizes",
                                  "card with a vast spectrogram",
-                                 "card with a hollow spectrogram"})
+                                 "card with a hollow spectrogram",
+                                 "card nested deeply"})
             QTest::newRow(harm) << harm;
     }
 
@@ -204,6 +205,9 @@ private:
             replace("\"frames\": 31", "\"frames\": 65535, \"unused\": 31");
         else if (harm == "card with a hollow spectrogram")
             replace("\"hop\": 16", "\"hop\": 0");
+        else if (harm == "card nested deeply")
+            replace("\"validation\": {",
+                    "\"validation\": {\"deep\": " + std::string(200'000, '[') + std::string(200'000, ']') + ", ");
         else if (harm == "card of other networks")
             replace("\"base_channels\": 24", "\"base_channels\": 16");
         else

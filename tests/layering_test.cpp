@@ -21,9 +21,9 @@ struct Room {
 const QList<Room>& rooms()
 {
     static const QList<Room> table{
-        {"protocols/files/", "the ground floor: errors, whole files, CSV, strict JSON, SHA-256", {}},
+        {"protocols/files/", "the ground floor: errors, whole files, CSV, strict and stored JSON, SHA-256", {}},
         {"protocols/files/foreign/", "tables of other programs: encoding, separator, decimal mark", {"protocols/files/"}},
-        {"protocols/texts/", "the texts that are built into the program", {}},
+        {"protocols/texts/", "the texts that are built into the program, the editions of protocols", {}},
         {"protocols/secrets/", "secrets and seals: derived keys, authenticated encryption, passphrases", {"protocols/files/"}},
         {"protocols/",
          "the words of a study: ids, conditions, protocols, the seeded generator, running orders, keys",
@@ -94,8 +94,8 @@ const QList<Room>& rooms()
          "displays, their drivers, the stimulus bank, the simulated finger",
          {"rendering/composition/friction_image.h", "rendering/images/", "protocols/"}},
         {"database/disk/",
-         "names of a study's files, and whether open ones are in place; texts that may be altered; the note of a study on a "
-         "server",
+         "names of a study's files; whether open ones are in place, and a copy of what they held; texts that may be altered; the "
+         "note of a study on a server",
          {"protocols/finger_sample.h", "protocols/files/"}},
         {"database/",
          "`study.db`, the append-only log, the lock, keys and unblinding",

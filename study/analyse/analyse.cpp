@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "protocols/files/errors.h"
 #include "study/analyse/analyse_claims.h"
 #include "study/analyse/analyse_counts.h"
 #include "study/analyse/analyse_designs.h"
@@ -133,6 +134,11 @@ ordered_json answerOf(const json& request, const std::filesystem::path& folder)
         return analysis.answer(whole);
     } catch (const RequestFault& fault) {
         return {{"error", fault.what()}};
+    } catch (const protocols::Error& fault) {
+        return {{"error", fault.what()}};
+    } catch (const std::exception& fault) {
+        // Whatever it is, the other requests of the file are answered.
+        return {{"error", std::string("the analysis failed (") + fault.what() + "); expected smaller or other inputs"}};
     }
 }
 

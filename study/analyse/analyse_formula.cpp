@@ -38,12 +38,11 @@ WideInteger remainder(WideInteger x, WideInteger modulus)
 FormulaNumber power(const FormulaNumber& base, const FormulaNumber& exponent)
 {
     if (base.isWhole && exponent.isWhole && exponent.whole >= 0 && exponent.whole <= 120) {
+        constexpr WideInteger largestBase = WideInteger(1) << 60;
         WideInteger result = 1;
-        bool exact = true;
-        for (WideInteger i = 0; i < exponent.whole && exact; ++i) {
-            result *= base.whole;
-            exact = fits(result * 2) && base.whole < (WideInteger(1) << 60);
-        }
+        bool exact = exponent.whole == 0 || (base.whole < largestBase && base.whole > -largestBase);
+        for (WideInteger i = 0; i < exponent.whole && exact; ++i)
+            exact = !__builtin_mul_overflow(result, base.whole, &result) && fits(result) && fits(result * 2);
         if (exact) return FormulaNumber::ofWhole(result);
     }
     return FormulaNumber::ofReal(std::pow(base.real, exponent.real));

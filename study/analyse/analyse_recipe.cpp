@@ -1,9 +1,10 @@
 #include "study/analyse/analyse_recipe.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <optional>
-#include <regex>
+#include <set>
 
 #include "study/analyse/analyse_formula.h"
 #include "study/analyse/analyse_inputs.h"
@@ -12,8 +13,10 @@ namespace study::analyse {
 
 namespace {
 
-constexpr double mostEntries = 2e8;
-constexpr std::size_t longestRecipe = 10'000;  // regular expressions and formulas are recursive
+constexpr double mostEntries = 2e8;            // of all arrays of a recipe: 1.6 GB
+constexpr double mostWork = 2e10;              // entries of each array x characters of the recipe: about a minute
+constexpr double largestIndex = 9e15;          // whole in double
+constexpr std::size_t longestRecipe = 10'000;  // formulas are recursive
 
 struct ArrayDefinition {
     std::string name;
@@ -46,26 +49,144 @@ struct Recipe {
     bool isFloat = false;
 };
 
+/// Reads the text of a part from left to right. A step that does not fit takes nothing and returns nothing.
+class PartReader {
+public:
+    explicit PartReader(std::string_view text) : m_text(text) {}
+
+    /// Returns false where there is none.
+    bool skipBlanks()
+    {
+        const std::size_t before = m_text.size();
+        while (!m_text.empty() && isBlank(m_text.front())) m_text.remove_prefix(1);
+        return m_text.size() < before;
+    }
+
+    bool take(std::string_view word)
+    {
+        if (!m_text.starts_with(word)) return false;
+        m_text.remove_prefix(word.size());
+        return true;
+    }
+
+    std::string_view takeLetters()
+    {
+        return takeWhile([](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); });
+    }
+    std::string_view takeDigits()
+    {
+        return takeWhile([](char c) { return c >= '0' && c <= '9'; });
+    }
+
+    std::string_view rest() const { return m_text; }
+
+    static bool isBlank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+private:
+    template <class Fits>
+    std::string_view takeWhile(Fits fits)
+    {
+        const auto end = std::find_if_not(m_text.begin(), m_text.end(), fits);
+        const std::string_view taken = m_text.substr(0, static_cast<std::size_t>(end - m_text.begin()));
+        m_text.remove_prefix(taken.size());
+        return taken;
+    }
+
+    std::string_view m_text;
+};
+
+std::string withoutBlanksAround(std::string_view text)
+{
+    while (!text.empty() && PartReader::isBlank(text.front())) text.remove_prefix(1);
+    while (!text.empty() && PartReader::isBlank(text.back())) text.remove_suffix(1);
+    return std::string(text);
+}
+
+/// "i = 0..n-1", also with three dots.
+bool readRange(Recipe& recipe, std::string_view part)
+{
+    PartReader reader(part);
+    reader.skipBlanks();
+    const std::string_view index = reader.takeLetters();
+    reader.skipBlanks();
+    if (index.empty() || !reader.take("=")) return false;
+    reader.skipBlanks();
+    const std::string_view ends = reader.rest();
+    const std::size_t dots = ends.find("..", 1);
+    if (dots == std::string_view::npos) return false;
+    const std::size_t after = dots + (ends.substr(dots).starts_with("...") ? 3 : 2);
+    const std::string first = withoutBlanksAround(ends.substr(0, dots)), last = withoutBlanksAround(ends.substr(after));
+    if (first.empty() || last.empty()) return false;
+    recipe.index = index;
+    recipe.first = first;
+    recipe.last = last;
+    return true;
+}
+
+/// "x_i = i/2" or "b = 0.8*a".
+bool readDefinition(Recipe& recipe, std::string_view part)
+{
+    PartReader reader(part);
+    reader.skipBlanks();
+    const std::string_view name = reader.takeLetters();
+    const bool hasIndex = reader.take("_");
+    const std::string_view index = hasIndex ? reader.takeLetters() : std::string_view();
+    reader.skipBlanks();
+    if (name.empty() || (hasIndex && index.empty()) || !reader.take("=")) return false;
+    reader.skipBlanks();
+    if (reader.rest().empty()) return false;
+    recipe.definitions.push_back({std::string(name), std::string(reader.rest())});
+    if (hasIndex && recipe.index.empty()) recipe.index = index;
+    return true;
+}
+
+std::size_t sideOf(std::string_view digits)
+{
+    std::size_t side = 0;
+    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), side);
+    if (read.ec != std::errc{} || static_cast<double>(side) > mostEntries)
+        throw RequestFault("the recipe's shape has a side of " + std::string(digits) + "; expected at most 200000000");
+    return side;
+}
+
+/// "800 rows x 1280 cols" somewhere in the part.
+bool readShape(Recipe& recipe, std::string_view part)
+{
+    for (std::size_t word = part.find("row"); word != std::string_view::npos; word = part.find("row", word + 1)) {
+        std::size_t end = word;
+        while (end > 0 && PartReader::isBlank(part[end - 1])) --end;
+        std::size_t begin = end;
+        while (begin > 0 && part[begin - 1] >= '0' && part[begin - 1] <= '9') --begin;
+        PartReader reader(part.substr(word + 3));
+        reader.take("s");
+        reader.skipBlanks();
+        if (begin == end || !(reader.take("x") || reader.take("by") || reader.take("*"))) continue;
+        reader.skipBlanks();
+        const std::string_view columns = reader.takeDigits();
+        reader.skipBlanks();
+        if (columns.empty() || !reader.take("col")) continue;
+        recipe.rows = sideOf(part.substr(begin, end - begin));
+        recipe.columns = sideOf(columns);
+        return true;
+    }
+    return false;
+}
+
+/// "k row-major".
+bool readIndexAlone(Recipe& recipe, std::string_view part)
+{
+    PartReader reader(part);
+    reader.skipBlanks();
+    const std::string_view index = reader.takeLetters();
+    if (index.size() != 1 || !reader.skipBlanks() || !reader.take("row-major")) return false;
+    recipe.index = index;
+    return true;
+}
+
 void readPart(Recipe& recipe, const std::string& part)
 {
-    static const std::regex range(R"(\s*([A-Za-z]+)\s*=\s*(.+?)\s*\.\.\.?\s*(.+?)\s*)");
-    static const std::regex definition(R"(\s*([A-Za-z]+)(?:_([A-Za-z]+))?\s*=\s*(.+))");
-    static const std::regex shape(R"(.*?(\d+)\s*rows?\s*(?:x|by|\*)\s*(\d+)\s*col.*)");
-    static const std::regex indexOnly(R"(\s*([A-Za-z])\s+row-major.*)");
-    std::smatch found;
-    if (std::regex_match(part, found, range)) {
-        recipe.index = found[1];
-        recipe.first = found[2];
-        recipe.last = found[3];
-    } else if (std::regex_match(part, found, definition)) {
-        recipe.definitions.push_back({found[1], found[3]});
-        if (found[2].matched && recipe.index.empty()) recipe.index = found[2];
-    } else if (std::regex_match(part, found, shape)) {
-        recipe.rows = std::stoul(found[1]);
-        recipe.columns = std::stoul(found[2]);
-    } else if (std::regex_match(part, found, indexOnly)) {
-        recipe.index = found[1];
-    }
+    const bool isRead = readRange(recipe, part) || readDefinition(recipe, part) || readShape(recipe, part);
+    if (!isRead) readIndexAlone(recipe, part);  // anything else is a remark
     recipe.isFloat = recipe.isFloat || part.find("float32") != std::string::npos;
 }
 
@@ -74,6 +195,9 @@ Recipe readRecipe(const std::string& text)
     Recipe recipe;
     for (const std::string& part : partsOf(text)) readPart(recipe, part);
     if (recipe.definitions.empty()) throw RequestFault("the recipe \"" + text + "\" defines no array");
+    std::set<std::string> names;
+    for (const ArrayDefinition& definition : recipe.definitions)
+        if (!names.insert(definition.name).second) throw RequestFault("the recipe defines " + definition.name + " twice");
     return recipe;
 }
 
@@ -101,7 +225,8 @@ long long wholeEndOf(const std::string& formula, const FormulaScope& scope)
 {
     std::string remark;
     const FormulaNumber number = Formula(formula, scope.names, &remark).evaluate(scope.values);
-    if (!number.isWhole) throw RequestFault("the recipe's range \"" + formula + "\" is not a whole number");
+    if (!number.isWhole || !(std::fabs(number.real) < largestIndex))
+        throw RequestFault("the recipe's range \"" + formula + "\" is not a whole number below 9e15");
     return static_cast<long long>(number.whole);
 }
 
@@ -110,19 +235,34 @@ struct IndexRange {
     long long count = 0;
 };
 
+/// The number of entries, which is a constant.
+long long entriesIn(double n)
+{
+    if (!(n >= 0 && n <= mostEntries)) throw RequestFault("the recipe's n is outside 0 to 200000000");
+    return static_cast<long long>(n);
+}
+
 IndexRange rangeOf(const Recipe& recipe, const FormulaScope& scope, const std::map<std::string, double>& constants)
 {
     IndexRange range{wholeEndOf(recipe.first, scope), 0};
+    // Both sides are at most 2e8, so that their product fits.
+    const auto ofShape = static_cast<long long>(recipe.rows * recipe.columns);
     if (!recipe.last.empty())
         range.count = wholeEndOf(recipe.last, scope) - range.first + 1;
     else if (recipe.rows > 0)
-        range.count = static_cast<long long>(recipe.rows * recipe.columns);
+        range.count = ofShape;
     else if (constants.count("n") != 0)
-        range.count = static_cast<long long>(constants.at("n"));
+        range.count = entriesIn(constants.at("n"));
     else
         throw RequestFault("the recipe does not state how many entries there are");
-    if (range.count < 0 || static_cast<double>(range.count) > mostEntries)
-        throw RequestFault("the recipe asks for " + std::to_string(range.count) + " entries; expected 0 to 200000000");
+    const auto entries = static_cast<double>(range.count);
+    if (range.count < 0 || entries * static_cast<double>(recipe.definitions.size()) > mostEntries)
+        throw RequestFault("the recipe asks for " + std::to_string(range.count) + " entries of " +
+                           std::to_string(recipe.definitions.size()) + (recipe.definitions.size() == 1 ? " array" : " arrays") +
+                           "; expected 0 to 200000000 in all");
+    if (recipe.rows > 0 && range.count != ofShape)
+        throw RequestFault("the recipe's range has " + std::to_string(range.count) + " entries, but its shape " +
+                           std::to_string(ofShape));
     return range;
 }
 
@@ -137,6 +277,9 @@ RecipeArrays arraysOfRecipe(const std::string& text, const std::map<std::string,
     FormulaScope scope;
     for (const auto& [name, value] : constants) scope.add(name, constant(value));
     const IndexRange range = rangeOf(recipe, scope, constants);
+    if (static_cast<double>(range.count) * static_cast<double>(text.size()) > mostWork)
+        throw RequestFault("the recipe of " + std::to_string(text.size()) + " characters is too long for " +
+                           std::to_string(range.count) + " entries; expected a product of at most 20000000000");
     const std::size_t index = scope.add(recipe.index.empty() ? "i" : recipe.index, FormulaNumber::ofWhole(0));
     std::vector<Formula> formulas;
     std::vector<std::size_t> places;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
 #include "study/analyse/analyse.h"
 #include "study/analyse/request_file.h"
@@ -16,7 +17,7 @@ namespace {
 int analyse(const std::string& requests, const std::string& answers)
 {
     const auto folder = std::filesystem::absolute(requests).parent_path();
-    const auto all = analyse::answersTo(protocols::readWholeFile(requests), requests, folder);
+    const auto all = analyse::answersTo(protocols::readWholeFile(requests, protocols::largestJson), requests, folder);
     protocols::writeWholeFile(answers, all.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
     return 0;
 }

@@ -94,7 +94,8 @@ void requireAllowedDisplay(const AppCall& call)
                                    "see \"The display\" in the README; reports will state --plain-images"});
 }
 
-int runWindow(const AppCall& call)
+/// Before the screen is asked for: a mistyped command needs none.
+void requireNamedStudy(const AppCall& call)
 {
     if (call.monitor && call.study.empty())
         throw protocols::badInput(
@@ -102,6 +103,10 @@ int runWindow(const AppCall& call)
     if (!call.study.empty() && !database::isServerAddress(call.study) && !std::filesystem::exists(call.study))
         throw protocols::badInput(
             {"this is neither a command nor the folder of a study", call.study, "a study or a command", "see `vis2hap --help`"});
+}
+
+int runWindow(const AppCall& call)
+{
     app::requireFontFor(QStringLiteral("en"));
     app::LanguageInUse language(QString::fromStdString(versionText()));
     app::AppOptions options = optionsOf(call);
@@ -131,6 +136,7 @@ void addApp(CLI::App& app, Action& action)
                  "watch this study: progress of each participant, missing answers, flags; read-only and blinded");
     app.callback([&app, call, &action] {
         if (!app.get_subcommands().empty()) return;
+        requireNamedStudy(*call);
         requireAllowedDisplay(*call);
         action.surroundings = Surroundings::Window;
         action.handlesStudy = true;

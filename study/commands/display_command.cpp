@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/safe_text.h"
 #include "rendering/display/display_check.h"
 #include "rendering/response/response_file.h"
 #include "reports/text/plain_words.h"
@@ -27,7 +28,8 @@ struct CheckCall {
 void printDemand(const rendering::DisplayDemand& demand)
 {
     const bool isMet = demand.fault.empty();
-    std::printf("%s  %s%s%s\n", isMet ? "pass" : "FAIL", demand.demand.c_str(), isMet ? "" : ": ", demand.fault.c_str());
+    std::printf("%s  %s%s%s\n", isMet ? "pass" : "FAIL", demand.demand.c_str(), isMet ? "" : ": ",
+                protocols::printable(demand.fault).c_str());
     std::fflush(stdout);
 }
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/safe_text.h"
 #include "rendering/fabrics/recordings/photograph_files.h"
 #include "rendering/models/cloth/cloth_check.h"
 #include "rendering/models/exchange.h"
@@ -92,7 +93,7 @@ int checkPictures(const EvaluateCall& call)
     }
     for (const auto& [likeness, count] : counts) lines += likeness + ": " + std::to_string(count) + "\n";
     if (call.json) writeJson(call.json, {{"schema", "vis2hap.cloth_likeness/1"}, {"pictures", pictures}});
-    if (!call.json || !call.json->empty()) std::fputs(lines.c_str(), stdout);
+    if (!call.json || !call.json->empty()) std::fputs(protocols::printableLines(lines).c_str(), stdout);
     return 0;
 }
 
@@ -119,7 +120,8 @@ int evaluate(const EvaluateCall& call, StageTimes times)
         };
         const auto changes = evaluation::evaluateChanges(dataset, request, show);
         if (call.json) writeJson(call.json, evaluation::changesJson(changes));
-        if (!call.json || !call.json->empty()) std::fputs(evaluation::changesText(changes).c_str(), stdout);
+        if (!call.json || !call.json->empty())
+            std::fputs(protocols::printableLines(evaluation::changesText(changes)).c_str(), stdout);
         return 0;
     }
     std::optional<evaluation::SurfaceReport> surfaces;
@@ -132,7 +134,8 @@ int evaluate(const EvaluateCall& call, StageTimes times)
         surfaces = evaluation::evaluateSurfaces(dataset, request, show);
         const bool isAll = !hasMeasurements(dataset);
         if (call.json && isAll) writeJson(call.json, evaluation::surfacesJson(*surfaces));
-        if (!call.json || !call.json->empty()) std::fputs(evaluation::surfacesText(*surfaces).c_str(), stdout);
+        if (!call.json || !call.json->empty())
+            std::fputs(protocols::printableLines(evaluation::surfacesText(*surfaces)).c_str(), stdout);
         if (isAll) return 0;
     }
     if (!hasMeasurements(dataset)) {
@@ -143,7 +146,8 @@ int evaluate(const EvaluateCall& call, StageTimes times)
         };
         const auto weaves = evaluation::evaluateWeaves(dataset, request, show);
         if (call.json) writeJson(call.json, evaluation::weavesJson(weaves));
-        if (!call.json || !call.json->empty()) std::fputs(evaluation::weavesText(weaves).c_str(), stdout);
+        if (!call.json || !call.json->empty())
+            std::fputs(protocols::printableLines(evaluation::weavesText(weaves)).c_str(), stdout);
         return 0;
     }
     evaluation::Evaluation result;
@@ -161,7 +165,7 @@ int evaluate(const EvaluateCall& call, StageTimes times)
         writeJson(call.json, json);
     }
     if (!call.json || !call.json->empty()) {
-        std::fputs(evaluation::evaluationText(result).c_str(), stdout);
+        std::fputs(protocols::printableLines(evaluation::evaluationText(result)).c_str(), stdout);
         times.end();  // JSON on standard output stays alone
     }
     return 0;

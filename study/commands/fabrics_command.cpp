@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/safe_text.h"
 #include "rendering/fabrics/dataset_check.h"
 #include "rendering/fabrics/drawn/drawn_dataset.h"
 #include "rendering/fabrics/drawn/drawn_friction.h"
@@ -56,8 +57,9 @@ int make(const MakeCall& call)
 
 int checkDataset(const std::string& folder)
 {
-    const auto faults = rendering::fabrics::faultsOfDataset(folder);
-    for (const auto& fault : faults) std::printf("%s\n", fault.c_str());
+    const auto [faults, notes] = rendering::fabrics::findingsOfDataset(folder);
+    for (const auto& note : notes) std::printf("note: %s\n", protocols::printable(note).c_str());
+    for (const auto& fault : faults) std::printf("%s\n", protocols::printable(fault).c_str());
     std::printf(
         "%s: %s\n", folder.c_str(),
         faults.empty() ? "no faults" : (std::to_string(faults.size()) + (faults.size() == 1 ? " fault" : " faults")).c_str());

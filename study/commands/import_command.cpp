@@ -7,6 +7,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/number_text.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/fabrics/recordings/import.h"
 #include "rendering/images/image_io.h"
@@ -122,7 +123,7 @@ int importScans(const ImportCall& call)
     request.decodeOther = looking::decodeByQt;
     Progress progress("importing");
     request.progress = [&](int done, int total) { progress.show(done, total, "fabrics"); };
-    for (const auto& line : rendering::scans::importScans(request)) std::printf("%s\n", line.c_str());
+    for (const auto& line : rendering::scans::importScans(request)) std::printf("%s\n", protocols::printable(line).c_str());
     return 0;
 }
 
@@ -153,7 +154,8 @@ int import(const ImportCall& call)
     }
     request.plots = call.plots;
     if (!call.plots.empty()) protocols::makeFolders(call.plots);  // before the import, which a fault here must not interrupt
-    for (const auto& line : rendering::fabrics::importRecordings(request)) std::printf("%s\n", line.c_str());
+    for (const auto& line : rendering::fabrics::importRecordings(request))
+        std::printf("%s\n", protocols::printable(line).c_str());
     if (!call.plots.empty() && std::filesystem::exists(call.plots)) writeSpectrograms(call.out, call.plots);
     return 0;
 }

@@ -3,9 +3,11 @@
 #include <cstdio>
 #include <memory>
 
+#include "database/evidence/acts.h"
 #include "database/rescue.h"
 #include "database/study_store.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/safe_text.h"
 #include "study/commands/command_line.h"
 #include "study/commands/parts/study_backup.h"
 #include "study/commands/parts/text_checks.h"
@@ -27,7 +29,7 @@ int erase(const std::string& study, const database::Erasure& erasure)
     std::printf("%s: erased %s of %s; the erasure is recorded\n", study.c_str(),
                 erasure.answersToo ? "facts, debriefing, answers and notes" : "facts and debriefing",
                 erasure.participant.value.c_str());
-    for (const auto& file : record.found) std::printf("  still in %s\n", file.c_str());
+    for (const auto& file : record.found) std::printf("  still in %s\n", protocols::printable(file).c_str());
     std::printf("  %s: what was removed, where it was searched, and which copies may exist\n", certificate.c_str());
     return static_cast<int>(record.found.empty() ? protocols::ExitCode::Done : protocols::ExitCode::WorkFailed);
 }
@@ -35,10 +37,15 @@ int erase(const std::string& study, const database::Erasure& erasure)
 int backup(const std::string& study, const std::string& out)
 {
     const auto store = records::openStudy(study);
-    writeBackup(store, out);
+    std::string faults;
+    for (const auto& fault : writeBackup(store, out)) {
+        std::fprintf(stderr, "warning: %s\n", protocols::printable(fault).c_str());
+        faults += (faults.empty() ? "" : "; ") + fault;
+    }
     std::printf("%s: a copy of %s with %zu answers; `tar xf` restores it\n", out.c_str(), study.c_str(), store.answers().size());
     std::printf("  log head %s\n", textOf(store.head()).c_str());
-    recordAct(store, "backup", out);
+    recordAct(store, "backup", out, faults);
+    if (const auto acts = headOfActs(store); acts.sequence > 0) std::printf("  acts head %s\n", textOf(acts).c_str());
     return 0;
 }
 

@@ -6,6 +6,7 @@
 
 #include "database/server/server_address.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/cache/result_cache.h"
 #include "study/commands/command_line.h"
@@ -62,7 +63,7 @@ int leakCheck(const std::string& study, const PassphraseOption& passphrase, cons
     if (target)
         writeJson(target, leaks::jsonOf(report));
     else
-        std::fputs(leaks::textOf(report).c_str(), stdout);
+        std::fputs(protocols::printableLines(leaks::textOf(report)).c_str(), stdout);
     return static_cast<int>(report.learnsNothing() ? protocols::ExitCode::Done : protocols::ExitCode::WorkFailed);
 }
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/safe_text.h"
 #include "rendering/fabrics/dataset.h"
 #include "rendering/models/model_card_fields.h"
 #include "rendering/models/process/child_process.h"
@@ -71,7 +72,7 @@ void show(const evaluation::LeaveOneOut& result, const JsonTarget& target)
     if (target)
         writeJson(target, leaveOneOutJson(result));
     else
-        std::fputs(leaveOneOutText(result).c_str(), stdout);
+        std::fputs(protocols::printableLines(leaveOneOutText(result)).c_str(), stdout);
 }
 
 ordered_json optionsOf(const LeaveOneOutCall& call, const Dataset& dataset)

@@ -7,6 +7,7 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/number_text.h"
+#include "protocols/files/safe_text.h"
 #include "study/analyse/column_statistics.h"
 #include "study/analyse/csv_column.h"
 #include "study/analyse/similarity.h"
@@ -46,7 +47,7 @@ void output(const JsonTarget& target, const ordered_json& json)
 }
 
 /// Standard output is for the numbers.
-void noteOnForm(const std::string& sentence) { std::fprintf(stderr, "%s\n", sentence.c_str()); }
+void noteOnForm(const std::string& sentence) { std::fprintf(stderr, "%s\n", protocols::printable(sentence).c_str()); }
 
 struct DescribeCall {
     std::string csv, column;

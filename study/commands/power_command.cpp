@@ -1,10 +1,14 @@
 // vis2hap power: the effects that a planned study can detect, before any participant takes part. With --calibrate: how often
 // each test of the report rejects in studies without a difference. With --planted: how often its claims find a difference.
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
 #include "study/analyse/power/kept_counts.h"
@@ -33,6 +37,7 @@ struct PowerPlan {
     std::size_t calibrate = 0;  ///< studies; 0: no calibration
     std::size_t planted = 0;    ///< studies of each truth; 0: no planted differences
     std::uint64_t seed = 1;
+    std::string question = {};  ///< whose scale the ratings have; empty: the first rated question
 };
 
 struct PowerCall {
@@ -50,19 +55,30 @@ struct CountsOfRun {
     std::shared_ptr<analyse::SharedCounts> recorded, taken;  ///< of a shard; of a merged run, which simulates nothing
 };
 
+/// The question whose scale the simulated ratings have.
+struct RatedQuestion {
+    std::string id;
+    protocols::RatingScale scale;
+    std::vector<std::string> others;  ///< questions with another scale
+};
+
 struct PowerResults {
     protocols::Protocol protocol;
     stats::PowerOptions options;
     std::vector<stats::PlannedTest> tests;
     std::vector<stats::CalibrationRow> calibration;
     std::vector<stats::PlantedCell> cells;
+    std::optional<RatedQuestion> rated = {};  ///< none where no question is rated
 };
 
 ordered_json optionsOf(const PowerPlan& plan)
 {
-    return {{"protocol", plan.protocol}, {"participants", plan.participants ? ordered_json(*plan.participants) : ordered_json()},
-            {"studies", plan.studies},   {"calibrate", plan.calibrate},
-            {"planted", plan.planted},   {"seed", plan.seed}};
+    ordered_json options{
+        {"protocol", plan.protocol}, {"participants", plan.participants ? ordered_json(*plan.participants) : ordered_json()},
+        {"studies", plan.studies},   {"calibrate", plan.calibrate},
+        {"planted", plan.planted},   {"seed", plan.seed}};
+    if (!plan.question.empty()) options["question"] = plan.question;
+    return options;
 }
 
 /// The plan of a merged run. `where`: a file of its shards. Throws badInput for options that optionsOf() did not write.
@@ -81,6 +97,7 @@ PowerPlan planFrom(const ordered_json& options, const std::string& where)
         plan.calibrate = count("calibrate", mostCounted);
         plan.planted = count("planted", mostCounted);
         plan.seed = options.at("seed").get_ref<const ordered_json::number_unsigned_t&>();
+        if (options.contains("question")) plan.question = options.at("question").get<std::string>();
         return plan;
     } catch (const ordered_json::exception&) {
         throw protocols::badInput({"the options of the shards are not those of `vis2hap power`", where,
@@ -130,10 +147,62 @@ std::vector<stats::PlantedCell> planted(const protocols::Protocol& protocol, con
     return stats::plantedCells(planted);
 }
 
+bool isSameScale(const protocols::RatingScale& a, const protocols::RatingScale& b)
+{
+    return a.min == b.min && a.max == b.max && a.step == b.step;
+}
+
+/// The rated question of this name, or the first one where the name is empty. Throws badInput for a name that no rated question
+/// has.
+std::optional<RatedQuestion> ratedQuestionOf(const protocols::Protocol& protocol, const std::string& name)
+{
+    std::vector<std::pair<std::string, protocols::RatingScale>> all;
+    for (const protocols::Phase& phase : protocol.phases)
+        for (const protocols::Question& question : phase.questions)
+            if (const auto* rating = std::get_if<protocols::Rating>(&question.kind))
+                all.emplace_back(question.id.value, rating->scale);
+    const auto found = std::ranges::find_if(all, [&](const auto& one) { return name.empty() || one.first == name; });
+    if (found == all.end() && !name.empty()) {
+        std::string names;
+        for (const auto& [id, scale] : all) names += (names.empty() ? "" : ", ") + id;
+        throw protocols::badInput({"the protocol has no rated question \"" + name + "\"", "--question",
+                                   names.empty() ? "no such option, because nothing is rated" : "one of " + names, ""});
+    }
+    if (found == all.end()) return std::nullopt;
+    RatedQuestion rated{found->first, found->second, {}};
+    for (const auto& [id, scale] : all)
+        if (!isSameScale(scale, rated.scale)) rated.others.push_back(id);
+    return rated;
+}
+
+/// Which ratings the numbers are for, and how to get those of another scale.
+void printRated(const RatedQuestion& rated)
+{
+    const auto number = [](protocols::Tenths tenths) { return protocols::shortest(tenths.inScaleUnits()); };
+    std::string line = "The ratings are those of " + rated.id + ", from " + number(rated.scale.min) + " to " +
+                       number(rated.scale.max) + " in steps of " + number(rated.scale.step) + ".";
+    if (!rated.others.empty()) {
+        line += " Another scale:";
+        for (const std::string& id : rated.others) line += " " + id;
+        line += "; see it by --question " + rated.others.front() + ".";
+    }
+    std::printf("%s\n", protocols::printable(line).c_str());
+}
+
+void putRated(ordered_json& json, const RatedQuestion& rated)
+{
+    json["rated"] = {{"question", rated.id},
+                     {"scale", {rated.scale.min.inScaleUnits(), rated.scale.max.inScaleUnits()}},
+                     {"step", rated.scale.step.inScaleUnits()},
+                     {"questions_with_other_scales", rated.others}};
+}
+
 PowerResults resultsOf(const PowerPlan& plan, const std::string& where, CountsOfRun& counts)
 {
-    PowerResults results{protocols::protocolFromJson(plan.protocol, where), {}, {}, {}, {}};
+    PowerResults results{protocols::protocolFromJson(plan.protocol, where), {}, {}, {}, {}, {}};
     results.options = analyse::powerOptionsOf(results.protocol);
+    results.rated = ratedQuestionOf(results.protocol, plan.question);
+    if (results.rated) results.options.ratings = analyse::ratingTruthOf(results.rated->scale);
     if (plan.participants) results.options.design.participants = static_cast<std::size_t>(*plan.participants);
     results.options.simulation.studies = plan.studies;
     results.options.simulation.seed = plan.seed;
@@ -145,9 +214,10 @@ PowerResults resultsOf(const PowerPlan& plan, const std::string& where, CountsOf
 
 void show(const PowerResults& results, const JsonTarget& target)
 {
-    const auto& [protocol, options, tests, calibration, cells] = results;
+    const auto& [protocol, options, tests, calibration, cells, rated] = results;
     if (!target) {
         analyse::printDesign(protocol.name, options);
+        if (rated) printRated(*rated);
         analyse::printTests(tests);
         if (!calibration.empty()) analyse::printCalibration(calibration);
         if (!cells.empty()) analyse::printPlanted(cells);
@@ -155,6 +225,7 @@ void show(const PowerResults& results, const JsonTarget& target)
     }
     ordered_json json{{"schema", "vis2hap.power/1"}, {"protocol", protocol.name}};
     analyse::putDesign(json, options);
+    if (rated) putRated(json, *rated);
     analyse::putTests(json, tests);
     if (!calibration.empty()) analyse::putCalibration(json, calibration);
     if (!cells.empty()) analyse::putPlanted(json, cells);
@@ -166,7 +237,7 @@ int power(const PowerCall& call)
     PowerPlan plan = call.plan;
     if (!call.resume.empty() && plan.calibrate == 0 && plan.planted == 0)
         throw protocols::badInput({"--resume counts nothing by itself", "", "--calibrate N or --planted N beside it", ""});
-    plan.protocol = call.protocol.empty() ? protocols::paperProtocolJson() : protocols::readWholeFile(call.protocol);
+    plan.protocol = call.protocol.empty() ? protocols::paperProtocolJson() : protocols::readProtocolText(call.protocol);
     CountsOfRun counts;
     counts.share = shareOf(call.shard, "power", call.target);
     if (!call.resume.empty()) counts.kept.emplace(call.resume);
@@ -204,6 +275,10 @@ void addPower(CLI::App& app, Action& action)
     command->add_option("--protocol", call->protocol, "the study's protocol (default: the paper's)");
     command->add_option("--participants", call->plan.participants, "number of participants (default: the protocol's)")
         ->check(CLI::Range(std::size_t{2}, mostParticipants));
+    command
+        ->add_option("--question", call->plan.question,
+                     "rated question whose scale the ratings have (default: the first rated question)")
+        ->type_name("ID");
     command->add_option("--studies", call->plan.studies, "number of simulated studies for each effect")
         ->check(CLI::Range(std::size_t{20}, mostStudies))
         ->capture_default_str();

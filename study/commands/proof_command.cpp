@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/secrets/signing.h"
 #include "study/commands/command_line.h"
@@ -54,7 +55,7 @@ int writeDataSheet(const SheetCall& call)
         protocols::writeWholeFile(call.out, records::textOfDataSheet(sheet));
         if (!call.target) std::printf("%s: data sheet of %s\n", call.out.c_str(), call.study.c_str());
     } else if (!call.target) {
-        std::fputs(records::textOfDataSheet(sheet).c_str(), stdout);
+        std::fputs(protocols::printableLines(records::textOfDataSheet(sheet)).c_str(), stdout);
     }
     return 0;
 }
@@ -94,10 +95,10 @@ int sign(const SignCall& call)
     const auto faults = records::findingsOf(store).faults;
     if (!faults.empty())
         throw protocols::workFailed({"the study is not sound: " + faults.front(), call.study, "a study without faults",
-                                     "see `vis2hap verify " + call.study + "`; nothing was signed"});
+                                     "see `vis2hap verify " + protocols::shellWord(call.study) + "`; nothing was signed"});
     const std::string text = records::signedHeadText(store, seed, versionText());
     protocols::writeWholeFile(call.out, text);
-    std::fputs(text.c_str(), stdout);
+    std::fputs(protocols::printableLines(text).c_str(), stdout);
     std::printf("%s: signed; this proves who vouches for the head, not when\n", call.out.c_str());
     recordAct(store, "sign", call.out);
     return 0;

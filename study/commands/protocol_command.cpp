@@ -4,6 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "protocols/files/safe_text.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
 #include "study/commands/command_line.h"
@@ -33,15 +34,16 @@ nlohmann::ordered_json jsonOf(const ProtocolCall& call, const protocols::Checked
 /// One line a fault, in the form that editors jump to: FILE:LINE:COLUMN: text.
 int check(const ProtocolCall& call)
 {
-    const auto checked = protocols::checkedProtocol(protocols::readWholeFile(call.file), call.file);
+    const auto checked = protocols::checkedProtocol(protocols::readProtocolText(call.file), call.file);
     if (call.target) {
         writeJson(call.target, jsonOf(call, checked));
         return checked.faults.empty() ? 0 : badFile;
     }
     for (const protocols::ProtocolFault& fault : checked.faults)
-        std::printf("%s:%zu:%zu: %s\n", call.file.c_str(), fault.line, fault.column, fault.text.c_str());
+        std::printf("%s:%zu:%zu: %s\n", call.file.c_str(), fault.line, fault.column, protocols::printable(fault.text).c_str());
     if (checked.faults.empty())
-        std::printf("%s: no fault; `vis2hap protocol show %s` draws the session\n", call.file.c_str(), call.file.c_str());
+        std::printf("%s: no fault; `vis2hap protocol show %s` draws the session\n", call.file.c_str(),
+                    protocols::shellWord(call.file).c_str());
     else
         std::printf("%s: %zu %s; protocols/protocol.schema.json describes each field, and protocols/examples has examples\n",
                     call.file.c_str(), checked.faults.size(), checked.faults.size() == 1 ? "fault" : "faults");
@@ -54,7 +56,7 @@ int show(const ProtocolCall& call)
     if (call.target)
         writeJson(call.target, plan);
     else
-        std::printf("%s", making::textOf(plan).c_str());
+        std::printf("%s", protocols::printableLines(making::textOf(plan)).c_str());
     return 0;
 }
 

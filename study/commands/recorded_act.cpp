@@ -8,22 +8,39 @@
 
 namespace study::commands {
 
+namespace {
+
+/// A folder that stood there with files keeps its mode.
+void noteIfOpen(const std::filesystem::path& path)
+{
+    using std::filesystem::perms;
+    std::error_code ignored;
+    const auto status = std::filesystem::status(path, ignored);
+    if (!std::filesystem::is_directory(status) || (status.permissions() & (perms::group_all | perms::others_all)) == perms::none)
+        return;
+    std::fprintf(stderr, "note: others on this computer can open the folder %s; `chmod 700` closes it\n", path.c_str());
+}
+
+}  // namespace
+
 std::string addAct(const database::StudyStore& store, const std::string& kind, const std::filesystem::path& path,
-                   const std::string& operatorName)
+                   const std::string& operatorName, const std::string& note)
 {
     if (store.isUpgradedCopy()) return "an earlier version made this study, and only the app or `replay` upgrades it";
     const auto by = session::operatedBy(operatorName, versionText());
     const std::string whole = path.empty() ? "" : std::filesystem::absolute(path).lexically_normal().string();
-    const database::Act act{kind, by.operatorName, by.program, by.host, whole, store.head(), {}};
+    const database::Act act{kind, by.operatorName, by.program, by.host, whole, store.head(), {}, note};
     return (store.serverFolder().empty() ? database::recordAct(store.folder(), act)
                                          : database::recordActOnServer({store.serverFolder()}, act))
         .value_or("");
 }
 
-void recordAct(const database::StudyStore& store, const std::string& kind, const std::filesystem::path& path)
+void recordAct(const database::StudyStore& store, const std::string& kind, const std::filesystem::path& path,
+               const std::string& note)
 {
-    if (const std::string refused = addAct(store, kind, path); !refused.empty())
+    if (const std::string refused = addAct(store, kind, path, {}, note); !refused.empty())
         std::fprintf(stderr, "not recorded: %s\n", refused.c_str());
+    noteIfOpen(path);
 }
 
 }  // namespace study::commands

@@ -7,6 +7,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/number_text.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/composition/earlier_render.h"
 #include "rendering/composition/image_warnings.h"
@@ -157,13 +158,14 @@ int render(const RenderCall& call, StageTimes stages)
     const auto saved = savedJson(call.out, renderJson(dataset, request, rendering));
     writeRendering(call.out, rendering, saved.json);
     if (sheet) looking::writeContactSheet(call.sheet, *sheet);
-    for (const auto& warning : saved.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
-    for (const auto& warning : rendering::shadingWarnings(rendering)) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+    for (const auto& warning : saved.warnings) std::fprintf(stderr, "warning: %s\n", protocols::printable(warning).c_str());
+    for (const auto& warning : rendering::shadingWarnings(rendering))
+        std::fprintf(stderr, "warning: %s\n", protocols::printable(warning).c_str());
     for (const auto& warnings :
          {rendering::strangePhotographs(rendering), rendering::uncertainFriction(rendering), rendering::cutPhotographs(rendering),
           rendering::describe(rendering::imageFaults(rendering), rendering)})
-        for (const auto& warning : warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
-    for (const auto& line : rendering::describeMaps(rendering)) std::printf("%s\n", line.c_str());
+        for (const auto& warning : warnings) std::fprintf(stderr, "warning: %s\n", protocols::printable(warning).c_str());
+    for (const auto& line : rendering::describeMaps(rendering)) std::printf("%s\n", protocols::printable(line).c_str());
     std::printf(
         "%s: friction images of %zu fabrics x %zu conditions; render.json has the ranges over %zu fabrics; traces run along x\n",
         call.out.c_str(), request.fabrics.size(), request.conditions.size(), dataset.fabrics.size());

@@ -12,6 +12,7 @@
 #include "database/keys.h"
 #include "database/server/study_move.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/shipped_folder.h"
 #include "rendering/display/display.h"
@@ -50,7 +51,7 @@ std::vector<players::Script> readScripts(const std::vector<std::string>& files, 
     std::vector<players::Script> scripts;
     std::set<protocols::ParticipantId> seen;
     for (const auto& file : files) {
-        scripts.push_back(players::scriptFromJson(protocols::readWholeFile(file), file, protocol));
+        scripts.push_back(players::scriptFromJson(protocols::readWholeFile(file, protocols::largestJson), file, protocol));
         if (!seen.insert(scripts.back().participant).second)
             throw protocols::badInput({"participant " + scripts.back().participant.value + " has two scripts", file,
                                        "one script for each participant", "leave one of them out"});

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/files/sha256.h"
 #include "protocols/protocol_json.h"
 #include "reports/data/answers_csv.h"
@@ -71,7 +72,7 @@ reports::AnswersCsvOptions fileOptionsOf(const ReportCall& call)
         options.planned.push_back(wordsAround(pair, ',', "--planned", "\"h_g&f_g,h&f\""));
     if (!call.bounds.empty()) options.equivalenceBounds = numbersInOrder(call.bounds, "--bounds", "-0.5,0.5");
     if (!call.scale.empty()) options.scale = scaleFrom(call.scale);
-    options.note = [](const std::string& sentence) { std::fprintf(stderr, "%s\n", sentence.c_str()); };
+    options.note = [](const std::string& sentence) { std::fprintf(stderr, "%s\n", protocols::printable(sentence).c_str()); };
     if (!call.protocol.empty()) {
         options.protocol = protocols::readProtocol(call.protocol);
         options.protocolSha256 = protocols::sha256OfFile(call.protocol);
@@ -109,7 +110,7 @@ int report(const ReportCall& call, StageTimes times)
         return 0;
     }
     data->everyPair = call.everyPair;
-    const auto note = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
+    const auto note = [](const std::string& line) { std::fprintf(stderr, "%s\n", protocols::printable(line).c_str()); };
     if (!call.study.empty() && !call.quick) data->pictures = frictionPictures(records::openStudy(call.study), *data, note);
     Progress progress("analysing");
     reports::AnalysisOptions options{call.quick ? reports::Depth::Quick : reports::Depth::Whole,
@@ -147,7 +148,8 @@ void addReport(CLI::App& app, Action& action)
     command->add_option("--bounds", call->bounds, "with --from: bounds of equivalence, LOW,HIGH (default: -0.5,0.5)");
     command->add_option("--planned", call->planned, "with --from: a planned contrast A,B; the first is the primary one")
         ->allow_extra_args(false);
-    command->add_option("--scale", call->scale, "with --from: ends of the rating scale, LOW,HIGH (default: 0,10)");
+    command->add_option("--scale", call->scale,
+                        "with --from: ends of the rating scale, LOW,HIGH (default: 0,10); ratings outside are refused");
     command->add_option("--encoding", call->encoding, "with --from: encoding of the file (default: found in the file)");
     command->add_flag("--pairs", call->everyPair, "compare all pairs of conditions, also where there are more than 1000");
     command->add_flag("--resimulate", call->resimulate,

@@ -13,6 +13,7 @@ struct RolesCall {
     std::string address;
     std::vector<std::string> logins;
     std::string imagesTo;
+    bool releasesHeld = false;
 };
 
 void addStationOption(CLI::App& command, const std::shared_ptr<std::string>& station)
@@ -66,9 +67,12 @@ void addServer(CLI::App& app, Action& action)
         ->add_option("--images", call->imagesTo,
                      "who gets the images: station (default), or display: stations then get tickets, see vis2hap display serve")
         ->check(CLI::IsMember({"station", "display"}));
+    command->add_flag("--release-held", call->releasesHeld,
+                      "give out again slots of participants who withdrew at a station, and presentations after three voids in a "
+                      "row; prints whom it concerns");
     command->callback([call, &action] {
         action.surroundings = Surroundings::Core;
-        action.work = [call] { return grantRoles(call->address, call->logins, call->imagesTo); };
+        action.work = [call] { return grantRoles(call->address, call->logins, call->imagesTo, call->releasesHeld); };
     });
     auto* statusCommand = server->add_subcommand("status", "show progress and stations, for monitors, analysts and the owner");
     auto address = std::make_shared<std::string>();

@@ -11,6 +11,7 @@
 #include "database/keys.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
+#include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/composition/display_mapping.h"
 #include "rendering/response/response_file.h"
@@ -69,7 +70,7 @@ std::vector<protocols::ParticipantId> participantsToPlay(const StudyStore& store
 /// The response through which the study's images are mapped, if there is one.
 std::optional<rendering::DisplayResponse> displayResponseOf(const database::StudyFacts& facts)
 {
-    const auto made = nlohmann::ordered_json::parse(facts.madeWith, nullptr, false);
+    const auto made = protocols::storedOrderedJson(facts.madeWith);
     if (!made.is_object() || !made.contains(records::displayResponseField)) return std::nullopt;
     return rendering::responseFromJson(made.at(records::displayResponseField).dump(),
                                        "the study's " + std::string(records::displayResponseField));
@@ -103,7 +104,7 @@ Planting plantingOf(const SimulateCall& call, const StudyStore& store, const std
 {
     Planting planting;
     if (call.plant.empty()) return planting;
-    const std::string text = protocols::readWholeFile(call.plant);
+    const std::string text = protocols::readWholeFile(call.plant, protocols::largestJson);
     planting.effects = players::plantedEffectsFromJson(text, call.plant, records::protocolOf(store.facts()));
     planting.sha256 = protocols::sha256(text);
     std::set<protocols::ParticipantId> known(toPlay.begin(), toPlay.end());

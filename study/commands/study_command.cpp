@@ -9,6 +9,7 @@
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/number_text.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
@@ -60,24 +61,25 @@ int makeNew(const making::NewStudy& request, StageTimes& stages)
     const auto made = madeWithProgress(request, stages);
     stages.end();
     const auto protocol = records::protocolOf(made.facts);
-    for (const auto& warning : made.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
-    std::printf("%s: %s\n", request.study.c_str(), made.facts.name.c_str());
+    for (const auto& warning : made.warnings) std::fprintf(stderr, "warning: %s\n", protocols::printable(warning).c_str());
+    std::printf("%s: %s\n", request.study.c_str(), protocols::printable(made.facts.name).c_str());
     std::printf("  %d participants, fabrics", protocol.participants);
     for (const auto& fabric : made.facts.fabrics)
-        std::printf(" %s (%s)", fabric.value.c_str(), made.facts.fabricNames.at(fabric).c_str());
+        std::printf(" %s (%s)", fabric.value.c_str(), protocols::printable(made.facts.fabricNames.at(fabric)).c_str());
     std::printf(", %zu conditions%s\n", protocol.conditions.size(), made.imagesReused ? ", friction images reused" : "");
     std::printf("  %d presentations and %d answers for each participant: about %.0f minutes in %s, at %g s a presentation\n",
                 protocol.presentations(), protocol.answersPerParticipant(), protocol.minutesPerParticipant(),
                 sittingsText(protocol.sittingsPerParticipant()).c_str(), protocol.secondsPerPresentation);
     std::printf("  %s\n", records::displayResponseSentence(made.facts).c_str());
     if (!made.facts.familiarisation.empty())
-        std::printf("  fabrics for familiarisation: %s\n", listOf(made.facts.familiarisation).c_str());
+        std::printf("  fabrics for familiarisation: %s\n", protocols::printable(listOf(made.facts.familiarisation)).c_str());
     std::printf("balance of the running orders:\n%s", describe(made.balance).c_str());
     if (made.balanceWithEvenSlots)
         std::printf("what few swaps change:\n%s", describePrice(made.balance, *made.balanceWithEvenSlots).c_str());
+    const std::string word = protocols::shellWord(request.study.string());
     std::printf("next: `vis2hap study sheets %s --out DIR` writes the labels of the fabric pieces and the card of the scale\n",
-                request.study.c_str());
-    std::printf("next: `vis2hap study preregister %s` registers the plan before the first answer\n", request.study.c_str());
+                word.c_str());
+    std::printf("next: `vis2hap study preregister %s` registers the plan before the first answer\n", word.c_str());
     return 0;
 }
 
@@ -87,7 +89,7 @@ int status(const std::string& study, const JsonTarget& target, const PassphraseO
     if (target)
         writeJson(target, json);
     else
-        std::fputs(records::textOf(json).c_str(), stdout);
+        std::fputs(protocols::printableLines(records::textOf(json)).c_str(), stdout);
     return 0;
 }
 
@@ -131,10 +133,10 @@ int amend(const Amendment& call)
     const auto changed = fixedPartsChanged(protocols::keptProtocolFromJson(kept.json, "the kept protocol", madeBy),
                                            protocols::keptProtocolFromJson(text, file.string(), madeBy));
     if (!changed.empty())
-        throw protocols::badInput(
-            {"the edit changes " + listed(changed) + ", which running orders and stimuli depend on", file.string(),
-             "changes of texts, times, breaks, bounds, contrasts, checklist or facts only",
-             "make a new study; `vis2hap study amend " + call.study + " --undo` restores the stored protocol"});
+        throw protocols::badInput({"the edit changes " + listed(changed) + ", which running orders and stimuli depend on",
+                                   file.string(), "changes of texts, times, breaks, bounds, contrasts, checklist or facts only",
+                                   "make a new study; `vis2hap study amend " + protocols::shellWord(call.study) +
+                                       " --undo` restores the stored protocol"});
     store.takeProtocol(text, call.who, call.why);
     std::printf("%s: now version %d; participants who have started keep their version\n", file.c_str(), kept.version + 1);
     return 0;
@@ -197,6 +199,7 @@ void addNew(CLI::App& study, Action& action)
             for (const std::string& text : *programs) call->programs.push_back(making::ownProgramFrom(text));
             call->programLimits.time = std::chrono::seconds(*programSeconds);
             call->cache = cacheUnless(*noCache);
+            making::requireInputs(*call);  // before anybody types a passphrase
             if (!*hasNone) call->passphrase = newPassphrase(*passphrase);
             StageTimes stages(isExplained(*command));
             const std::string place = call->study.string();

@@ -50,9 +50,9 @@ fs::path freeName(const fs::path& study, const fs::path& into, const std::string
     return path;
 }
 
-app::ToolOutcome recorded(const ToolCall& call, const std::string& kind, std::string text)
+app::ToolOutcome recorded(const ToolCall& call, const std::string& kind, std::string text, const std::string& note = {})
 {
-    const std::string refused = addAct(call.store, kind, call.out, call.operatorName);
+    const std::string refused = addAct(call.store, kind, call.out, call.operatorName, note);
     text += refused.empty() ? "Recorded in the study.\n" : "Not recorded in the study: " + refused + "\n";
     return {text + "Log head " + textOf(call.store.head()) + "\n", call.out};
 }
@@ -75,8 +75,13 @@ app::ToolOutcome sheets(const ToolCall& call)
 
 app::ToolOutcome backup(const ToolCall& call)
 {
-    writeBackup(call.store, call.out);
-    return recorded(call, "backup", std::to_string(call.store.answerCount()) + " answers; `tar xf` restores the study.\n");
+    std::string faults, text;
+    for (const auto& fault : writeBackup(call.store, call.out)) {
+        text += "warning: " + fault + "\n";
+        faults += (faults.empty() ? "" : "; ") + fault;
+    }
+    text += std::to_string(call.store.answerCount()) + " answers; `tar xf` restores the study.\n";
+    return recorded(call, "backup", text, faults);
 }
 
 app::ToolOutcome exported(const ToolCall& call)

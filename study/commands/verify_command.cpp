@@ -4,6 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "database/evidence/acts.h"
 #include "database/keys.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/safe_text.h"
@@ -42,7 +43,15 @@ nlohmann::ordered_json comparedWith(const database::StudyStore& store, const std
 struct VerifyCall {
     std::string study, against, publicKey;
     JsonTarget target;
+    PassphraseOption passphrase;
 };
+
+/// Empty for a study without acts.
+std::string headOfActsText(const database::StudyStore& store)
+{
+    const auto head = headOfActs(store);
+    return head.sequence == 0 ? std::string() : textOf(head);
+}
 
 /// Checks the signature of the statement in --against and adds its fault or a note. Null where nothing is signed.
 nlohmann::ordered_json checkedSignature(const database::StudyStore& store, const VerifyCall& call, records::Findings& findings)
@@ -71,8 +80,8 @@ void print(const std::string& study, const database::StudyStore& store, const re
            const nlohmann::ordered_json& signature)
 {
     const auto& faults = findings.faults;
-    for (const auto& fault : faults) std::printf("%s\n", fault.c_str());
-    for (const auto& note : findings.notes) std::printf("note: %s\n", note.c_str());
+    for (const auto& fault : faults) std::printf("%s\n", protocols::printable(fault).c_str());
+    for (const auto& note : findings.notes) std::printf("note: %s\n", protocols::printable(note).c_str());
     std::printf("%s: %s (%zu answers, %zu stimuli, hash chain, keys, protocol)\n", study.c_str(),
                 faults.empty() ? "sound" : (std::to_string(faults.size()) + (faults.size() == 1 ? " fault" : " faults")).c_str(),
                 store.answerCount(), store.stimulusHashes().size());
@@ -81,28 +90,31 @@ void print(const std::string& study, const database::StudyStore& store, const re
         std::printf("  the signature is that of the public key; the signer's clock said %s, which it does not prove\n",
                     protocols::printable(signature["time"].get<std::string>()).c_str());
     std::printf("  log head %s\n", textOf(store.head()).c_str());
+    if (const auto acts = headOfActsText(store); !acts.empty()) std::printf("  acts head %s\n", acts.c_str());
 }
 
 int verify(const VerifyCall& call)
 {
     const auto store = records::openStudy(call.study);
-    auto findings = records::findingsOf(store);
+    auto findings = records::findingsOf(store, givenPassphrase(call.passphrase));
     const auto signature = checkedSignature(store, call, findings);
     // A statement of another signer or study says nothing about this log, so that its head would only add a second fault.
     const bool isTrusted = !signature.is_object() || signature["valid"] != false;
     const auto heads = comparedWith(store, isTrusted ? call.against : "", findings.faults);
-    if (call.target)
-        writeJson(call.target, {{"schema", "vis2hap.verify/1"},
-                                {"study", store.facts().name},
-                                {"sound", findings.faults.empty()},
-                                {"stimuli", store.stimulusHashes().size()},
-                                {"answers", store.answerCount()},
-                                {"head", textOf(store.head())},
-                                {"against", heads},
-                                {"signature", signature},
-                                {"faults", findings.faults},
-                                {"notes", findings.notes}});
-    else
+    if (call.target) {
+        nlohmann::ordered_json json{{"schema", "vis2hap.verify/1"},
+                                    {"study", store.facts().name},
+                                    {"sound", findings.faults.empty()},
+                                    {"stimuli", store.stimulusHashes().size()},
+                                    {"answers", store.answerCount()},
+                                    {"head", textOf(store.head())},
+                                    {"against", heads},
+                                    {"signature", signature},
+                                    {"faults", findings.faults},
+                                    {"notes", findings.notes}};
+        if (const auto acts = headOfActsText(store); !acts.empty()) json["acts_head"] = acts;
+        writeJson(call.target, json);
+    } else
         print(call.study, store, findings, heads.size(), signature);
     return static_cast<int>(findings.faults.empty() ? protocols::ExitCode::Done : protocols::ExitCode::WorkFailed);
 }
@@ -133,8 +145,11 @@ void addVerify(CLI::App& app, Action& action)
     auto call = std::make_shared<VerifyCall>();
     command->add_option("STUDY", call->study, "the study")->required();
     command->add_option("--against", call->against,
-                        "a head of the log that was given out earlier (SEQUENCE:HASH), or a file that contains some: finds a log "
-                        "that was cut, put back or written anew");
+                        "a head of the log or of the acts that was given out earlier (SEQUENCE:HASH), or a file that contains "
+                        "some: finds a log that was cut, put back or written anew");
+    command->add_option("--passphrase-file", call->passphrase.file,
+                        "file with the owner's passphrase in its first line: opens the sealed key, too (default: "
+                        "VIS2HAP_PASSPHRASE)");
     command->add_option("--public-key", call->publicKey,
                         "public key of the laboratory: checks the signature of --against FILE (a statement of `study sign`)");
     addJsonOption(*command, call->target);

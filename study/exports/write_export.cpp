@@ -15,6 +15,7 @@
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/foreign/foreign_table.h"
 #include "protocols/files/number_text.h"
+#include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/question_ids.h"
 #include "reports/formats/table_formats.h"
@@ -272,22 +273,24 @@ void writeCsvTables(const Export& job, const std::vector<ExportedTable>& tables)
 /// Studies of earlier versions may not know it.
 ordered_json madeWithOf(const Export& job)
 {
-    ordered_json made = ordered_json::parse(records::shownMadeWith(job.store, job.facts), nullptr, false);
+    ordered_json made = protocols::storedOrderedJson(records::shownMadeWith(job.store, job.facts));
     return made.is_object() ? made : ordered_json::object();
 }
 
 ordered_json headOf(const Export& job)
 {
-    return {{"schema", "vis2hap.export/1"},
-            {"study", job.facts.name},
-            {"protocol_sha256", job.facts.protocolSha256},
-            {"blinded", job.naming == nullptr},
-            {"stamps", records::stampsOf(job.store, job.facts)},
-            {"participants", participantRows(job)},
-            {"preregistrations", registrationRows(job)},
-            {"acts", actRows(job)},
-            {"made_with", madeWithOf(job)},
-            {"log_head", textOf(job.store.head())}};
+    ordered_json head{{"schema", "vis2hap.export/1"},
+                      {"study", job.facts.name},
+                      {"protocol_sha256", job.facts.protocolSha256},
+                      {"blinded", job.naming == nullptr},
+                      {"stamps", records::stampsOf(job.store, job.facts)},
+                      {"participants", participantRows(job)},
+                      {"preregistrations", registrationRows(job)},
+                      {"acts", actRows(job)},
+                      {"made_with", madeWithOf(job)},
+                      {"log_head", textOf(job.store.head())}};
+    if (const auto acts = headOfActs(job.store); acts.sequence > 0) head["acts_head"] = textOf(acts);
+    return head;
 }
 
 /// The text of a whole object with a row for each answer, without holding the rows.

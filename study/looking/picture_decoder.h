@@ -7,7 +7,8 @@
 
 namespace study::looking {
 
-/// CV_8UC3 in the order R, G, B, turned upright by the orientation mark of the camera. Throws badInput.
+/// CV_8UC3 in the order R, G, B, turned upright by the orientation mark of the camera. Throws badInput, also for a JPEG or BMP
+/// that lacks its end.
 cv::Mat decodeByQt(const std::filesystem::path& file);
 
 }  // namespace study::looking

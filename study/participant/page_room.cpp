@@ -76,9 +76,15 @@ PageReply PageRoom::routed(const PageRequest& request, std::int64_t nowNs)
 {
     struct Place {
         std::string_view path, method;
+        std::size_t longestBody = 0;
     };
-    static constexpr Place places[] = {{"/", "GET"},    {"/page.css", "GET"}, {"/page.js", "GET"}, {"/words", "GET"},
-                                       {"/now", "GET"}, {"/enter", "POST"},   {"/act", "POST"}};
+    static constexpr Place places[] = {{"/", "GET"},
+                                       {"/page.css", "GET"},
+                                       {"/page.js", "GET"},
+                                       {"/words", "GET"},
+                                       {"/now", "GET"},
+                                       {"/enter", "POST", longestEntry},
+                                       {"/act", "POST", longestBody}};
     // A page of another name that leads to this address must not read it (DNS rebinding).
     if (request.host != m_host) return bare(421, "this address is not served here");
     if (!request.origin.empty() && request.origin != "http://" + m_host) return bare(403, "another page sent this");
@@ -90,7 +96,7 @@ PageReply PageRoom::routed(const PageRequest& request, std::int64_t nowNs)
         reply.headers.emplace_back("Allow", place->method);
         return reply;
     }
-    if (request.body.size() > (place->method == "POST" ? longestBody : 0)) return bare(413, "this body is too large");
+    if (request.body.size() > place->longestBody) return bare(413, "this body is too large");
     if (place->method == "POST" && !isJson(request.contentType)) return bare(415, "only application/json is read");
     if (request.path == "/") return plain(200, "text/html; charset=utf-8", m_files.html);
     if (request.path == "/page.css") return plain(200, "text/css; charset=utf-8", m_files.css);

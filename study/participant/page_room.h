@@ -12,7 +12,8 @@
 
 namespace study::participant {
 
-inline constexpr std::size_t longestBody = 1 << 16;  ///< bytes
+inline constexpr std::size_t longestBody = 1 << 16;  ///< of an act, bytes
+inline constexpr std::size_t longestEntry = 256;     ///< body with a code, bytes: anybody in the network may send one
 inline constexpr std::size_t longestPath = 200;
 
 /// A request as it came; missing headers are empty.

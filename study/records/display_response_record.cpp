@@ -3,18 +3,29 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "database/disk/payload_fields.h"
 #include "protocols/files/number_text.h"
+#include "protocols/files/strict_json.h"
 #include "reports/text/plain_words.h"
 
 namespace study::records {
 
 namespace {
 
+using database::textIn;
+
 /// A null value without a response.
 nlohmann::json keptResponse(const database::StudyFacts& facts)
 {
-    const auto made = nlohmann::json::parse(facts.madeWith, nullptr, false);
-    return made.is_object() ? made.value(displayResponseField, nlohmann::json()) : nlohmann::json();
+    const auto made = protocols::storedJson(facts.madeWith);
+    return made.is_object() && made.contains(displayResponseField) ? made.at(displayResponseField) : nlohmann::json();
+}
+
+/// Zero where the field is missing or no number.
+std::string sizeIn(const nlohmann::json& response, const char* field)
+{
+    const auto value = response.find(field);
+    return protocols::shortest(value != response.end() && value->is_number() ? value->get<double>() : 0.0);
 }
 
 /// Drivers add their address to the name of the display: "Our display (exec:driver)".
@@ -29,25 +40,24 @@ std::string displayResponseSentence(const database::StudyFacts& facts)
 {
     const auto response = keptResponse(facts);
     if (!response.is_object()) return "The response of the display was not measured: grey levels stand for friction.";
-    return "Friction of the display's glass was measured on " + response.value("date", "") + " on " +
-           response.value("display", "") + " at " + protocols::shortest(response.value("load_n", 0.0)) + " N and " +
-           protocols::shortest(response.value("speed_mm_per_s", 0.0)) + " mm/s with " + response.value("finger", "") +
-           " (SHA-256 " + response.value("sha256", "").substr(0, 16) + "). The images are mapped through this response.";
+    return "Friction of the display's glass was measured on " + textIn(response, "date") + " on " + textIn(response, "display") +
+           " at " + sizeIn(response, "load_n") + " N and " + sizeIn(response, "speed_mm_per_s") + " mm/s with " +
+           textIn(response, "finger") + " (SHA-256 " + textIn(response, "sha256").substr(0, 16) +
+           "). The images are mapped through this response.";
 }
 
 std::string otherDisplaySentence(const database::StudyStore& store, const database::StudyFacts& facts)
 {
     const auto response = keptResponse(facts);
     if (!response.is_object()) return {};
-    const std::string measured = response.value("display", "");
+    const std::string measured = textIn(response, "display");
     std::set<protocols::ParticipantId> people;
     for (const auto& enrolment : store.enrolments())
         if (enrolment.kind == database::ParticipantKind::Human) people.insert(enrolment.participant);
     std::set<std::string> others;
     std::size_t sittings = 0;
     for (const auto& sitting : store.eventsOfKind("sitting_started")) {
-        const auto payload = nlohmann::json::parse(sitting.payloadJson, nullptr, false);
-        const std::string used = payload.is_object() ? payload.value("display", "") : "";
+        const std::string used = textIn(database::payloadIn(sitting.payloadJson), "display");
         if (!people.contains(sitting.participant) || used.empty() || used == "none" || isThisDisplay(used, measured)) continue;
         others.insert(used);
         ++sittings;

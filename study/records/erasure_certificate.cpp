@@ -1,8 +1,11 @@
 #include "study/records/erasure_certificate.h"
 
+#include "database/erasure.h"
 #include "database/evidence/acts.h"
+#include "database/server/study_move.h"
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/safe_text.h"
+#include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
 
 namespace study::records {
@@ -24,9 +27,17 @@ std::string copiesOf(const database::StudyStore& store, const protocols::Partici
     const auto entries = store.events(participant);
     if (entries.empty()) return "The participant has no entry in the log, so no recorded copy holds data about them.\n";
     std::string text;
-    for (const auto& act : copiesSince(store, entries.front().sequence))
+    bool wasOnServer = false;
+    for (const auto& act : copiesSince(store, entries.front().sequence)) {
+        wasOnServer = wasOnServer || act.kind == database::serverAct;
         text += "  " + act.kind + " " + protocols::printable(act.path) + " on " + act.host + ", " + act.wallTime + ", by " +
                 protocols::printable(act.who) + "\n";
+    }
+    if (wasOnServer)
+        text += std::string(
+                    "The study was on a server. Its log, write-ahead log and backups may hold what is erased here. They were "
+                    "not searched. An administrator of the server removes them:\n") +
+                database::removalFromServer;
     return text.empty() ? "The study has a record of no such copy since the participant's first entry in the log.\n"
                         : "Copies on record since the participant's first entry in the log:\n" + text;
 }
@@ -61,10 +72,11 @@ std::filesystem::path writeErasureCertificate(const database::StudyStore& store,
         "\nCopies made before this erasure are not changed by it: backups, exports, reports, and copies of the folder. "
         "Erase or delete them, too.\n";
     text += copiesOf(store, erasure.participant);
-    const auto folder = store.folder().folder / "erasures";
-    protocols::makeFolders(folder);
-    const auto file = folder / ("erasure-" + std::to_string(record.event) + ".txt");
+    protocols::makeFolders(database::certificatesFolder(store.folder()));
+    const auto file = database::certificateFile(store.folder(), record.event);
     protocols::writeWholeFile(file, text, protocols::Sync::Now, protocols::Readers::OwnerOnly);
+    // A certificate that is not recorded after a crash is noted by `verify`; a recorded one that is missing is a fault.
+    database::recordCertificate(store, record.event, protocols::sha256(text));
     return file;
 }
 

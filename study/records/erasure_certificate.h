@@ -7,7 +7,8 @@
 
 namespace study::records {
 
-/// Writes STUDY/erasures/erasure-N.txt, where N is the entry of the log, and returns its path. Throws environmentFault.
+/// Writes STUDY/erasures/erasure-N.txt, where N is the entry of the log, records its hash in the log and returns its path. Throws
+/// environmentFault.
 std::filesystem::path writeErasureCertificate(const database::StudyStore& store, const database::Erasure& erasure,
                                               const database::ErasureRecord& record);
 

@@ -10,9 +10,14 @@
 #include <set>
 #include <string_view>
 
+#include "database/erasure.h"
 #include "database/preregistrations.h"
+#include "database/schema.h"
+#include "database/sqlite_connection.h"
+#include "database/study_rows.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
+#include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
 
 namespace study::records {
@@ -51,6 +56,20 @@ std::set<std::string> registeredFiles(const database::StudyStore& store)
         // The audit of the log reports a payload that cannot be read.
     }
     return names;
+}
+
+/// What a rescue put aside, which may be a damaged study.
+bool isBeforeRescue(const std::string& name) { return isNumbered(name, "study-before-rescue-", ".db"); }
+
+/// A database that a rescue put aside, or that waits for one.
+bool isKeptDatabase(const std::string& name) { return isNumbered(name, "rescue-", ".db") || isBeforeRescue(name); }
+
+/// The same with the files that SQLite keeps beside it.
+bool belongsToKeptDatabase(const std::string& name)
+{
+    for (const std::string_view ending : {"", "-wal", "-shm"})
+        if (name.ends_with(ending) && isKeptDatabase(name.substr(0, name.size() - ending.size()))) return true;
+    return false;
 }
 
 class Search {
@@ -118,7 +137,7 @@ bool isOneOf(const char* const (&names)[count], const std::string& name)
 /// The hashes of the recordings by key, as the making of the study kept them.
 std::map<std::string, std::string> promptHashes(const database::StudyStore& store)
 {
-    const auto made = nlohmann::json::parse(store.facts().madeWith, nullptr, false);
+    const auto made = protocols::storedJson(store.facts().madeWith);
     std::map<std::string, std::string> hashes;
     if (!made.is_object() || !made.contains("prompts_sha256") || !made.at("prompts_sha256").is_object()) return hashes;
     for (const auto& [key, hash] : made.at("prompts_sha256").items())
@@ -137,6 +156,82 @@ void checkPrompts(const database::StudyStore& store, const std::map<std::string,
     }
 }
 
+struct Certificate {
+    std::int64_t erasure = 0;  ///< entry of the log
+    std::string sha256;        ///< empty where the log has none
+};
+
+/// By file name: the certificate of every erasure in the log.
+std::map<std::string, Certificate> certificatesIn(const database::StudyStore& store)
+{
+    std::map<std::string, Certificate> found;
+    if (store.erasures().empty()) return found;  // a search of the whole log takes long
+    const auto hashes = certificatesOf(store);
+    for (const auto& event : store.eventsOfKind("erased")) {
+        if (!event.participant.empty()) continue;
+        const auto hash = hashes.find(event.sequence);
+        found[certificateFile(store.folder(), event.sequence).filename().string()] = {
+            event.sequence, hash == hashes.end() ? std::string() : hash->second};
+    }
+    return found;
+}
+
+void checkCertificate(const database::StudyStore& store, const Certificate& certificate, FolderFindings& findings)
+{
+    const fs::path file = certificateFile(store.folder(), certificate.erasure);
+    const std::string name = "erasures/" + file.filename().string();
+    const auto text = protocols::readIfPossible(file);
+    if (certificate.sha256.empty())
+        findings.notes.push_back(name + (text ? ": its hash is not recorded, so it cannot be checked"
+                                              : ": is missing, and its hash is not recorded: the erasure was interrupted, or "
+                                                "somebody removed the certificate"));
+    else if (!text || protocols::sha256(*text) != certificate.sha256)
+        findings.faults.push_back(name + (text ? ": was altered" : ": is missing") +
+                                  ": put the certificate back, as the erasure wrote it");
+}
+
+std::string hashOfEntryIn(const database::SqliteConnection& sqlite, std::int64_t sequence)
+{
+    return database::fromQt(sqlite.value(QStringLiteral("SELECT hash FROM events WHERE sequence = ?"), {qlonglong(sequence)}));
+}
+
+/// How the log of a kept database lies to that of the study. Throws Error where it is no database of this study.
+std::string relationOf(const database::StudyStore& store, const fs::path& file)
+{
+    const database::SqliteConnection kept(file, database::SqliteConnection::Mode::Kept);
+    if (database::checkedVersion(kept) < database::schemaVersion) return "it is from before the upgrade of the study";
+    if (hashOfEntryIn(kept, 1) != store.hashOfEntry(1))
+        throw protocols::workFailed({"this is a database of another study", file.string(), "", ""});
+    const database::LogHead own = store.head(), other = database::headIn(kept);
+    if (own == other) return "its log is that of the study";
+    const std::string entries = std::to_string(other.sequence);
+    if (other.sequence < own.sequence && store.hashOfEntry(other.sequence) == other.hash)
+        return "its log is the beginning of the study's (" + entries + " of " + std::to_string(own.sequence) + " entries)";
+    if (other.sequence > own.sequence && hashOfEntryIn(kept, own.sequence) == own.hash)
+        return "its log has " + entries + " entries and goes on where that of the study ends: run vis2hap rescue";
+    return "its log (" + entries + " entries) is apart from the study's: it holds other answers";
+}
+
+/// Nothing else reads these files before a rescue does, which checks them as a whole.
+void checkKeptDatabases(const database::StudyStore& store, FolderFindings& findings)
+{
+    std::error_code unreadable;
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(store.folder().folder, unreadable))
+        if (isKeptDatabase(entry.path().filename().string()) && entry.is_regular_file(unreadable)) files.push_back(entry.path());
+    std::ranges::sort(files);
+    for (const fs::path& file : files) {
+        const std::string name = file.filename().string();
+        try {
+            findings.notes.push_back(name + ": kept aside for a rescue or by one; " + relationOf(store, file));
+        } catch (const protocols::Error& fault) {
+            auto& lines = isBeforeRescue(name) ? findings.notes : findings.faults;
+            lines.push_back(name +
+                            ": is no database of this study that can be read, so move it out of the folder: " + fault.what());
+        }
+    }
+}
+
 }  // namespace
 
 FolderFindings findingsInFolder(const database::StudyStore& store)
@@ -152,8 +247,7 @@ FolderFindings findingsInFolder(const database::StudyStore& store)
     search.look(
         folder.folder,
         [&](const std::string& name) {
-            return isOneOf(knownFiles, name) || registered.contains(name) || isNumbered(name, "rescue-", ".db") ||
-                   isNumbered(name, "study-before-rescue-", ".db");
+            return isOneOf(knownFiles, name) || registered.contains(name) || belongsToKeptDatabase(name);
         },
         [&](const std::string& name) {
             if (!isCopyBeforeUpgrade(name, folder)) return isOneOf(knownFolders, name);
@@ -171,9 +265,15 @@ FolderFindings findingsInFolder(const database::StudyStore& store)
             [&](const std::string& name) { return name.ends_with(".wav") && prompts.contains(name.substr(0, name.size() - 4)); },
             none);
     if (findings.isReadable) checkPrompts(store, prompts, findings);
-    if (const fs::path erasures = folder.folder / "erasures"; fs::is_directory(erasures))
+    const auto certificates = certificatesIn(store);
+    if (const fs::path erasures = certificatesFolder(folder); fs::is_directory(erasures))
         search.look(
-            erasures, [](const std::string& name) { return isNumbered(name, "erasure-", ".txt"); }, none);
+            erasures, [&](const std::string& name) { return certificates.contains(name); }, none);
+    if (!findings.isReadable) return findings;
+    // The copy of an older study has no certificates beside it.
+    if (!store.isUpgradedCopy())
+        for (const auto& [name, certificate] : certificates) checkCertificate(store, certificate, findings);
+    checkKeptDatabases(store, findings);
     return findings;
 }
 

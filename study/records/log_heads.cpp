@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "database/evidence/acts.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 
@@ -51,6 +52,14 @@ std::vector<LogHead> headsInText(std::string_view text)
     return heads;
 }
 
+/// Heads of the acts are given out beside those of the log, and no hash can be that of both.
+bool isAmongActs(const database::StudyStore& store, const LogHead& head)
+{
+    return std::ranges::any_of(chainedActsOf(store), [&](const database::ChainedAct& act) {
+        return head.sequence == 0 ? act.hash == head.hash : act.number == head.sequence && act.hash.starts_with(head.hash);
+    });
+}
+
 }  // namespace
 
 std::vector<LogHead> headsIn(const std::string& headOrFile)
@@ -76,10 +85,13 @@ std::string faultAgainst(const database::StudyStore& store, const LogHead& head)
     const auto last = store.head();
     if (head.sequence == 0 ? store.entryWithHash(head.hash).has_value() : store.hashOfEntry(head.sequence).starts_with(head.hash))
         return {};
+    if (isAmongActs(store, head)) return {};
     if (head.sequence > last.sequence)
         return "the log ends at entry " + std::to_string(last.sequence) + ", and the head is entry " +
                std::to_string(head.sequence) + ": entries were cut off, or an earlier database was put back";
-    return "no entry of the log has this hash in this place: the log was written anew, or the head is that of another study";
+    return "no entry of the log and no act has this hash in this place: they were cut off or written anew, or the head is that "
+           "of "
+           "another study";
 }
 
 }  // namespace study::records

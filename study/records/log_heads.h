@@ -1,5 +1,5 @@
-// Heads of the log that were given out: on a session's end, in reports, exports and backups, on certificates. A study that still
-// contains them was not rolled back, cut or chained anew.
+// Heads of the log and of the acts that were given out: on a session's end, in reports, exports and backups, on certificates. A
+// study that still contains them was not rolled back, cut or chained anew.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace study::records {
 /// every SEQUENCE:HASH in the text of this file. Throws badInput where there is none, or where the file cannot be read.
 std::vector<database::LogHead> headsIn(const std::string& headOrFile);
 
-/// Why the log does not contain the head; empty where it does.
+/// Why neither the log nor the acts contain the head; empty where one does.
 std::string faultAgainst(const database::StudyStore& store, const database::LogHead& head);
 
 }  // namespace study::records

@@ -4,6 +4,7 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
+#include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
 
@@ -53,7 +54,7 @@ template <class Read>
 auto readFrom(const database::StudyStore& store, const database::PreregistrationRecord& record, const Read& read)
 {
     try {
-        return read(json::parse(record.json));
+        return read(protocols::storedJson(record.json));
     } catch (const json::exception&) {
         throw protocols::workFailed({"registered plan " + std::to_string(record.number) + " cannot be read",
                                      store.folder().folder.string(), "a plan of schema vis2hap.preregistration/1",

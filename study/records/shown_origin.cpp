@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "protocols/files/strict_json.h"
+
 namespace study::records {
 
 namespace {
@@ -22,7 +24,7 @@ std::string withHash(const std::string& file, const ordered_json& sha256)
 std::string shownMadeWith(const database::StudyStore& store, const database::StudyFacts& facts)
 {
     if (store.unblinding()) return facts.madeWith;
-    ordered_json made = ordered_json::parse(facts.madeWith, nullptr, false);
+    ordered_json made = protocols::storedOrderedJson(facts.madeWith);
     if (!made.is_object()) return facts.madeWith;
     for (const char* own : {"own_images_sha256", "programs"}) made.erase(own);
     return made.dump();
@@ -31,7 +33,7 @@ std::string shownMadeWith(const database::StudyStore& store, const database::Stu
 std::vector<std::string> programSentences(const database::StudyStore& store, const database::StudyFacts& facts)
 {
     std::vector<std::string> sentences;
-    const ordered_json made = ordered_json::parse(facts.madeWith, nullptr, false);
+    const ordered_json made = protocols::storedOrderedJson(facts.madeWith);
     if (!store.unblinding() || !made.is_object() || !made.contains("programs")) return sentences;
     try {
         for (const auto& [condition, used] : made.at("programs").items()) {

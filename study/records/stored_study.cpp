@@ -10,6 +10,7 @@
 #include "database/evidence/operator_latency.h"
 #include "database/server/study_move.h"
 #include "protocols/condition.h"
+#include "protocols/files/strict_json.h"
 #include "protocols/protocol_json.h"
 #include "protocols/records/anchor_trials.h"
 #include "protocols/usual_texts.h"
@@ -139,6 +140,29 @@ std::vector<reports::StudyResponse>& responsesTo(const Naming::Entry& shown, rep
     return shown.condition == protocols::catchTrialId().value ? data.catchResponses : data.responses;
 }
 
+/// Whether choices that came a second time had other foils then; those of older studies had the same.
+class RepeatedTrays {
+public:
+    void add(const database::CurrentAnswer& answer, const Naming::Entry& shown)
+    {
+        const bool isSecond = shown.anchor == protocols::AnchorKind::Repeated;
+        const bool isListed = shown.anchor == protocols::AnchorKind::None && shown.condition != protocols::catchTrialId().value;
+        if (answer.record.alternatives.size() < 2 || (!isSecond && !isListed)) return;
+        auto pieces = answer.record.alternatives;
+        std::ranges::sort(pieces);
+        m_trays[{answer.participant, answer.record.question, shown.fabric, shown.condition, shown.instruction}].insert(pieces);
+    }
+    bool differ() const
+    {
+        return std::ranges::any_of(m_trays, [](const auto& tray) { return tray.second.size() > 1; });
+    }
+
+private:
+    using Presentation =
+        std::tuple<protocols::ParticipantId, protocols::QuestionId, protocols::FabricId, std::string, protocols::InstructionId>;
+    std::map<Presentation, std::set<std::vector<protocols::FabricId>>> m_trays;
+};
+
 /// Sorts the current answers into analysed answers, answers to blank glass and to anchors, and a count of voided presentations.
 void readAnswers(const std::vector<database::CurrentAnswer>& answers, const protocols::Protocol& protocol, const Naming& naming,
                  reports::StudyData& data)
@@ -147,6 +171,7 @@ void readAnswers(const std::vector<database::CurrentAnswer>& answers, const prot
     std::set<PresentationKey> voided;
     data.times = timesOf(answers);
     const auto places = placesInTime(answers);
+    RepeatedTrays trays;
     for (const auto& answer : answers) {
         if (!analysed.contains(answer.participant.value)) continue;
         const auto named = naming.entries.find({answer.participant, answer.record.trial});
@@ -157,7 +182,9 @@ void readAnswers(const std::vector<database::CurrentAnswer>& answers, const prot
             voided.insert(keyOf(answer));
         else if (question != nullptr)
             responsesTo(entry, data).push_back(responseOf(answer, entry, question->kind, places.at(keyOf(answer)), data.times));
+        if (hasAnchors(protocol)) trays.add(answer, entry);
     }
+    data.choicesRepeatedAnew = trays.differ();
     data.voided = voided.size();
 }
 
@@ -187,7 +214,7 @@ void readOperatorTaps(const database::StudyStore& store, reports::StudyData& dat
 /// The compared signals, the prices of the renderings, and the warnings about images as sentences of the page.
 void readSignals(const std::string& text, reports::StudyData& data)
 {
-    auto json = nlohmann::ordered_json::parse(text, nullptr, false);
+    auto json = protocols::storedOrderedJson(text);
     if (json.is_object() && json.contains(pricesField)) data.prices = reports::pricesFromJson(json[pricesField]);
     if (!json.is_object() || !json.contains(imageWarningsField)) {
         data.signals = reports::signalsFromJson(text);
@@ -244,7 +271,7 @@ std::vector<std::string> stampsOf(const database::StudyStore& store, const datab
     for (const auto& enrolment : store.enrolments())
         if (enrolment.kind == database::ParticipantKind::Human) people.insert(enrolment.participant);
     for (const auto& sitting : store.eventsOfKind("sitting_started")) {
-        const auto payload = nlohmann::json::parse(sitting.payloadJson, nullptr, false);
+        const auto payload = protocols::storedJson(sitting.payloadJson);
         if (payload.is_object() && payload.contains("plain_images")) seen.insert(sitting.participant);
         if (payload.is_object() && payload.contains("display") && payload["display"] == "none" &&
             people.contains(sitting.participant))

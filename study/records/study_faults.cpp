@@ -1,7 +1,6 @@
 #include "study/records/study_faults.h"
 
 #include "database/evidence/acts.h"
-#include "database/keys.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/strict_json.h"
@@ -30,7 +29,7 @@ std::vector<std::string> faultsOfProtocol(const database::StudyStore& store)
 
 }  // namespace
 
-Findings findingsOf(const database::StudyStore& store)
+Findings findingsOf(const database::StudyStore& store, const database::Passphrase& passphrase)
 {
     auto folder = findingsInFolder(store);
     Findings findings{store.faults(), std::move(folder.notes)};
@@ -40,7 +39,9 @@ Findings findingsOf(const database::StudyStore& store)
     add(faultsOfActs(store));
     add(folder.faults);
     if (!folder.isReadable) return findings;
-    add(faultsOfKeys(store));
+    const auto keys = findingsOfKeys(store, passphrase);
+    add(keys.faults);
+    findings.notes.insert(findings.notes.end(), keys.notes.begin(), keys.notes.end());
     add(rendering::faultsOfStimuli(store.folder().stimuli(), store.stimulusHashes()));
     add(faultsOfProtocol(store));
     add(faultsOfRegisteredFiles(store));

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "database/keys.h"
 #include "database/study_store.h"
 
 namespace study::records {
@@ -13,6 +14,7 @@ struct Findings {
     std::vector<std::string> notes;   ///< what the owner should know, although the study is sound
 };
 
-Findings findingsOf(const database::StudyStore& store);
+/// With a passphrase, a sealed key is opened and compared, too.
+Findings findingsOf(const database::StudyStore& store, const database::Passphrase& passphrase = {});
 
 }  // namespace study::records

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/strict_json.h"
 #include "protocols/records/balance.h"
 #include "reports/analysis/quality_flags.h"
 #include "reports/data/registration.h"
@@ -155,7 +156,7 @@ std::string balanceText(const ordered_json& ranges)
 /// The stored ranges. Throws workFailed where somebody altered them.
 ordered_json plannedBalanceIn(const database::StudyFacts& facts)
 {
-    auto planned = ordered_json::parse(facts.plannedBalance, nullptr, false);
+    auto planned = protocols::storedOrderedJson(facts.plannedBalance);
     const auto isRange = [](const ordered_json& range) {
         return range.is_object() && range.contains("what") && range["what"].is_string() && range.contains("min") &&
                range["min"].is_number_integer() && range.contains("max") && range["max"].is_number_integer();

@@ -1,6 +1,7 @@
 #include "study/session/driver.h"
 
 #include "protocols/files/errors.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
@@ -99,7 +100,7 @@ Plan readPlan(const SessionStore& store, const protocols::ParticipantId& partici
 void requireKeptProtocol(const SessionStore& store)
 {
     const std::filesystem::path file = store.folder().protocol();
-    const std::string study = store.folder().folder.string();
+    const std::string study = protocols::shellWord(store.folder().folder.string());
     const std::optional<std::string> text = protocols::readIfPossible(file);
     if (text && protocols::sha256(*text) == store.protocolVersions().back().sha256) return;
     throw protocols::badInput({text ? "the protocol was changed after the study was made" : "the protocol cannot be read",
@@ -113,7 +114,8 @@ View Driver::view() const
 {
     View view = viewOf(m_plan, m_state, m_participant, m_clock.monotonicNs());
     const bool hasEnded = std::holds_alternative<Finished>(m_state.stage) || std::holds_alternative<Withdrawn>(m_state.stage);
-    if (hasEnded || m_state.paused || std::holds_alternative<OnBreak>(m_state.stage)) view.logHead = shortTextOf(m_store.head());
+    if (!hasEnded && !m_state.paused && !std::holds_alternative<OnBreak>(m_state.stage)) return view;
+    if (const database::LogHead head = m_store.head(); !head.hash.empty()) view.logHead = shortTextOf(head);
     return view;
 }
 

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/strict_json.h"
 
 namespace study::session {
 
@@ -206,9 +207,13 @@ std::string payloadJson(const EventBody& body, const OperatedBy& operatedBy)
 
 EventBody eventFromRecord(const std::string& kind, const std::string& payloadJson)
 {
+    const Json payload = protocols::storedOrderedJson(payloadJson);
+    if (payload.is_discarded())
+        throw protocols::workFailed({"a stored event cannot be read", "event \"" + kind + "\" " + payloadJson,
+                                     "a payload in JSON, not nested deeply", "run vis2hap verify on the study"});
     try {
         for (const Kind& known : kinds)
-            if (kind == known.name) return known.read(Json::parse(payloadJson));
+            if (kind == known.name) return known.read(payload);
     } catch (const Json::exception& fault) {
         throw protocols::workFailed({"a stored event cannot be read: " + std::string(fault.what()),
                                      "event \"" + kind + "\" " + payloadJson, "", "run vis2hap verify on the study"});

@@ -112,7 +112,7 @@ bool isOfSimulation(const fs::path& folder)
 {
     const auto results = nlohmann::json::parse(protocols::readIfPossible(folder / "results.json").value_or(""), nullptr, false);
     return results.is_object() && results.contains("study") && results["study"].is_object() &&
-           results["study"].value("simulated", false) && !fs::exists(folder / "index.html");
+           results["study"].contains("simulated") && results["study"]["simulated"] == true && !fs::exists(folder / "index.html");
 }
 
 }  // namespace

@@ -12,6 +12,8 @@ namespace {
 
 constexpr char separator = '\x1f';
 constexpr int mostRows = 40;
+constexpr std::size_t mostDeepRows = 3;
+constexpr std::size_t deepLevels = 40'000;  ///< more than recursive functions survive in a program with sanitizers
 
 using Database = std::unique_ptr<sqlite3, decltype(&sqlite3_close)>;
 using Statement = std::unique_ptr<sqlite3_stmt, decltype(&sqlite3_finalize)>;
@@ -51,19 +53,41 @@ std::string quoted(const std::string& name)
     return text.get();
 }
 
+constexpr const char* tableNames = "SELECT name FROM sqlite_master WHERE type = 'table' ORDER BY name";
+
+std::string columnNames(const std::string& table) { return "SELECT name FROM pragma_table_info(" + quoted(table) + ")"; }
+
 std::string inputOf(const std::string& table, const std::string& column, std::size_t row, const std::string& value)
 {
     return table + separator + column + separator + std::to_string(row) + separator + value + separator;
 }
 
+/// "slot, number": what names a row. A table without a primary key has row numbers.
+std::string keyOf(const Database& database, const std::string& table)
+{
+    std::string key;
+    for (const auto& column :
+         textsIn(database, "SELECT name FROM pragma_table_info(" + quoted(table) + ") WHERE pk > 0 ORDER BY pk"))
+        key += (key.empty() ? "" : ", ") + quoted(column);
+    return key.empty() ? "rowid" : key;
+}
+
+/// False for names that a mutation made, and for views.
+bool isColumnOfTable(const Database& database, const std::string& table, const std::string& column)
+{
+    const auto tables = textsIn(database, tableNames), columns = textsIn(database, columnNames(table));
+    return std::ranges::find(tables, table) != tables.end() && std::ranges::find(columns, column) != columns.end();
+}
+
 void change(const Database& database, const std::string& table, const std::string& column, const std::string& row,
             const std::string& value)
 {
-    // The table of trials has no row numbers.
-    const std::string key = table == "trials" ? "(slot, number)" : "rowid",
-                      columns = table == "trials" ? "slot, number" : "rowid";
-    const Statement update = prepared(database, "UPDATE " + quoted(table) + " SET " + quoted(column) + " = ? WHERE " + key +
-                                                    " = (SELECT " + columns + " FROM " + quoted(table) + " LIMIT 1 OFFSET ?)");
+    const std::string key = keyOf(database, table);
+    const Statement update = prepared(database, "UPDATE " + quoted(table) + " SET " + quoted(column) + " = ? WHERE (" + key +
+                                                    ") = (SELECT " + key + " FROM " + quoted(table) + " LIMIT 1 OFFSET ?)");
+    if (!update && isColumnOfTable(database, table, column))
+        throw std::runtime_error("column " + column + " of table " + table +
+                                 " cannot be changed: " + sqlite3_errmsg(database.get()));
     if (!update) return;
     sqlite3_bind_text(update.get(), 1, value.data(), static_cast<int>(value.size()), SQLITE_TRANSIENT);
     sqlite3_bind_int64(update.get(), 2, std::atoll(row.c_str()));
@@ -72,17 +96,31 @@ void change(const Database& database, const std::string& table, const std::strin
 
 }  // namespace
 
+std::string deepJson() { return std::string(deepLevels, '[') + std::string(deepLevels, ']'); }
+
 std::vector<std::string> rowsOf(const std::filesystem::path& file)
 {
     const Database database = opened(file);
-    std::vector<std::string> inputs;
-    for (const auto& table : textsIn(database, "SELECT name FROM sqlite_master WHERE type = 'table' ORDER BY name"))
-        for (const auto& column : textsIn(database, "SELECT name FROM pragma_table_info(" + quoted(table) + ")")) {
+    std::vector<std::string> inputs, deep;
+    for (const auto& table : textsIn(database, tableNames))
+        for (const auto& column : textsIn(database, columnNames(table))) {
             const auto values = textsIn(database, "SELECT " + quoted(column) + " FROM " + quoted(table) + " LIMIT " +
                                                       std::to_string(column == "payload" ? mostRows : 1));
-            for (std::size_t row = 0; row < values.size(); ++row) inputs.push_back(inputOf(table, column, row, values[row]));
+            for (std::size_t row = 0; row < values.size(); ++row) {
+                inputs.push_back(inputOf(table, column, row, values[row]));
+                if (row < mostDeepRows && (values[row].starts_with('{') || values[row].starts_with('[')))
+                    deep.push_back(inputOf(table, column, row, deepJson()));
+            }
         }
+    inputs.insert(inputs.begin() + 1, deep.begin(), deep.end());
     return inputs;
+}
+
+void makeDatabase(const std::filesystem::path& file, const std::string& sql)
+{
+    const Database database = opened(file);
+    if (sqlite3_exec(database.get(), sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK)
+        throw std::runtime_error(std::string("the sound database cannot be made: ") + sqlite3_errmsg(database.get()));
 }
 
 void changeRows(const std::filesystem::path& file, const std::string& input)

@@ -7,12 +7,20 @@
 
 namespace fuzz {
 
+/// JSON that nests more deeply than recursive functions survive.
+std::string deepJson();
+
 /// One input for every column of every table, and one for the payload of every entry of the log. It names a table, a column and
-/// a row, and holds the value that stands there. Four texts, each ended by the character 0x1F.
+/// a row, and holds the value that stands there. Four texts, each ended by the character 0x1F. The first input is followed by
+/// one with deepJson() for each of the first values of a column that are JSON.
 std::vector<std::string> rowsOf(const std::filesystem::path& database);
 
+/// Makes a database by statements of SQL, such as `sqlite3 FILE .dump` prints them.
+void makeDatabase(const std::filesystem::path& database, const std::string& sql);
+
 /// Writes the values of an input into the database, with its triggers and checks out of force. An input may name several cells.
-/// What SQLite refuses stays as it is.
+/// What SQLite refuses stays as it is; names of no table or column are passed over. Throws std::runtime_error where a column
+/// that exists cannot be changed.
 void changeRows(const std::filesystem::path& database, const std::string& input);
 
 }  // namespace fuzz

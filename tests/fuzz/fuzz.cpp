@@ -1,5 +1,6 @@
 // Feeds damaged inputs to the readers of this program, whose own sources are compiled with the address and undefined-behaviour
-// sanitizers here. An input that reaches new branches joins the corpus of its run.
+// sanitizers here. The inputs of the corpus come first, as they are; then mutations of them. An input that reaches new branches
+// joins the corpus of its run.
 //
 //   fuzz --list                                 names of the readers
 //   fuzz READER [--seconds N] [--seed S]        one reader; 5 s and seed 1 unless told
@@ -169,13 +170,16 @@ void fuzzOne(const fuzz::Reader& reader, const Call& call)
         std::_Exit(1);
     }
     Run run;
+    const std::size_t given = corpus.size();
+    std::size_t next = 1;
     const double begin = workedSeconds();
     do {
         fuzz::hasNewCoverage();
-        const std::string input = nextInput(corpus, reader.largestInput, random);
+        const bool isGiven = next < given;  // first each input as it is
+        const std::string input = isGiven ? corpus[next++] : nextInput(corpus, reader.largestInput, random);
         fuzz::hasNewCoverage();  // what the mutations reach does not count
         ++(outcomeOf(reader, input) == Outcome::Taken ? run.taken : run.refused);
-        if (fuzz::hasNewCoverage()) corpus.push_back(input);
+        if (fuzz::hasNewCoverage() && !isGiven) corpus.push_back(input);
         run.seconds = workedSeconds() - begin;
     } while (run.seconds < call.seconds);
     run.corpus = corpus.size();

@@ -13,6 +13,7 @@
 #include "database/evidence/operator_latency.h"
 #include "database/preregistrations.h"
 #include "database/station_key.h"
+#include "database/study_upgrade.h"
 #include "protocols/files/errors.h"
 #include "protocols/secrets/signing.h"
 #include "study/commands/passphrase_option.h"
@@ -35,7 +36,7 @@ namespace {
 namespace fs = std::filesystem;
 using database::StudyFolder;
 
-constexpr std::size_t largestDatabase = 1 << 20;
+constexpr std::size_t largestDatabase = 1 << 20, largestRow = 1 << 20;
 
 std::string contentOf(const fs::path& file)
 {
@@ -175,10 +176,49 @@ private:
     std::optional<SampleStudy> m_study;
 };
 using Study = std::shared_ptr<LazyStudy>;
+
+/// A study that version 0.1.0 made.
+class OlderSample {
+public:
+    explicit OlderSample(const fs::path& folder) : m_kept{folder / "older"}, m_tried{folder / "older-tried"} {}
+
+    const fs::path& database()
+    {
+        if (m_database.empty()) {
+            fs::create_directory(m_kept.folder);
+            m_database = m_kept.database();
+            makeDatabase(m_database, contentOf(VIS2HAP_SOURCE_DIR "/tests/database/study_version_1.sql"));
+        }
+        return m_database;
+    }
+
+    /// Upgrades a study with the changed rows and reads what needs no key. Where it cannot be upgraded, no open copy may be left.
+    void upgradeWith(const std::string& input)
+    {
+        fs::remove_all(m_tried.folder);
+        fs::create_directory(m_tried.folder);
+        fs::copy_file(database(), m_tried.database());
+        changeRows(m_tried.database(), input);
+        try {
+            upgrade(m_tried);
+        } catch (const protocols::Error&) {
+            if (needsUpgrade(m_tried) && fs::exists(m_tried.beforeUpgrade()))
+                throw std::runtime_error("a refused upgrade left a copy of the study");
+            throw;
+        }
+        const auto store = study::records::openStudy(m_tried.folder);
+        runAllOf({[&] { study::records::findingsOf(store); }, [&] { store.answers(); }, [&] { preregistrationsOf(store); }});
+    }
+
+private:
+    StudyFolder m_kept, m_tried;
+    fs::path m_database;
+};
 using Inputs = std::vector<std::string>;
 
-std::vector<Reader> databaseReaders(const Study& study)
+std::vector<Reader> databaseReaders(const fs::path& folder, const Study& study)
 {
+    const auto older = std::make_shared<OlderSample>(folder);
     const auto rows = [study] { return rowsOf(study->get().sound().database()); };
     return {{"study-db",
              {},
@@ -187,14 +227,20 @@ std::vector<Reader> databaseReaders(const Study& study)
                  return Inputs{study->get().bytes(), study->get().unused()};
              },
              largestDatabase},
-            {"study-rows", {}, [study](const std::string& input) { readStudy(study->withRows(input)); }, rows},
+            {"study-rows", {}, [study](const std::string& input) { readStudy(study->withRows(input)); }, rows, largestRow},
             {"session-rows",
              {},
              [study](const std::string& input) {
                  tests::support::OpenSession session(study->withRows(input), "P03");
                  (void)session.driver->view();
              },
-             rows},
+             rows,
+             largestRow},
+            {"older-rows",
+             {},
+             [older](const std::string& input) { older->upgradeWith(input); },
+             [older] { return rowsOf(older->database()); },
+             largestRow},
             {"rescue",
              {},
              [study](const std::string& bytes) {
@@ -227,7 +273,9 @@ std::vector<Reader> fileReaders(const fs::path& folder, const Study& study)
     return {{"preregistration",
              {},
              [study](const std::string& bytes) { readPlan(study->get().copy(), bytes); },
-             [study] { return Inputs{contentOf(study->get().sound().folder / "preregistration.json")}; }},
+             [study] {
+                 return Inputs{contentOf(study->get().sound().folder / "preregistration.json"), deepJson()};
+             }},
             {"station-key",
              {},
              [](const std::string& bytes) { database::stationKeyFromJson(bytes, "station-key.json"); },
@@ -275,7 +323,7 @@ std::vector<Reader> fileReaders(const fs::path& folder, const Study& study)
 std::vector<Reader> studyReaders(const fs::path& folder)
 {
     const auto study = std::make_shared<LazyStudy>(folder);
-    std::vector<Reader> readers = databaseReaders(study);
+    std::vector<Reader> readers = databaseReaders(folder, study);
     for (Reader& more : fileReaders(folder, study)) readers.push_back(std::move(more));
     return readers;
 }

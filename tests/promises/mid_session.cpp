@@ -194,12 +194,13 @@ Promise afterMidSessionHarm(const Effort& effort)
         failFileSystem(study, SQLITE_READONLY, moment, outcome);
         slowFileSystem(study, moment, outcome);
     }
-    return {"database deleted, replaced, renamed, log deleted, folder moved, disk full, read-only, slow",
-            withCommas(outcome.tried) + " sessions of 24 answers" +
-                (small.isThere() ? "" : " (a full disk only simulated: a real one needs root)"),
-            "0 lost, with the rescue file; the session stops before the next trial",
-            textOf(outcome.losses) + "; " + std::to_string(outcome.wentOn) + " went on",
-            outcome.losses == Losses{} && outcome.wentOn == 0};
+    return {
+        "database or log deleted, replaced, renamed, emptied or overwritten in place, folder moved, disk full, read-only, slow",
+        withCommas(outcome.tried) + " sessions of 24 answers" +
+            (small.isThere() ? "" : " (a full disk only simulated: a real one needs root)"),
+        "0 lost, with the rescue file; the session stops before the next trial",
+        textOf(outcome.losses) + "; " + std::to_string(outcome.wentOn) + " went on",
+        outcome.losses == Losses{} && outcome.wentOn == 0};
 }
 
 }  // namespace tests::promises

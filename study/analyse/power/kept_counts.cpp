@@ -37,7 +37,7 @@ KeptCounts::KeptCounts(std::filesystem::path file)
     : m_file(std::move(file)), m_root(std::make_shared<ordered_json>(ordered_json{{"schema", countsSchema}}))
 {
     if (std::filesystem::exists(m_file))
-        *m_root = protocols::parseStrictOrderedJson(protocols::readWholeFile(m_file), m_file.string());
+        *m_root = protocols::parseStrictOrderedJson(protocols::readWholeFile(m_file, protocols::largestJson), m_file.string());
     if (!m_root->is_object() || m_root->value("schema", ordered_json()) != countsSchema)
         throw protocols::badInput({"the file holds no counts of simulated studies", m_file.string(),
                                    std::string("a file with the schema ") + countsSchema, anotherFile});

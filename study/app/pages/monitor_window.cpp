@@ -78,6 +78,7 @@ void buildTable(QTreeWidget& table, const char* objectName, const QString& acces
     table.setHeaderLabels(columns);
     table.header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table.header()->setFocusPolicy(Qt::NoFocus);
+    table.setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
 }
 
 QStringList cellsOf(const MonitorOverview::ParticipantRow& row)
@@ -144,7 +145,10 @@ MonitorWindow::MonitorWindow(const std::filesystem::path& study, const AppOption
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolling("monitorArea", page, this));
-    resize(1100, 750);
+    const QSize frame(16, 40);  // the borders and the title that the desktop adds
+    const QRect room = screen()->availableGeometry();
+    resize(QSize(1100, 750).boundedTo(room.size() - frame));
+    move(room.topLeft() + QPoint((room.width() - width()) / 2, (room.height() - height()) / 2));
     connect(m_flagReading, &FlagReading::done, this, &MonitorWindow::showFlags);
     connect(m_flagReading, &FlagReading::failed, m_flags, &QLabel::setText);
     if (m_server) connectServer();

@@ -4,11 +4,12 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
-#include <QRegularExpression>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "protocols/files/id_rule.h"
+#include "study/app/language/below.h"
 #include "study/app/pages/stage_page.h"
 #include "study/app/pieces/flow_layout.h"
 #include "study/app/pieces/pieces.h"
@@ -21,11 +22,8 @@ namespace {
 
 constexpr int numberColumn = 0, participantColumn = 1, stateColumn = 2, answersColumn = 3;
 
-bool isParticipantName(const QString& text)
-{
-    static const QRegularExpression plainName(QStringLiteral("^[A-Za-z0-9][A-Za-z0-9_-]{0,23}$"));
-    return plainName.match(text).hasMatch();
-}
+/// Equal for codes that look alike: "p01" and "P01", or one letter that two keyboards write with different characters.
+QString lookOf(const QString& code) { return code.normalized(QString::NormalizationForm_KC).toCaseFolded(); }
 
 }  // namespace
 
@@ -279,16 +277,21 @@ void StudyPage::resumeChosen()
 void StudyPage::enrol()
 {
     const QString participant = m_participant->text().trimmed();
-    const bool isTaken = std::any_of(m_overview.places.begin(), m_overview.places.end(),
-                                     [&](const auto& place) { return place.participant == participant; });
+    const auto alike = std::find_if(m_overview.places.begin(), m_overview.places.end(), [&](const auto& place) {
+        return lookOf(place.participant) == lookOf(participant);
+    });
     m_message->clearMessage();
     m_message->standBelow(*m_participant);
-    if (!isParticipantName(participant))
-        m_message->showHint(
-            tr("This code cannot be used. Type at most 24 letters and digits, such as %1.").arg(m_overview.nextParticipant));
-    else if (isTaken)
+    if (participant.isEmpty())
+        m_message->showHint(tr("Type a code for the next participant, such as %1.").arg(m_overview.nextParticipant));
+    else if (const std::string fault = protocols::faultOfId(participant.toStdString()); !fault.empty())
+        m_message->showHint(tr("This code %1. Type at most %2 letters and digits, such as %3.")
+                                .arg(inOwnLanguage(fault))
+                                .arg(protocols::longestId)
+                                .arg(m_overview.nextParticipant));
+    else if (alike != m_overview.places.end())
         m_message->showHint(tr("%1 is already enrolled. Choose this participant in the list to continue, or type another code.")
-                                .arg(participant));
+                                .arg(alike->participant));
     else if (m_overview.placesIn(SlotState::Started) > 0 && !m_isAskedAgain) {
         m_isAskedAgain = true;
         m_message->showHint(tr("A session is in progress. Press Enter again to enrol %1 as a new participant.").arg(participant));

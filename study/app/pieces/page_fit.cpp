@@ -149,22 +149,33 @@ void PageFit::fit()
     const bool isEnough = m_scrolls ? showsMainButtons() : isInView();
     if (!isNew && isEnough) return;
     const int first = isNew ? m_largest : m_percent;
-    m_scrolls = !takeLargest(first, &PageFit::isInView);
-    if (m_scrolls && !takeLargest(first, &PageFit::showsMainButtons)) zoom(std::min(m_largest, 100));
+    m_scrolls = !takeLargest(first, smallestZoom, &PageFit::isInView);
+    if (m_scrolls && !takeLargest(first, smallestZoom, &PageFit::showsMainButtons)) zoom(std::min(m_largest, 100));
+    m_scrolls = m_scrolls || scrollsAtUsualSize(first);
     // A bar that was needed once takes width, so lines break earlier, and the area would keep the bar for their sake.
     m_area.setVerticalScrollBarPolicy(m_scrolls ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
 }
 
-/// Takes the largest type that is enough; returns false if none is.
-bool PageFit::takeLargest(int first, bool (PageFit::*isEnough)() const)
+/// Who enlarges the text does not get a smaller one: the page scrolls rather, if its main buttons stay in view.
+bool PageFit::scrollsAtUsualSize(int first)
+{
+    const int fitting = m_percent, usual = static_cast<int>(std::ceil(100 / appliedEnlargement() / zoomStep)) * zoomStep;
+    if (usual >= 100 || fitting >= usual) return false;
+    if (takeLargest(first, usual, &PageFit::showsMainButtons)) return true;
+    zoom(fitting);
+    return false;
+}
+
+/// Takes the largest type from `smallest` to `first` percent that is enough; returns false if none is.
+bool PageFit::takeLargest(int first, int smallest, bool (PageFit::*isEnough)() const)
 {
     const auto isEnoughAt = [&](int percent) {
         zoom(percent);
         return (this->*isEnough)();
     };
     if (isEnoughAt(first)) return true;
-    if (!isEnoughAt(smallestZoom)) return false;
-    int enough = smallestZoom, tooLarge = first;
+    if (smallest >= first || !isEnoughAt(smallest)) return false;
+    int enough = smallest, tooLarge = first;
     while (tooLarge - enough > zoomStep) {
         const int middle = (enough + tooLarge) / (2 * zoomStep) * zoomStep;
         (isEnoughAt(middle) ? enough : tooLarge) = middle;

@@ -40,7 +40,8 @@ private:
     void showFocus();
     void fitLater(Search search);
     void fit();
-    bool takeLargest(int first, bool (PageFit::*isEnough)() const);
+    bool takeLargest(int first, int smallest, bool (PageFit::*isEnough)() const);
+    bool scrollsAtUsualSize(int first);
     bool isInView() const;
     bool showsMainButtons() const;
     void zoom(int percent);

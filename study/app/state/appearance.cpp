@@ -14,6 +14,7 @@ namespace {
 constexpr int smallestPercent = 75;
 constexpr int largestPercent = 250;
 constexpr int percentStep = 25;
+constexpr char enlargement[] = "textEnlargement";
 
 struct TypeRow {
     Type type;
@@ -218,11 +219,18 @@ double textScaleOf(const QSize& window, int textPercent)
     return std::min(scaleOf(window) * textPercent / 100, std::max(1.0, largest));
 }
 
+double appliedEnlargement()
+{
+    const QVariant applied = qApp->property(enlargement);
+    return applied.isValid() ? std::max(1.0, applied.toDouble()) : 1.0;
+}
+
 void applyAppearance(const Appearance& appearance, const QFont& base, const QSize& window)
 {
     QFont font = base;
     font.setPointSizeF(std::max(6.0, base.pointSizeF() * textScaleOf(window, appearance.textPercent)));
     const Colours colours = coloursOf(appearance.theme);
+    qApp->setProperty(enlargement, textScaleOf(window, appearance.textPercent) / scaleOf(window));
     const QString sheet = styleSheetOf(colours, font.pointSizeF(), static_cast<int>(std::lround(scaleOf(window))));
     if (qApp->styleSheet() == sheet && QApplication::font() == font) return;
     if (QApplication::style()->name().compare(QLatin1String("fusion"), Qt::CaseInsensitive) != 0)

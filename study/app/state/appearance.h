@@ -52,6 +52,9 @@ double scaleOf(const QSize& window);
 /// Factor of the text: the window's, times the user's choice, as far as a question and its answer still fit into the window.
 double textScaleOf(const QSize& window, int textPercent);
 
+/// By how much the user enlarges text beyond 100 % in the window of the last applyAppearance(): 1 or more.
+double appliedEnlargement();
+
 /// Sets the palette, style sheet and font of the application. `base`: the font at 100 %. `window`: size of the main window, px.
 void applyAppearance(const Appearance& appearance, const QFont& base, const QSize& window = QSize(1000, 600));
 

@@ -105,6 +105,7 @@ StudyOverview OpenStudy::overview() const
 QStringList OpenStudy::codesOnPieces() const
 {
     const auto slots = m_store->slots();
+    if (slots.empty()) return {};  // a server may hold back every slot of participants who withdrew
     const auto free =
         std::find_if(slots.begin(), slots.end(), [](const auto& s) { return s.state == database::SlotState::Free; });
     const auto place = static_cast<std::size_t>((free == slots.end() ? slots.back() : *free).number) - 1;

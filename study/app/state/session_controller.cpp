@@ -134,11 +134,12 @@ void SessionController::send(const session::EventBody& asked)
         } else
             clearPattern();  // The pattern must not be felt after the checklist.
         m_lastOutcome->refusal = m_driver.send(event);
+        m_view = m_driver.view();
     } catch (const std::exception& fault) {
         m_lastOutcome->fault = std::current_exception();
         trouble = inOwnLanguage(fault.what());
+        m_view = m_driver.view();
     }
-    m_view = m_driver.view();
     if (isOtherQuestion(askedBefore, m_view.state.stage)) forgetStamps();
     Q_EMIT viewChanged();
     reportOutcome(trouble);

@@ -856,7 +856,7 @@
         <translation>aktualisieren Sie dieses Programm</translation>
     </message>
     <message>
-        <source>the database of the study was deleted, replaced or moved while it was open</source>
+        <source>the database of the study was deleted, replaced, overwritten or moved while it was open</source>
         <translation>die Datenbank der Studie wurde gelöscht, ersetzt oder verschoben, während sie offen war</translation>
     </message>
     <message>
@@ -3903,8 +3903,8 @@ Noch ist nichts gewählt.</translation>
         <translation>Fotos</translation>
     </message>
     <message>
-        <source>Images (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.webp);;All files (*)</source>
-        <translation>Bilder (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.webp);;Alle Dateien (*)</translation>
+        <source>Images (*.png *.jpg *.jpeg *.bmp *.tif *.tiff);;All files (*)</source>
+        <translation>Bilder (*.png *.jpg *.jpeg *.bmp *.tif *.tiff);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Folder of photographs</source>
@@ -4262,8 +4262,8 @@ Noch ist nichts gewählt.</translation>
         <translation>Der Versuch wurde bis zum Ende durchgespielt.</translation>
     </message>
     <message>
-        <source>Play the session: every page, a few presentations of each part, a break.</source>
-        <translation>Spielen Sie den Versuch durch: jede Seite, aus jedem Teil einige Darbietungen, eine Pause.</translation>
+        <source>Play the session: every page, a few presentations of each part, a break. Its images are patterns, not those of the study.</source>
+        <translation>Spielen Sie den Versuch durch: jede Seite, aus jedem Teil einige Darbietungen, eine Pause. Seine Bilder sind Muster, nicht die der Studie.</translation>
     </message>
     <message>
         <source>Ready for %1.</source>
@@ -4821,8 +4821,12 @@ Noch ist nichts gewählt.</translation>
         <translation>In der Liste ist %1 gewählt, getippt ist %2. Wählen und tippen Sie dieselbe Versuchsperson.</translation>
     </message>
     <message>
-        <source>This code cannot be used. Type at most 24 letters and digits, such as %1.</source>
-        <translation>Dieser Code ist nicht verwendbar. Tippen Sie höchstens 24 Buchstaben und Ziffern, zum Beispiel %1.</translation>
+        <source>Type a code for the next participant, such as %1.</source>
+        <translation>Tippen Sie einen Code für die nächste Versuchsperson, zum Beispiel %1.</translation>
+    </message>
+    <message>
+        <source>This code %1. Type at most %2 letters and digits, such as %3.</source>
+        <translation>Dieser Code %1. Tippen Sie höchstens %2 Buchstaben und Ziffern, zum Beispiel %3.</translation>
     </message>
     <message>
         <source>%1 is already enrolled. Choose this participant in the list to continue, or type another code.</source>

@@ -856,7 +856,7 @@
         <translation>请更新本程序</translation>
     </message>
     <message>
-        <source>the database of the study was deleted, replaced or moved while it was open</source>
+        <source>the database of the study was deleted, replaced, overwritten or moved while it was open</source>
         <translation>研究打开期间，其数据库被删除、替换或移动</translation>
     </message>
     <message>
@@ -3903,8 +3903,8 @@ Nothing is chosen yet.</source>
         <translation>照片</translation>
     </message>
     <message>
-        <source>Images (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.webp);;All files (*)</source>
-        <translation>图像 (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.webp);;所有文件 (*)</translation>
+        <source>Images (*.png *.jpg *.jpeg *.bmp *.tif *.tiff);;All files (*)</source>
+        <translation>图像 (*.png *.jpg *.jpeg *.bmp *.tif *.tiff);;所有文件 (*)</translation>
     </message>
     <message>
         <source>Folder of photographs</source>
@@ -4262,8 +4262,8 @@ Nothing is chosen yet.</source>
         <translation>实验已演练到结束。</translation>
     </message>
     <message>
-        <source>Play the session: every page, a few presentations of each part, a break.</source>
-        <translation>请演练实验：每个页面、每个部分的几次呈现、一次休息。</translation>
+        <source>Play the session: every page, a few presentations of each part, a break. Its images are patterns, not those of the study.</source>
+        <translation>请演练实验：每个页面、每个部分的几次呈现、一次休息。其中的图像是图案，不是本研究的图像。</translation>
     </message>
     <message>
         <source>Ready for %1.</source>
@@ -4821,8 +4821,12 @@ Nothing is chosen yet.</source>
         <translation>列表中选择的是%1，输入的是%2。请选择并输入同一位参与者。</translation>
     </message>
     <message>
-        <source>This code cannot be used. Type at most 24 letters and digits, such as %1.</source>
-        <translation>这个编号不能使用。请输入最多24个字母和数字，例如%1。</translation>
+        <source>Type a code for the next participant, such as %1.</source>
+        <translation>请输入下一位参与者的编号，例如%1。</translation>
+    </message>
+    <message>
+        <source>This code %1. Type at most %2 letters and digits, such as %3.</source>
+        <translation>这个编号%1。请输入最多%2个字母和数字，例如%3。</translation>
     </message>
     <message>
         <source>%1 is already enrolled. Choose this participant in the list to continue, or type another code.</source>

@@ -4,6 +4,7 @@
 
 #include <QProcess>
 
+#include "database/keys.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/open_files.h"
@@ -51,7 +52,7 @@ std::string nameOfFolder(const fs::path& study)
 
 }  // namespace
 
-void writeBackup(const database::StudyStore& store, const fs::path& out)
+std::vector<std::string> writeBackup(const database::StudyStore& store, const fs::path& out)
 {
     const fs::path study = store.folder().folder;
     if (fs::exists(out))
@@ -79,6 +80,7 @@ void writeBackup(const database::StudyStore& store, const fs::path& out)
                                            "room for a copy of the study",
                                            "make room or choose another disk; the study itself is untouched"});
     }
+    return findingsOfKeys(store).faults;
 }
 
 }  // namespace study::commands

@@ -2,13 +2,16 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "database/study_store.h"
 
 namespace study::commands {
 
 /// Packs a copy of the whole study into the new tar file `out`, also while a session runs. Throws badInput where the file exists
-/// or would lie in the study, environmentFault where there is no room; no half-written file is left.
-void writeBackup(const database::StudyStore& store, const std::filesystem::path& out);
+/// or would lie in the study, environmentFault where there is no room; no half-written file is left. Returns one line for each
+/// fault of the key files, which the backup holds as they are.
+std::vector<std::string> writeBackup(const database::StudyStore& store, const std::filesystem::path& out);
 
 }  // namespace study::commands

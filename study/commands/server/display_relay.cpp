@@ -21,6 +21,7 @@
 #include "database/session_store.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/safe_text.h"
+#include "protocols/files/strict_json.h"
 #include "rendering/display/driver_link.h"
 #include "rendering/display/driver_messages.h"
 #include "rendering/display/stimulus_bank.h"
@@ -36,6 +37,29 @@ constexpr auto devicePatience = std::chrono::seconds(2);
 constexpr auto serverPatience = std::chrono::milliseconds(1500);  // the station waits 2 s for a reply
 constexpr std::size_t longestTicket = 1024;
 
+constexpr auto stationPatience = std::chrono::seconds(2);    // until a station takes the next bytes of a line
+constexpr auto untilFirstRequest = std::chrono::seconds(3);  // a station sends hello at once, and waits 5 s for the reply
+constexpr auto untilIdle = std::chrono::seconds(10);         // without a request, while nothing can be felt
+constexpr int mostWaiting = 16;
+
+/// The message of a line; null for what is none, is nested too deeply or names a key twice.
+ordered_json messageIn(const std::string& line)
+{
+    try {
+        auto message = protocols::parseStrictOrderedJson(line, "a message");
+        return message.is_object() && message.contains("type") ? message : ordered_json();
+    } catch (const protocols::Error&) {
+        return {};
+    }
+}
+
+/// Milliseconds for poll() until the time; 0 for one that is over.
+int millisecondsUntil(steady_clock::time_point time)
+{
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(time - steady_clock::now()).count();
+    return static_cast<int>(std::max<long long>(0, left));
+}
+
 /// A listening socket of this computer alone.
 class Listener {
 public:
@@ -47,7 +71,7 @@ public:
         place.sin_port = htons(static_cast<std::uint16_t>(port));
         place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
         ::setsockopt(m_socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-        if (::bind(m_socket, reinterpret_cast<sockaddr*>(&place), sizeof place) != 0 || ::listen(m_socket, 1) != 0)
+        if (::bind(m_socket, reinterpret_cast<sockaddr*>(&place), sizeof place) != 0 || ::listen(m_socket, mostWaiting) != 0)
             throw protocols::badInput({std::string("nobody can connect there: ") + std::strerror(errno),
                                        "127.0.0.1:" + std::to_string(port), "a free port", "choose another --port"});
     }
@@ -62,7 +86,8 @@ public:
         ::getsockname(m_socket, reinterpret_cast<sockaddr*>(&place), &size);
         return ntohs(place.sin_port);
     }
-    int accept() const { return ::accept4(m_socket, nullptr, nullptr, SOCK_CLOEXEC); }
+    int socket() const { return m_socket; }
+    int accept() const { return ::accept4(m_socket, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK); }
 
 private:
     int m_socket = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
@@ -91,7 +116,8 @@ private:
     std::optional<database::ServerLink> m_link;
 };
 
-/// One station, from its first byte to its end of file.
+/// One station, from its first byte to its end of file. It ends earlier where no request comes soon after it connected, and where
+/// it is idle while another one waits: any program of this computer can connect, and must not keep the station out.
 class Relay {
 public:
     Relay(int station, TicketImages& images, const rendering::DriverAddress& device)
@@ -99,35 +125,73 @@ public:
     {
     }
 
-    void run()
+    void run(const Listener& others)
     {
         while (!m_device.isLost()) {
-            while (const auto line = m_device.receive(steady_clock::now())) send(*line);
-            std::array<pollfd, 3> waiting{
-                {{m_station, POLLIN, 0}, {m_device.socket(), POLLIN, 0}, {m_device.errorStream(), POLLIN, 0}}};
-            if (m_device.isLost() || (::poll(waiting.data(), waiting.size(), -1) < 0 && errno != EINTR)) break;
-            if (waiting[0].revents != 0 && !takeFromStation()) return;
+            while (const auto line = m_device.receive(steady_clock::now()))
+                if (!send(*line)) return noteEnd("does not take the replies");
+            if (m_device.isLost()) break;
+            const bool isReplaceable = m_isGreeted && !m_isShowing && steady_clock::now() >= m_lastRequest + untilIdle;
+            std::array<pollfd, 4> waiting{{{m_station, POLLIN, 0},
+                                           {m_device.socket(), POLLIN, 0},
+                                           {m_device.errorStream(), POLLIN, 0},
+                                           {isReplaceable ? others.socket() : -1, POLLIN, 0}}};
+            const int ready = ::poll(waiting.data(), waiting.size(), untilNextLimit(isReplaceable));
+            if (ready < 0 && errno != EINTR) return noteEnd(std::strerror(errno));
+            if (ready > 0 && waiting[0].revents != 0) {
+                if (!takeFromStation()) return;
+            } else if (ready > 0 && waiting[3].revents != 0) {
+                return noteEnd("was idle, and another one waits");
+            }
+            if (!m_isGreeted && steady_clock::now() >= m_lastRequest + untilFirstRequest) return noteEnd("sends no request");
         }
         std::fprintf(stderr, "vis2hap: the display %s\n", protocols::printable(m_device.trouble()).c_str());
     }
 
 private:
-    /// A line of the device. Its hello also states that this display turns tickets into images.
-    void send(const std::string& line)
+    static void noteEnd(const std::string& why) { std::fprintf(stderr, "vis2hap: the station %s\n", why.c_str()); }
+
+    /// For poll(); -1 where only messages change anything.
+    int untilNextLimit(bool isReplaceable) const
     {
-        auto message = ordered_json::parse(line, nullptr, false);
-        if (!message.is_object() || !message.contains("type") || message.at("type") != "hello") return sendBytes(line + "\n");
-        message["fetches"] = true;
-        sendBytes(message.dump() + "\n");
+        if (!m_isGreeted) return millisecondsUntil(m_lastRequest + untilFirstRequest);
+        return m_isShowing || isReplaceable ? -1 : millisecondsUntil(m_lastRequest + untilIdle);
     }
 
-    void sendBytes(const std::string& bytes)
+    /// A line of the device. Its hello also states that this display turns tickets into images.
+    bool send(const std::string& line)
     {
+        auto message = messageIn(line);
+        if (message.is_null() || message.at("type") != "hello") return sendBytes(line + "\n");
+        message["fetches"] = true;
+        return sendBytes(message.dump() + "\n");
+    }
+
+    /// The whole text. False where the station is gone, or takes nothing for a while: half a line would spoil the next one.
+    bool sendBytes(const std::string& bytes)
+    {
+        const auto deadline = steady_clock::now() + stationPatience;
         for (std::size_t sent = 0; sent < bytes.size();) {
             const ssize_t now = ::send(m_station, bytes.data() + sent, bytes.size() - sent, MSG_NOSIGNAL);
-            if (now <= 0) return;  // the station is gone; its end of file follows
-            sent += static_cast<std::size_t>(now);
+            if (now > 0) {
+                sent += static_cast<std::size_t>(now);
+                continue;
+            }
+            if (now < 0 && errno == EINTR) continue;
+            if (now == 0 || (errno != EAGAIN && errno != EWOULDBLOCK) || steady_clock::now() >= deadline) return false;
+            pollfd room{m_station, POLLOUT, 0};
+            (void)::poll(&room, 1, millisecondsUntil(deadline));
         }
+        return true;
+    }
+
+    /// False where the device did not take the whole message.
+    bool sendToDevice(const std::string& bytes)
+    {
+        if (m_device.send(bytes, steady_clock::now() + devicePatience)) return true;
+        const std::string why = m_device.isLost() ? m_device.trouble() : "takes no messages";
+        std::fprintf(stderr, "vis2hap: the display %s\n", protocols::printable(why).c_str());
+        return false;
     }
 
     /// False at the end of file, and for what is no message.
@@ -135,40 +199,47 @@ private:
     {
         std::array<char, 65536> chunk{};
         const ssize_t got = ::read(m_station, chunk.data(), chunk.size());
-        if (got <= 0) return got < 0 && errno == EINTR;
+        if (got <= 0) return got < 0 && (errno == EINTR || errno == EAGAIN || errno == EWOULDBLOCK);
         m_incoming.append(chunk.data(), static_cast<std::size_t>(got));
         for (std::size_t end = m_incoming.find('\n'); end != std::string::npos; end = m_incoming.find('\n')) {
-            const auto request = ordered_json::parse(m_incoming.substr(0, end), nullptr, false);
-            const bool isShow = request.is_object() && request.contains("type") && request.at("type") == "show";
-            if (!isShow) {
-                (void)m_device.send(m_incoming.substr(0, end + 1), steady_clock::now() + devicePatience);
+            const auto request = messageIn(m_incoming.substr(0, end));
+            if (request.is_null()) {
+                noteEnd("sends what is no message");
+                return false;
+            }
+            m_isGreeted = true;
+            m_lastRequest = steady_clock::now();
+            if (request.at("type") != "show") {
+                if (!sendToDevice(m_incoming.substr(0, end + 1))) return false;
+                if (request.at("type") == "clear") m_isShowing = false;
                 m_incoming.erase(0, end + 1);
                 continue;
             }
             const auto id = request.value("id", ordered_json(0));
             const auto size = request.value("bytes", ordered_json());
             if (!id.is_number_integer() || !size.is_number_unsigned() || size.get<std::uint64_t>() > longestTicket) {
-                std::fprintf(stderr, "vis2hap: the station sent an image; this display takes tickets only\n");
+                noteEnd("sent an image; this display takes tickets only");
                 return false;
             }
             if (m_incoming.size() < end + 1 + size.get<std::size_t>()) return true;  // the rest of the ticket follows
-            show(id.get<std::int64_t>(), m_incoming.substr(end + 1, size.get<std::size_t>()));
+            if (!show(id.get<std::int64_t>(), m_incoming.substr(end + 1, size.get<std::size_t>()))) return false;
             m_incoming.erase(0, end + 1 + size.get<std::size_t>());
         }
         return m_incoming.size() <= rendering::DriverLink::longestLine;
     }
 
-    void show(std::int64_t id, const std::string& ticket)
+    /// False where the device or the station does not take its message.
+    bool show(std::int64_t id, const std::string& ticket)
     {
         try {
             const cv::Mat image = m_images.imageOf(ticket);
             if (image.empty()) throw protocols::workFailed({"the image was altered", "the server", "", ""});
             const std::string bytes(reinterpret_cast<const char*>(image.data), image.total());
-            (void)m_device.send(rendering::showLine(id, image.cols, image.rows, bytes.size()) + bytes,
-                                steady_clock::now() + devicePatience);
+            m_isShowing = true;
+            return sendToDevice(rendering::showLine(id, image.cols, image.rows, bytes.size()) + bytes);
         } catch (const protocols::Error& fault) {
             std::fprintf(stderr, "vis2hap: %s\n", fault.what());
-            sendBytes(ordered_json{{"type", "failed"}, {"id", id}, {"why", fault.what()}}.dump() + "\n");
+            return sendBytes(ordered_json{{"type", "failed"}, {"id", id}, {"why", fault.what()}}.dump() + "\n");
         }
     }
 
@@ -176,6 +247,9 @@ private:
     TicketImages& m_images;
     rendering::DriverLink m_device;
     std::string m_incoming;
+    bool m_isGreeted = false;                                      ///< a request came
+    bool m_isShowing = false;                                      ///< an image was sent to the device and not cleared since
+    steady_clock::time_point m_lastRequest = steady_clock::now();  ///< or the beginning of the connection
 };
 
 void requireRole(const database::ServerAddress& address)
@@ -205,7 +279,7 @@ int serveDisplay(const std::string& text, const std::string& specification, int 
     while (true) {
         const int station = listener.accept();
         if (station < 0) continue;
-        Relay(station, images, *device).run();
+        Relay(station, images, *device).run(listener);
         ::close(station);
     }
 }

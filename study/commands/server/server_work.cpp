@@ -10,7 +10,9 @@
 #include "database/server/station_store.h"
 #include "database/server/study_move.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/secrets/secret_key.h"
+#include "study/commands/parts/version_text.h"
 #include "study/session/operated_by.h"
 
 namespace study::commands {
@@ -34,21 +36,46 @@ database::ServerAddress addressWithStudy(const std::string& text)
     return address;
 }
 
+/// Keeps answers out of the server's log, or says who can.
+void quietTheLog(const database::ServerAddress& address)
+{
+    const auto missing = keepLogQuiet(address);
+    if (missing.empty()) {
+        std::printf("server's log: holds no statement of this database, whose texts would be answers and facts\n");
+        return;
+    }
+    std::printf(
+        "server's log: may hold texts of statements, so answers, notes and facts. An administrator of the server prevents "
+        "it:\n");
+    for (const std::string& command : missing)
+        std::printf("  sudo -u postgres psql -c '%s'\n", protocols::printable(command).c_str());
+}
+
 int toServer(const std::string& folder, const std::string& address, const std::string& station)
 {
     const auto head = moveToServer(StudyFolder{folder}, addressWithStudy(address), stationName(station));
     std::printf("%s: the answers are on the server now, every row compared\n", folder.c_str());
     std::printf("  log head %s\n", textOf(head).c_str());
     std::printf("  keys, protocol and images stay in the folder: keep it, and let nobody at a station read it\n");
+    quietTheLog(addressWithStudy(address));
     std::printf("next: `vis2hap server roles '%s'` makes the roles of stations, monitors and analysts\n", address.c_str());
     return 0;
 }
 
 int toFolder(const std::string& address, const std::string& folder)
 {
-    const auto head = moveToFolder(database::serverAddressFrom(address), StudyFolder{folder});
-    std::printf("%s: the study is back, and the server has no copy\n", folder.c_str());
+    const auto by = session::operatedBy("", versionText());
+    database::Act move;
+    move.who = by.operatorName;
+    move.program = by.program;
+    move.host = by.host;
+    const auto head = moveToFolder(database::serverAddressFrom(address), StudyFolder{folder}, move);
+    std::printf("%s: the study is back, and the server's tables are gone\n", folder.c_str());
     std::printf("  log head %s\n", textOf(head).c_str());
+    std::printf(
+        "  answers, notes and facts may still stand in the server's log, write-ahead log and backups. An administrator of "
+        "the server removes them:\n%s",
+        database::removalFromServer);
     return 0;
 }
 
@@ -83,11 +110,11 @@ int joinAsStation(const std::string& address, const std::string& given, const st
     const database::JoinedStudy joined =
         joinStudy(database::serverAddressFrom(address), given.empty() ? fs::path() : fs::path(given), stationName(station));
     std::printf("%s: this is station %s of the study %s\n", joined.folder.c_str(), joined.station.c_str(), joined.name.c_str());
-    std::printf("next: `vis2hap %s` opens it\n", joined.folder.c_str());
+    std::printf("next: `vis2hap %s` opens it\n", protocols::shellWord(joined.folder.string()).c_str());
     return 0;
 }
 
-int grantRoles(const std::string& address, const std::vector<std::string>& grants, const std::string& imagesTo)
+int grantRoles(const std::string& address, const std::vector<std::string>& grants, const std::string& imagesTo, bool releasesHeld)
 {
     std::vector<std::pair<std::string, std::string>> logins;
     for (const std::string& text : grants) {
@@ -97,7 +124,14 @@ int grantRoles(const std::string& address, const std::vector<std::string>& grant
                 {"\"" + text + "\" gives no role", "--grant", "LOGIN=experimenter, =monitor, =analyst or =display", "name both"});
         logins.emplace_back(text.substr(0, equals), text.substr(equals + 1));
     }
-    for (const std::string& line : makeRoles(database::serverAddressFrom(address), logins)) std::printf("%s\n", line.c_str());
+    for (const std::string& line : makeRoles(database::serverAddressFrom(address), logins))
+        std::printf("%s\n", protocols::printable(line).c_str());
+    quietTheLog(database::serverAddressFrom(address));
+    if (releasesHeld) {
+        const auto released = database::releaseHeld(database::serverAddressFrom(address));
+        for (const std::string& line : released) std::printf("%s\n", protocols::printable(line).c_str());
+        if (released.empty()) std::printf("the server holds back no slot and no presentation\n");
+    }
     if (imagesTo.empty()) return 0;
     giveImagesTo(database::serverAddressFrom(address), imagesTo);
     std::printf(imagesTo == "display" ? "images: to the display's own login; stations get tickets\n"
@@ -134,8 +168,8 @@ int checkLogin(const std::string& address, const JsonTarget& target)
     } else {
         std::printf("login %s of the study %s\n", rights.login.c_str(), rights.study.c_str());
         std::printf("  roles: %s\n  may call: %s\n", listOf(rights.roles).c_str(), listOf(rights.may).c_str());
-        for (const std::string& line : rights.refused) std::printf("  refused: %s\n", line.c_str());
-        for (const std::string& line : rights.learns) std::printf("  LEARNS: %s\n", line.c_str());
+        for (const std::string& line : rights.refused) std::printf("  refused: %s\n", protocols::printable(line).c_str());
+        for (const std::string& line : rights.learns) std::printf("  LEARNS: %s\n", protocols::printable(line).c_str());
         std::printf("%s\n",
                     isOperator ? reachOf(rights) : "more than a station may: give this login to nobody who runs sessions");
     }

@@ -20,8 +20,10 @@ std::string folderOfNewStudy(const std::string& address);
 
 int joinAsStation(const std::string& address, const std::string& folder, const std::string& station);
 
-/// `grants`: LOGIN=ROLE. `imagesTo`: "station" or "display"; empty: as it is.
-int grantRoles(const std::string& address, const std::vector<std::string>& grants, const std::string& imagesTo);
+/// `grants`: LOGIN=ROLE. `imagesTo`: "station" or "display"; empty: as it is. `releasesHeld`: gives out again what the server
+/// holds back until the owner has looked (database/server/server_roles.h).
+int grantRoles(const std::string& address, const std::vector<std::string>& grants, const std::string& imagesTo,
+               bool releasesHeld);
 
 /// Progress and stations.
 int showServer(const std::string& address);

@@ -72,7 +72,7 @@ std::string explanation(const std::string& study, const database::LogHead& head,
            "number         number of the act, from 1 without gaps\n"
            "kind           what was done: export, backup, report, unblind, leak-check, sign, ...\n"
            "time           wall clock\n"
-           "details        JSON: who, program, host, path, and the head of the log at that time (entry, hash)\n"
+           "details        JSON: who, program, host, path, the head of the log at that time (entry, hash), and perhaps a note\n"
            "previous_hash  hash of the act before; empty in the first\n"
            "hash           SHA-256 of the word act, previous_hash, number, kind, details and time\n\n"
            "Each of these fields enters the hash as UTF-8: its length in bytes, a colon, its bytes, a comma. The last hash of\n"

@@ -13,6 +13,7 @@
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/number_text.h"
+#include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
 #include "study/records/evidence/exported_samples.h"
@@ -136,7 +137,7 @@ ordered_json detailsOf(const database::EventRecord& event)
     static const std::set<std::string> shown{"why",    "text",     "flag",     "given",  "shown", "spoken",
                                              "ticked", "readings", "question", "tenths", "same",  "words"};
     ordered_json details = ordered_json::object();
-    const auto payload = ordered_json::parse(event.payloadJson, nullptr, false);
+    const auto payload = protocols::storedOrderedJson(event.payloadJson);
     if (!payload.is_object()) return details;
     for (const auto& [key, value] : payload.items())
         if (shown.contains(key)) details[key] = value;

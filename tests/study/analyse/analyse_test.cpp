@@ -1,12 +1,14 @@
 // Requests to `vis2hap analyse` and their answers: formulas, recipes, faults.
 #include "study/analyse/analyse.h"
 
+#include <QElapsedTimer>
 #include <QTest>
 #include <nlohmann/json.hpp>
 
 #include "study/analyse/analyse_formula.h"
 #include "study/analyse/analyse_inputs.h"
 #include "study/analyse/analyse_recipe.h"
+#include "study/analyse/request_file.h"
 
 namespace {
 
@@ -44,6 +46,8 @@ private Q_SLOTS:
         QTest::newRow("modulus") << "(7*2654435761) mod 2^32" << 1401181143.0;
         QTest::newRow("beyond 2^53") << "(2^62 + 1) mod 10" << 5.0;
         QTest::newRow("negative modulus") << "(0-3) mod 8" << 5.0;
+        QTest::newRow("beyond 2^127") << "(2^59)^3" << std::pow(2.0, 177);
+        QTest::newRow("negative, beyond 2^127") << "(0-2^59)^3" << -std::pow(2.0, 177);
         QTest::newRow("factor without a sign") << ".8sqrt(4)" << 1.6;
     }
 
@@ -100,6 +104,75 @@ private Q_SLOTS:
         QVERIFY_EXCEPTION_THROWN(arraysOfRecipe("x_i = i, i=0..n-1", {{"n", 1e18}}), study::analyse::RequestFault);
         const auto answer = answerTo("t_test", {{"kind", "one_sample"}, {"x", {{"recipe", "x_i = rand(i)"}, {"n", 5}}}});
         QVERIFY(saysError(answer, "rand"));
+    }
+
+    void recipesMayHaveBlanksAnywhere()
+    {
+        const auto made = arraysOfRecipe(" x_i  =  i + 1 ; i =\t0 ... 2 ; a remark of 3 rows, float32", {});
+        QCOMPARE(made.arrays.at("x"), (std::vector<double>{1, 2, 3}));
+        QCOMPARE(made.rows, std::size_t{0});
+        QCOMPARE(arraysOfRecipe("x=i, of 2rows*3columns", {}).arrays.at("x").size(), std::size_t{6});
+        QCOMPARE(arraysOfRecipe("x=k, k  row-major, 1 row by 2 cols", {}).arrays.at("x"), (std::vector<double>{0, 1}));
+    }
+
+    /// Before, 900 blanks took 3.4 s, and the allowed 10,000 characters hours.
+    void aLongRecipeIsReadAtOnce()
+    {
+        QElapsedTimer clock;
+        clock.start();
+        for (const char* begin : {"a=", "a=1", "a", "1row"})
+            QVERIFY_EXCEPTION_THROWN(arraysOfRecipe(begin + std::string(9'000, ' '), {}), study::analyse::RequestFault);
+        QVERIFY_EXCEPTION_THROWN(arraysOfRecipe("a=1" + std::string(9'000, '.'), {}), study::analyse::RequestFault);
+        QVERIFY2(clock.elapsed() < 2000, qPrintable(QString("%1 ms").arg(clock.elapsed())));
+    }
+
+    void sizesBeyondAllMemoryAreRefused_data()
+    {
+        QTest::addColumn<QString>("recipe");
+        QTest::addColumn<QString>("said");
+        QTest::newRow("20 digits") << "a=k, k row-major, 99999999999999999999 rows x 2 cols"
+                                   << "the recipe's shape has a side of 99999999999999999999";
+        QTest::newRow("a product of 2^64") << "a=k, k row-major, 4611686018427387904 rows x 4 cols"
+                                           << "the recipe's shape has a side of 4611686018427387904";
+        QTest::newRow("a large product") << "a=k, k row-major, 200000000 rows x 200000000 cols"
+                                         << "asks for 40000000000000000 entries of 1 array";
+        QTest::newRow("a range beyond 64 bits") << "a=i, i=0..2^100"
+                                                << "is not a whole number below 9e15";
+        QTest::newRow("both ends far away") << "a=i, i=0-2^63..2^63-1"
+                                            << "is not a whole number below 9e15";
+        QTest::newRow("backwards") << "a=i, i=3..0"
+                                   << "asks for -2 entries";
+        QTest::newRow("each array counts") << "a=i, b=i, c=i, i=1..100000000"
+                                           << "entries of 3 arrays; expected 0 to 200000000 in all";
+        QTest::newRow("n") << "a=i"
+                           << "the recipe's n is outside 0 to 200000000";
+        QTest::newRow("hours of work") << "a=i" + QString("+1").repeated(4000) + ", i=1..100000000"
+                                       << "is too long for 100000000";
+        QTest::newRow("twice") << "a=i, a=2, i=0..1"
+                               << "defines a twice";
+        QTest::newRow("range against shape") << "a=i, b=i, i=0..3, 800 rows x 1280 cols"
+                                             << "has 4 entries, but its shape 1024000";
+    }
+
+    void sizesBeyondAllMemoryAreRefused()
+    {
+        QFETCH(const QString, recipe);
+        QFETCH(const QString, said);
+        const auto answer = answerTo("t_test", {{"kind", "one_sample"}, {"x", {{"recipe", recipe.toStdString()}, {"n", 1e300}}}});
+        QVERIFY2(saysError(answer, said), answer.dump().c_str());
+    }
+
+    /// Before, one such recipe ended the run, and no request was answered.
+    void afterARefusedRequestTheOthersAreAnswered()
+    {
+        const json bad{{"id", "bad"},
+                       {"analysis", "ssim"},
+                       {"inputs", {{"recipe", "a=k, b=k, k row-major, 99999999999999999999 rows x 2 cols"}}},
+                       {"options", {{"data_range", 1}}}};
+        const json good{{"id", "good"}, {"analysis", "p_adjust"}, {"inputs", {{"p", {0.5}}}}};
+        const auto answers = study::analyse::answersTo(json{{"cases", {bad, good}}}.dump(), "requests.json", ".");
+        QVERIFY(saysError(answers["bad"], "the recipe's shape"));
+        QVERIFY(answers["good"].contains("adjusted"));
     }
 
     void numbersMayBeSpelled()

@@ -131,7 +131,7 @@ void AppLooksTest::messagesStandBesideTheirFieldAndGo()
     };
     // the study page
     auto& next = open.widget<QLineEdit>("participantField");
-    next.setText("not allowed!");
+    next.setText("not/allowed");
     open.gui().click("enrolButton");
     QTRY_VERIFY(isBeside("studyMessage", next));
     next.setText("P01");

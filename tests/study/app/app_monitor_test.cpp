@@ -1,6 +1,7 @@
 // Live monitor of the principal investigator: stages, missing answers and flags while a session runs in another window. The
 // monitor must stay blinded.
 #include <QLabel>
+#include <QScreen>
 #include <QTest>
 #include <QThread>
 #include <QTreeWidget>
@@ -41,7 +42,17 @@ private Q_SLOTS:
     void showsNoHiddenNameAndNoScore();
     void erasedParticipantsHaveNoStage();
     void aStudyInAFolderHasNoStations();
+    void startsOnTheScreen();
 };
+
+void AppMonitorTest::startsOnTheScreen()
+{
+    MonitorWindow monitor(newStudy(wholeStudy()).folder, {});
+    monitor.show();
+    QTest::qWait(50);
+    const QRect room = monitor.screen()->availableGeometry();  // 800 x 800 without a real screen
+    QVERIFY2(room.contains(monitor.frameGeometry()), qPrintable(QStringLiteral("width %1").arg(monitor.width())));
+}
 
 void AppMonitorTest::followsASessionInAnotherWindow()
 {

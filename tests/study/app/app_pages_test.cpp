@@ -38,6 +38,8 @@ private Q_SLOTS:
     void nextParticipantTakesThePlaceAfterAWithdrawal();
     void takenOrInvalidCodesAreNotEnrolled_data();
     void takenOrInvalidCodesAreNotEnrolled();
+    void codesOfEveryScriptAreEnrolled_data();
+    void codesOfEveryScriptAreEnrolled();
     void newStudyIsMadeOnAWorkerThread();
     void pageShowsWhyTheStudyCouldNotBeMade();
     void makingCanBeStopped();
@@ -191,8 +193,11 @@ void AppPagesTest::takenOrInvalidCodesAreNotEnrolled_data()
 {
     QTest::addColumn<QString>("participant");
     QTest::newRow("taken") << "P01";
+    QTest::newRow("taken in small letters") << "p01";
+    QTest::newRow("taken in full-width letters") << QStringLiteral("Ｐ０１");
     QTest::newRow("empty") << "";
-    QTest::newRow("with spaces") << "Ann Smith";
+    QTest::newRow("a list") << "P02,P03";
+    QTest::newRow("too long") << QString(65, 'n');
     QTest::newRow("a path") << "../P02";
 }
 
@@ -204,9 +209,31 @@ void AppPagesTest::takenOrInvalidCodesAreNotEnrolled()
     open.gui().pressKey(Qt::Key_Q);
     QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
     open.widget<QLineEdit>("participantField").setText(participant);
-    open.gui().click("enrolButton");
+    for (int click = 0; click < 2; ++click) open.gui().click("enrolButton");  // a good code would ask once
     QVERIFY(!open.window().session());
     QVERIFY(!open.message("studyMessage").isEmpty());
+}
+
+void AppPagesTest::codesOfEveryScriptAreEnrolled_data()
+{
+    QTest::addColumn<QString>("participant");
+    QTest::newRow("umlaut") << QStringLiteral("Müller");
+    QTest::newRow("Japanese") << QStringLiteral("参加者一");
+    QTest::newRow("64 letters") << QString(64, 'n');
+}
+
+/// As `replay` takes them.
+void AppPagesTest::codesOfEveryScriptAreEnrolled()
+{
+    QFETCH(QString, participant);
+    OpenWindow open(newStudy());
+    open.widget<QLineEdit>("participantField").setText("../" + participant);
+    open.gui().click("enrolButton");
+    QVERIFY(!open.window().session());
+    QVERIFY2(open.message("studyMessage").contains("begins with a dot"), qPrintable(open.message("studyMessage")));
+    open.widget<QLineEdit>("participantField").setText(participant);
+    open.gui().click("enrolButton");
+    QVERIFY(open.window().session());
 }
 
 namespace {

@@ -2,10 +2,15 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QTest>
+#include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 
+#include "database/station_key.h"
 #include "protocols/files/sha256.h"
+#include "protocols/files/whole_file.h"
+#include "rendering/display/stimulus_bank.h"
 #include "study/app/pages/setup/rehearsal_page.h"
 #include "study/app/pages/setup/room_checks.h"
 #include "study/making/rehearsal.h"
@@ -23,6 +28,54 @@ std::map<std::string, std::string> bytesIn(const fs::path& folder)
     for (const auto& entry : fs::recursive_directory_iterator(folder))
         if (entry.is_regular_file()) hashes[entry.path().string()] = protocols::sha256OfFile(entry.path());
     return hashes;
+}
+
+/// What somebody sees of a study who reads every file of its folder, and opens the images with the key beside them.
+struct SeenFolder {
+    explicit SeenFolder(const fs::path& folder)
+    {
+        const database::StudyStore store({folder}, database::StudyStore::Access::Read);
+        const auto key = database::readStationKey(store);
+        rendering::StimulusBank bank(store.folder().stimuli(), store.stimulusHashes(), key);
+        keyText = key.hex();
+        for (const auto& [code, hash] : store.stimulusHashes()) {
+            const cv::Mat& image = bank.imageOf(code);
+            fileNames.insert(code.value);
+            fileHashes.insert(hash);
+            images.insert(protocols::sha256(std::string(image.datastart, image.dataend)));
+        }
+        for (const auto& slot : store.slots())
+            for (const auto& trial : store.trials(slot.number)) {
+                sealedCodes.insert(trial.sealedCode.value);
+                presentationCodes.insert(trial.presentationCode.value);
+            }
+        for (const auto& item : store.facts().familiarisation) sealedCodes.insert(item.sealedCode.value);
+    }
+
+    std::string keyText;
+    std::set<std::string> fileNames, fileHashes, images, sealedCodes, presentationCodes;
+};
+
+std::set<std::string> shared(const std::set<std::string>& a, const std::set<std::string>& b)
+{
+    std::set<std::string> both;
+    std::ranges::set_intersection(a, b, std::inserter(both, both.end()));
+    return both;
+}
+
+/// Files that a presentation of the study may show, by its presentation code, after many rehearsals were watched. Each rehearsal
+/// says: the file of every presentation that it repeats is one of the files that it holds.
+std::map<std::string, std::set<std::string>> filesLeft(const SeenFolder& study, const std::vector<SeenFolder>& rehearsals)
+{
+    std::map<std::string, std::set<std::string>> left;
+    for (const auto& code : study.presentationCodes) left[code] = study.fileNames;
+    for (const auto& rehearsal : rehearsals) {
+        const auto files = shared(study.fileNames, rehearsal.fileNames);
+        if (files.empty()) continue;
+        for (const auto& code : shared(study.presentationCodes, rehearsal.presentationCodes))
+            left[code] = shared(left[code], files);
+    }
+    return left;
 }
 
 }  // namespace
@@ -57,6 +110,8 @@ class AppRehearsalTest : public tests::support::WindowTest {
 private Q_SLOTS:
     void everythingTriedIsReadyForTheFirstParticipant();
     void nothingOfItTouchesTheStudy();
+    void manyRehearsalsGiveNothingAway();
+    void aMissingImageOfTheStudyIsFound();
     void aSessionThatWasLeftIsStillMissing();
     void whatIsMissingIsNamed();
     void theComputerIsChecked();
@@ -108,6 +163,55 @@ void AppRehearsalTest::nothingOfItTouchesTheStudy()
     QCOMPARE(database::textOf(open.window().study()->store().head()), head);
     QVERIFY(bytesIn(study.folder) == before);
     QVERIFY(open.window().study()->store().enrolments().empty());
+}
+
+// An operator starts rehearsals again and again, and compares their files and trials with those of the study.
+void AppRehearsalTest::manyRehearsalsGiveNothingAway()
+{
+    tests::support::StudyRecipe recipe{.fabrics = 4, .conditions = {"v_grey", "h", "h&f"}, .participants = 4};
+    recipe.familiarisationImages = 2;
+    recipe.hasSwatchCodes = true;
+    const auto folder = newStudy(recipe);
+    const SeenFolder study(folder.folder);
+    std::vector<SeenFolder> rehearsals;
+    std::set<std::string> images;
+    std::size_t codes = 0, imagesInAll = 0, codesByChance = 0;
+    for (int start = 0; start < 10; ++start) {
+        const auto made = study::making::makeRehearsal(folder.folder);
+        const SeenFolder& seen = rehearsals.emplace_back(*made);
+        QVERIFY(seen.keyText != study.keyText);
+        QVERIFY(shared(seen.fileNames, study.fileNames).empty());
+        QVERIFY(shared(seen.fileHashes, study.fileHashes).empty());
+        QVERIFY(shared(seen.images, study.images).empty());
+        QVERIFY(shared(seen.sealedCodes, study.sealedCodes).empty());
+        for (const auto& entry : fs::recursive_directory_iterator(*made)) {
+            if (!entry.is_regular_file() || entry.path().extension() == ".sealed") continue;
+            const std::string bytes = protocols::readWholeFile(entry.path());
+            QVERIFY(bytes.find(study.keyText) == std::string::npos);
+            for (const auto* texts : {&study.fileNames, &study.fileHashes, &study.sealedCodes})
+                for (const auto& text : *texts) QVERIFY2(bytes.find(text) == std::string::npos, text.c_str());
+        }
+        codes += seen.presentationCodes.size();
+        codesByChance += shared(seen.presentationCodes, study.presentationCodes).size();
+        imagesInAll += seen.images.size();
+        images.insert(seen.images.begin(), seen.images.end());
+    }
+    // Four letters of 22 are the same by chance for one code in thousands.
+    QVERIFY2(codesByChance * 10 < codes, std::to_string(codesByChance).c_str());
+    // No image comes twice, so that not even the rehearsals have one in common.
+    QCOMPARE(images.size(), imagesInAll);
+    for (const auto& [code, files] : filesLeft(study, rehearsals)) QCOMPARE(files.size(), study.fileNames.size());
+}
+
+void AppRehearsalTest::aMissingImageOfTheStudyIsFound()
+{
+    const auto study = newStudy();
+    OpenWindow open(study, options(), {});
+    fs::remove(fs::directory_iterator(study.stimuli())->path());
+    open.gui().pressKey(Qt::Key_F8);
+    open.gui().pressKey(Qt::Key_F5);
+    QCOMPARE(open.window().currentPage()->objectName(), QString("rehearsalPage"));
+    QVERIFY(open.message("rehearsalMessage").contains("the stimulus is missing"));
 }
 
 void AppRehearsalTest::aSessionThatWasLeftIsStillMissing()

@@ -235,7 +235,7 @@ void EveryPage::visitAround(OpenWindow& open, const Look& look)
     open.gui().pressKey(Qt::Key_Escape);
     open.gui().pressKey(Qt::Key_Escape);
     visitRehearsal(open, look);
-    open.widget<QLineEdit>("participantField").setText("not allowed!");
+    open.widget<QLineEdit>("participantField").setText("not/allowed");
     open.gui().click("enrolButton");
     look(open.window(), "study-hint");
     open.gui().pressKey(Qt::Key_F2);

@@ -147,6 +147,21 @@ private Q_SLOTS:
         QVERIFY(bytesOf(at("act-three/log.txt")).contains("Acts: 2:" + cell(acts, 1, "hash")));
     }
 
+    /// The backup is made all the same: it may be the last chance to keep the answers.
+    void aBackupSaysThatAKeyIsDamaged()
+    {
+        const QString study = playedStudy();
+        QFile key(study + "/allocation-key.json");
+        QVERIFY(key.open(QIODevice::Append) && key.write("x") == 1);
+        key.close();
+        const auto run = mustRun({"backup", study, "--out", at("damaged-key.tar")});
+        QVERIFY2(run.err.startsWith("warning: ") && run.err.contains("the allocation key is not the one committed"),
+                 qPrintable(run.err));
+        QVERIFY2(run.out.contains("acts head 1:"), qPrintable(run.out));
+        const auto acts = database::actsOf({{study.toStdString()}, database::StudyStore::Access::Read});
+        QVERIFY(acts.front().kind == "backup" && acts.front().note.find("allocation key") != std::string::npos);
+    }
+
     void anExportHoldsNoLogUnlessAsked()
     {
         mustRun({"export", playedStudy(), "--out", at("plain")});
@@ -405,6 +420,16 @@ private Q_SLOTS:
         const auto acts = actsOf(store);
         QCOMPARE(acts.size(), std::size_t{2});
         QVERIFY(acts[0].path.ends_with("act1") && acts[1].path.ends_with("act2") && acts[1].kind == "export");
+    }
+
+    void aPrintedCommandQuotesAPathWithBlanks()
+    {
+        const QString study = at("Stüdie mit Leer");
+        QVERIFY(QFile::rename(playedStudy(), study));
+        mustRun({"study", "sheets", study, "--out", at("quoted pages")});
+        const QString text = bytesOf(at("quoted pages/labels.html"));
+        QVERIFY(text.contains("vis2hap verify &#39;Stüdie mit Leer&#39; --against ") ||
+                text.contains("vis2hap verify 'Stüdie mit Leer' --against "));
     }
 
     void printedPagesCarryTheHead()

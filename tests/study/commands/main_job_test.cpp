@@ -390,6 +390,9 @@ void MainJobTest::badInputIsOneLineAndTheRightExitCode_data()
     QTest::newRow("doubled answer") << QStringList{"replay", m_study, path("doubled.json")} << 2 << "doubled";
     QTest::newRow("no such study") << QStringList{"study", "status", path("nowhere")} << 2 << "nowhere";
     QTest::newRow("unknown command") << QStringList{"reprot", "x"} << 2 << "";
+    QTest::newRow("mistyped command without a screen") << QStringList{"rendr"} << 2 << "neither a command";
+    QTest::newRow("missing protocol before the passphrase")
+        << QStringList{"study", "new", path("bad1"), "--dataset", m_fabrics, "--protocol", path("nope.json")} << 2 << "nope.json";
     QTest::newRow("unknown option") << QStringList{"study", "status", m_study, "--jsn"} << 2 << "--jsn";
 
     // A data set without photographs.

@@ -106,12 +106,26 @@ private Q_SLOTS:
         QCOMPARE(support::runProgram({"power", "--studies", "20", "--resume", file}).exitCode, 2);
     }
 
+    /// The text names the question and the scale that its numbers are for, and how to get another.
     void theTextSaysWhatIsAssumed()
     {
-        const auto ended = support::mustRun({"power", "--studies", "40", "--protocol", m_small});
-        QVERIFY(ended.out.contains("Small: 12 participants x 4 fabrics x 3 conditions"));
+        const QString file = m_folder.filePath("two.json");
+        QFile out(file);
+        QVERIFY(out.open(QIODevice::WriteOnly));
+        out.write(R"({"schema":"vis2hap.protocol/1","name":"Two","participants":12,"fabrics":4,"conditions":["v_grey","f","h"],
+            "question_texts":{"W1":"How rough?"},"phases":[{"questions":["Q2"],"scale":{"min":0,"max":100,"step":1,"sections":9}},
+            {"questions":["W1"],"scale":{"min":1,"max":4,"step":1,"labels":["no","hardly","rather","very"]}}]})");
+        out.close();
+        const auto ended = support::mustRun({"power", "--studies", "40", "--protocol", file, "--question", "W1"});
+        QVERIFY(ended.out.contains("Two: 12 participants x 4 fabrics x 3 conditions"));
         QVERIFY(ended.out.contains("The results depend on these assumptions"));
-        QVERIFY(ended.out.contains("paired t of participants' means; 80 % power at "));
+        QVERIFY(
+            ended.out.contains("The ratings are those of W1, from 1 to 4 in steps of 1. Another scale: Q2; see it by "
+                               "--question Q2."));
+        // R: power.t.test(n = 12, power = .8, sd = 0.3*sqrt(2*(.15 + .85/4)), type = "paired", strict = TRUE)
+        QVERIFY2(ended.out.contains("paired t of participants' means; 80 % power at 0.23"), qPrintable(ended.out));
+        const auto unknown = support::runProgram({"power", "--protocol", file, "--question", "Q9"});
+        QVERIFY2(unknown.exitCode == 2 && unknown.err.contains("one of Q2, W1"), qPrintable(unknown.err));
     }
 
     void wrongCallsEndWithTwo()

@@ -82,6 +82,14 @@ class PreregisterCommandTest : public QObject {
     }
 
 private Q_SLOTS:
+    void copiesGoIntoANewFolder()
+    {
+        const QString study = newStudy(), copies = at("new/copies");
+        mustRun({"study", "preregister", study, "--out", copies});
+        QVERIFY(QFile::exists(copies + "/preregistration.txt") && QFile::exists(copies + "/preregistration.json"));
+        QCOMPARE(registered(study).size(), std::size_t(1));
+    }
+
     void theTextSaysWhatTheProtocolSays()
     {
         const QString study = newStudy();

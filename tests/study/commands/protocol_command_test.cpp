@@ -124,6 +124,26 @@ private Q_SLOTS:
                  qPrintable(shown.out));
     }
 
+    /// The differences are those of each scale, and no larger than the scale.
+    void eachScaleHasItsOwnSmallestDifference()
+    {
+        const auto shownFor = [&](int participants) {
+            const QByteArray text =
+                R"({"schema":"vis2hap.protocol/1","name":"Two scales","participants":)" + QByteArray::number(participants) +
+                R"(,"fabrics":7,"conditions":["v_grey","f","h"],"question_texts":{"W1":"How rough?"},"phases":[
+                {"questions":["Q2"],"scale":{"min":0,"max":100,"step":1,"sections":9}},
+                {"questions":["W1"],"scale":{"min":1,"max":4,"step":1,"labels":["no","hardly","rather","very"]}}]})";
+            return Json::parse(
+                support::mustRun({"protocol", "show", written("scales.json", text), "--json"}).out.toStdString())["detects"];
+        };
+        const auto smallest = [](const Json& rows, int row) { return rows[row]["smallest"].get<double>(); };
+        const Json twelve = shownFor(12), three = shownFor(3);
+        // R: power.t.test(n = 12, power = .8, sd = 10*sqrt(2*(.15 + .85/7)), type = "paired", strict = TRUE)
+        QVERIFY2(std::abs(smallest(twelve, 0) - 6.550) < 0.005, twelve.dump().c_str());
+        QVERIFY(std::abs(smallest(twelve, 1) - 0.03 * smallest(twelve, 0)) < 1e-6);
+        QVERIFY2(smallest(three, 1) < 1.5, three.dump().c_str());
+    }
+
     void filesThatAreNoProtocolHaveOneClearLine_data()
     {
         QTest::addColumn<QString>("file");
@@ -145,23 +165,39 @@ private Q_SLOTS:
         QVERIFY2((result.out + result.err).contains(words), qPrintable(result.out + result.err));
     }
 
+    void aProtocolCannotCommandTheTerminal()
+    {
+        const char* text = "{\"\\u001b]0;owned\\u0007\\u001b[2J\": 1}";
+        const auto result = support::runProgram({"protocol", "check", written("escape.json", text)});
+        QCOMPARE(result.exitCode, 2);
+        QVERIFY2(result.out.contains("\\x1b]0;owned") && !result.out.contains('\x1b'), qPrintable(result.out));
+    }
+
     void tenThousandLinesAreCheckedInSeconds()
+    {
+        QElapsedTimer timer;
+        timer.start();
+        const auto all = support::runProgram({"protocol", "check", written("long.json", protocolWithTexts(10000))});
+        QCOMPARE(all.exitCode, 2);
+        QVERIFY2(all.out.contains("question_texts: 10001 keys, expected at most 2000"), qPrintable(all.out));
+        const auto allowed = support::runProgram({"protocol", "check", written("allowed.json", protocolWithTexts(1999))});
+        QCOMPARE(allowed.exitCode, 2);
+        QVERIFY2(allowed.out.contains("'X1000'") && allowed.out.contains("1899 more faults"), qPrintable(allowed.out));
+        QVERIFY2(timer.elapsed() < 10000, qPrintable(QString::number(timer.elapsed())));
+    }
+
+private:
+    /// With a sentence for each of `unknown` questions that it does not ask.
+    static QByteArray protocolWithTexts(int unknown)
     {
         QByteArray text =
             "{\n  \"schema\": \"vis2hap.protocol/1\",\n  \"name\": \"long\",\n  \"participants\": 1,\n  \"fabrics\": 2,\n"
             "  \"conditions\": [\"h\", \"f\"],\n  \"phases\": [{\"questions\": [\"Q1\"], \"alternatives\": 2}],\n"
             "  \"question_texts\": {\n";
-        for (int i = 0; i < 10000; ++i) text += "    \"X" + QByteArray::number(i) + "\": \"?\",\n";
-        text += "    \"Q1\": \"Which?\"\n  }\n}\n";
-        QElapsedTimer timer;
-        timer.start();
-        const auto result = support::runProgram({"protocol", "check", written("long.json", text)});
-        QCOMPARE(result.exitCode, 2);
-        QVERIFY(result.out.contains("'X9999'"));
-        QVERIFY2(timer.elapsed() < 10000, qPrintable(QString::number(timer.elapsed())));
+        for (int i = 0; i < unknown; ++i) text += "    \"X" + QByteArray::number(i) + "\": \"?\",\n";
+        return text + "    \"Q1\": \"Which?\"\n  }\n}\n";
     }
 
-private:
     QString written(const QString& name, const QByteArray& text)
     {
         QFile file(m_folder.filePath(name));

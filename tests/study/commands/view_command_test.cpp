@@ -1,4 +1,6 @@
 // vis2hap view, stroke and display check, run from the command line.
+#include <sys/stat.h>
+
 #include <QFile>
 #include <QImage>
 #include <QProcess>
@@ -41,6 +43,56 @@ private Q_SLOTS:
         QVERIFY(lines[2].contains("height, 32 × 24") && lines[2].contains("0.125 mm") &&
                 lines[2].contains("All values are equal"));
         QVERIFY(lines[3].contains("coefficient") || lines[3].contains("friction record"));
+    }
+
+    /// Qt fills the missing part with grey and reports a success.
+    void aTruncatedPhotographIsRefused_data()
+    {
+        QTest::addColumn<QString>("format");
+        QTest::newRow("JPEG") << "jpg";
+        QTest::newRow("BMP") << "bmp";
+    }
+    void aTruncatedPhotographIsRefused()
+    {
+        QFETCH(const QString, format);
+        const QString photo = m_folder.filePath("photo." + format);
+        QImage image(200, 150, QImage::Format_RGB888);
+        for (int i = 0; i < 200 * 150; ++i) image.setPixel(i % 200, i / 200, qRgb(i * 13 % 256, i * 7 % 256, i % 256));
+        QVERIFY(image.save(photo));
+        QFile file(photo);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray whole = file.readAll();
+        file.close();
+        const auto importing = [&](const QByteArray& bytes, const QString& out) {
+            QFile written(photo);
+            if (!written.open(QIODevice::WriteOnly)) return ProgramResult{};
+            written.write(bytes);
+            written.close();
+            return runProgram({"import", "photos", photo, "--out", out});
+        };
+        const QString out = m_folder.filePath("photos-" + format);
+        for (const auto kept : {whole.size() - 2, whole.size() / 2}) {
+            const auto ended = importing(whole.left(kept), out);
+            QCOMPARE(ended.exitCode, 2);
+            QVERIFY2(ended.err.contains("the file is truncated") && !QFile::exists(out), qPrintable(ended.err));
+        }
+        // A camera appends other images, and one of them may be cut without harm to the first.
+        QCOMPARE(importing(whole + whole.left(500), out).exitCode, 0);
+    }
+
+    void aPipeInThePlaceOfAPictureIsRefused()
+    {
+        for (const char* name : {"pipe.jpg", "pipe.bmp"}) {
+            QCOMPARE(::mkfifo(qPrintable(at(name)), 0600), 0);
+            QProcess process;
+            support::startProgram(process, {"view", at(name), "--out", at("of-pipe.png")});
+            const bool isEnded = process.waitForFinished(20'000);
+            if (!isEnded) process.kill();
+            QVERIFY(isEnded);  // although nobody writes into the pipe
+            QCOMPARE(process.exitCode(), 2);
+            const QString said = QString::fromUtf8(process.readAll());
+            QVERIFY2(said.startsWith("vis2hap: ") && said.contains(name), qPrintable(said));
+        }
     }
 
     void strokeIsWrittenAndLookedAt()

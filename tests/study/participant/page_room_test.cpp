@@ -1,6 +1,7 @@
 // The participant's page without a network: who gets in, what each request is answered, what is refused.
 #include "study/participant/page_room.h"
 
+#include <QElapsedTimer>
 #include <QTest>
 #include <nlohmann/json.hpp>
 
@@ -290,6 +291,9 @@ private Q_SLOTS:
         QTest::newRow("a control character") << "POST"
                                              << "/act"
                                              << R"(body={"number":1,"facts":["a\u0007"]})" << 400;
+        QTest::newRow("a code with a long body") << "POST"
+                                                 << "/enter"
+                                                 << "body={\"code\":\"" + QString(300, '1') + "\"}" << 413;
         QTest::newRow("a code that is no text") << "POST"
                                                 << "/enter"
                                                 << R"(body={"code":482913})" << 400;
@@ -317,6 +321,21 @@ private Q_SLOTS:
         const std::string policy = Visit::headerOf(reply, "Content-Security-Policy");
         QVERIFY(policy.find("default-src 'none'") != std::string::npos &&
                 policy.find("frame-ancestors 'none'") != std::string::npos);
+    }
+
+    /// Before, one such body kept the page of everybody waiting for 1.6 s.
+    void doubledKeysCannotHoldThePage()
+    {
+        std::string body = "{\"a\":1";
+        while (body.size() + 10 < longestBody) body += ",\"a\":1";
+        body += "}";
+        Visit visit;
+        QElapsedTimer clock;
+        clock.start();
+        QCOMPARE(visit.post("/enter", body).status, 413);
+        visit.enter("482913");
+        QCOMPARE(visit.post("/act", body).status, 400);
+        QVERIFY2(clock.elapsed() < 500, qPrintable(QString("%1 ms").arg(clock.elapsed())));
     }
 
     void thePageSpeaksTheLanguageOfTheStudy()

@@ -4,15 +4,58 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <map>
+#include <nlohmann/json.hpp>
 
+#include "database/evidence/acts.h"
+#include "database/preregistrations.h"
+#include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 #include "study/records/blinded_report.h"
+#include "study/records/shown_origin.h"
+#include "study/records/study_faults.h"
+#include "study/records/study_status.h"
 #include "study/session/driver.h"
 #include "study/session/stimuli.h"
 #include "tests/support/played_session.h"
+#include "tests/support/raw_sqlite.h"
 #include "tests/support/study_builder.h"
 
 using tests::support::OpenSession;
+
+namespace {
+
+/// Runs the statements with triggers and checks out of force.
+void alter(const database::StudyFolder& folder, const std::string& sql)
+{
+    tests::support::RawSqlite raw(folder.database());
+    raw.dropTriggers();
+    const std::string fault = raw.run("PRAGMA ignore_check_constraints = 1; PRAGMA foreign_keys = 0; " + sql);
+    if (!fault.empty()) throw std::runtime_error(fault + ": " + sql);
+}
+
+/// Reads the study as verify, status and report do. Returns what each of them was refused with.
+std::string refusalsOf(const database::StudyFolder& folder)
+{
+    namespace records = study::records;
+    std::string refusals;
+    const auto tried = [&](const auto& read) {
+        try {
+            read(records::openStudy(folder.folder));
+        } catch (const protocols::Error& fault) {
+            refusals += std::string(fault.what()) + "\n";
+        }
+    };
+    tried([](const auto& store) { records::findingsOf(store); });
+    tried([](const auto& store) { records::textOf(records::statusOf(store, {})); });
+    tried([](const auto& store) { records::sealedStudyData(store); });
+    tried([](const auto& store) { records::blindedReport(store); });
+    tried([](const auto& store) { records::shownMadeWith(store, store.facts()); });
+    tried([](const auto& store) { preregistrationsOf(store); });
+    tried([](const auto& store) { chainedActsOf(store); });
+    return refusals;
+}
+
+}  // namespace
 
 class StoredStudyTest : public QObject {
     Q_OBJECT
@@ -108,6 +151,71 @@ private Q_SLOTS:
         QVERIFY(stamps.back().starts_with("The response of the display was not measured"));
         QVERIFY(
             stamps[stamps.size() - 2].starts_with("The display left its images as plain files in sessions of 1 participant "));
+    }
+
+    void aCodeInNoSlotIsRefused_data()
+    {
+        QTest::addColumn<QString>("sql");
+        QTest::addColumn<QString>("said");
+        const QString move = "UPDATE swatches SET slot = %1 WHERE slot = 1 AND fabric = 'F01'";
+        for (const char* slot : {"0", "-1", "3", "2000000000", "4000000000000000000"})
+            QTest::newRow(slot) << move.arg(slot) << QString("stands in slot %1; expected a code for each").arg(slot);
+        QTest::newRow("a code is missing") << "DELETE FROM swatches WHERE slot = 2 AND fabric = 'F02'"
+                                           << "is missing for fabric F02";
+    }
+
+    void aCodeInNoSlotIsRefused()
+    {
+        QFETCH(QString, sql);
+        QFETCH(QString, said);
+        QTemporaryDir place;
+        const auto folder = tests::support::buildStudy(place.filePath("study").toStdString(), {.hasSwatchCodes = true});
+        QCOMPARE(refusalsOf(folder), std::string());
+        alter(folder, sql.toStdString());
+        const QString refusals = QString::fromStdString(refusalsOf(folder));
+        QVERIFY2(refusals.contains(said), qPrintable(refusals));
+    }
+
+    void deeplyNestedJsonEndsNoCommand_data()
+    {
+        QTest::addColumn<QString>("place");
+        for (const char* fact : {"made_with", "signals_json", "stamps", "planned_balance", "protocol_json"})
+            QTest::addRow("%s", fact) << QString("study SET %1 = ").arg(fact);
+        QTest::newRow("tray") << "trials SET alternatives = ";
+        QTest::newRow("tray of an answer") << "responses SET alternatives = ";
+        QTest::newRow("every entry of the log") << "events SET payload = ";
+        QTest::newRow("act") << "acts SET details = ";
+    }
+
+    void deeplyNestedJsonEndsNoCommand()
+    {
+        QFETCH(QString, place);
+        constexpr std::size_t depth = 200'000;
+        QTemporaryDir disk;
+        const auto folder = tests::support::buildStudy(disk.filePath("study").toStdString());
+        OpenSession(folder, "S01").playUntilAnswers(2);
+        QCOMPARE(database::recordAct(folder, {"backup", "Ada", "test", "here", "b.tar", {}, {}}), std::nullopt);
+        for (const std::string& json : {std::string(depth, '[') + std::string(depth, ']'),
+                                        R"({"who":)" + std::string(depth, '[') + std::string(depth, ']') + "}"}) {
+            alter(folder, "UPDATE " + place.toStdString() + "'" + json + "'");
+            (void)refusalsOf(folder);
+            try {
+                OpenSession session(folder, "S01");
+            } catch (const protocols::Error&) {
+                // A session may be refused; it may not end the program.
+            }
+        }
+    }
+
+    void anAlteredDisplayResponseIsStillReported()
+    {
+        QTemporaryDir place;
+        const auto folder = tests::support::buildStudy(place.filePath("study").toStdString());
+        OpenSession(folder, "P01", database::ParticipantKind::Human).playUntilAnswers(1);
+        alter(folder, R"(UPDATE study SET made_with = '{"display_response":{"date":5,"display":[],"load_n":"x","finger":{}}}')");
+        QCOMPARE(refusalsOf(folder), std::string());
+        alter(folder, R"(UPDATE events SET payload = '{"display":7}' WHERE kind = 'sitting_started')");
+        QCOMPARE(refusalsOf(folder), std::string());
     }
 };
 

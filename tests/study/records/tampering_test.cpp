@@ -4,6 +4,7 @@
 #include <QTest>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <random>
 
 #include "database/event_chain.h"
@@ -125,11 +126,13 @@ private:
     }
 
 private Q_SLOTS:
-    /// S01 finished, S02 started, S03 erased; one act.
+    /// S01 finished, S02 started, S03 erased, S04 finished without a word at the end; one act. A passphrase seals the key.
     void initTestCase()
     {
         tests::support::StudyRecipe recipe;
         recipe.participants = 4;
+        recipe.passphrase = "four plain short words";
+        tests::support::buildStudy(m_place.filePath("other").toStdString(), recipe);
         m_study = tests::support::buildStudy(m_place.filePath("study").toStdString(), recipe);
         {
             OpenSession session(m_study, "S01");
@@ -139,6 +142,11 @@ private Q_SLOTS:
             session.playToEnd();
         }
         OpenSession(m_study, "S02").playUntilAnswers(3);
+        {
+            OpenSession silent(m_study, "S04");
+            silent.stepUntil("Debriefing");
+            silent.send(study::session::Debriefed{});
+        }
         OpenSession session(m_study, "S03");
         session.playUntilAnswers(2);
         QCOMPARE(database::recordAct(m_study, {"backup", "Ada", "test", "here", "/copies/b.tar", session.store.head(), {}}),
@@ -148,7 +156,12 @@ private Q_SLOTS:
         QVERIFY(protocols::readWholeFile(certificate).find("backup /copies/b.tar on here") != std::string::npos);
     }
 
-    void anUntouchedStudyIsSound() { QCOMPARE(faultsOf(m_study), QString()); }
+    void anUntouchedStudyIsSound()
+    {
+        QCOMPARE(faultsOf(m_study), QString());
+        for (const auto& note : findingsOf(reading(m_study)).notes)
+            QVERIFY2(note.find("chmod") != std::string::npos, note.c_str());
+    }
 
     void aChangedDatabaseIsFound_data()
     {
@@ -182,6 +195,9 @@ private Q_SLOTS:
                                       << "the fact \"debriefing\" of participant S01 was altered";
         QTest::newRow("fact removed") << "DELETE FROM participant_facts WHERE fact = 'debriefing'"
                                       << "the fact \"debriefing\" of participant S01 is missing";
+        QTest::newRow("debriefing forged")
+            << "INSERT INTO participant_facts VALUES ('S04', 'debriefing', 'I knew the conditions', '')"
+            << "the fact \"debriefing\" of participant S04 is not in the log";
         QTest::newRow("erasure without an entry") << "INSERT INTO erasures VALUES (3, 'S01', 1, 'Ada', 'no reason', '')"
                                                   << "the erasure of S01 (entry 3) is not in the log";
         QTest::newRow("erasure removed") << "DELETE FROM erasures"
@@ -200,6 +216,8 @@ private Q_SLOTS:
                                      << "act 1 (backup): was altered";
         QTest::newRow("act removed") << "DELETE FROM acts"
                                      << "the acts end at number 0, 1 were written";
+        QTest::newRow("acts cut off") << "DELETE FROM acts; DELETE FROM sqlite_sequence WHERE name = 'acts'"
+                                      << "act 1, which entry";
         QTest::newRow("seed changed") << "UPDATE study SET design_seed = '8'"
                                       << "were altered after the study was made";
     }
@@ -248,6 +266,23 @@ private Q_SLOTS:
                                           << "the stimulus is missing";
         QTest::newRow("allocation key") << "printf x >> allocation-key.json"
                                         << "allocation-key.json";
+        QTest::newRow("sealed key destroyed") << "echo garbage > allocation-key.sealed"
+                                              << "the sealed allocation key is not the file that the log names";
+        QTest::newRow("digits of the sealed key")
+            << "sed -i 's/\"box\": \"................/\"box\": \"0123456789abcdef/' allocation-key.sealed"
+            << "the sealed allocation key is not the file that the log names";
+        QTest::newRow("sealed key of another study") << "cp ../other/allocation-key.sealed ."
+                                                     << "the sealed allocation key is not the file that the log names";
+        QTest::newRow("certificate rewritten") << "sed -i 's/^Rows removed.*/Rows removed: 0 answers/' erasures/*"
+                                               << ".txt: was altered";
+        QTest::newRow("certificate invented") << "cp erasures/* erasures/erasure-1.txt"
+                                              << "erasures/erasure-1.txt: does not belong to the study";
+        QTest::newRow("certificates removed") << "rm -r erasures"
+                                              << ".txt: is missing";
+        QTest::newRow("rescue file of nothing") << "echo any text > rescue-1.db"
+                                                << "rescue-1.db: is no database of this study";
+        QTest::newRow("rescue file of another study") << "cp ../other/study.db rescue-2.db"
+                                                      << "rescue-2.db: is no database of this study";
         QTest::newRow("station key") << "printf x >> station-key.json"
                                      << "station-key.json";
         QTest::newRow("protocol") << "printf ' ' >> protocol.json"
@@ -261,6 +296,31 @@ private Q_SLOTS:
         QCOMPARE(std::system(("cd " + folder.folder.string() + " && " + harm.toStdString()).c_str()), 0);
         const QString faults = faultsOf(folder);
         QVERIFY2(faults.contains(said), qPrintable(faults));
+    }
+
+    void keptDatabasesAreNoted()
+    {
+        const auto folder = copy();
+        const auto notes = [&] {
+            QString text;
+            for (const auto& note : findingsOf(reading(folder)).notes) text += QString::fromStdString(note) + "\n";
+            return text;
+        };
+        reading(folder).copyTo(folder.folder / "rescue-1.db");
+        fs::copy_file(folder.database(), folder.folder / "study-before-rescue-3.db");
+        QVERIFY(notes().contains("study-before-rescue-3.db: kept aside") && notes().contains("its log is that of the study"));
+        OpenSession(folder, "S02").playUntilAnswers(5);
+        QVERIFY2(notes().contains("its log is the beginning of the study's"), qPrintable(notes()));
+        QCOMPARE(faultsOf(folder), QString());
+        fs::rename(folder.database(), folder.folder / "rescue-2.db");
+        fs::copy_file(folder.folder / "rescue-1.db", folder.database());
+        QVERIFY2(notes().contains("goes on where that of the study ends"), qPrintable(notes()));
+        OpenSession(folder, "S02").playUntilAnswers(4);
+        QVERIFY2(notes().contains("is apart from the study's"), qPrintable(notes()));
+        std::ofstream(folder.folder / "study-before-rescue-7.db") << "any text";
+        QVERIFY2(notes().contains("study-before-rescue-7.db: is no database of this study"), qPrintable(notes()));
+        QCOMPARE(faultsOf(folder), QString());
+        QVERIFY(!fs::exists(folder.folder / "study-before-rescue-3.db-shm"));
     }
 
     void modesAreNotedOnly()
@@ -362,6 +422,58 @@ private Q_SLOTS:
         StudyStore(folder, StudyStore::Access::Write).erase({protocols::ParticipantId("S01"), true, "Ada", "asked for it", {}});
         QCOMPARE(faultsOf(folder), QString());
         QCOMPARE(study::records::faultAgainst(reading(folder), before), std::string());
+    }
+
+    void actsBeforeAKnownHeadCannotBeCutOff()
+    {
+        const auto folder = copy();
+        for (const char* file : {"/copies/c.tar", "/copies/d.tar"})
+            (void)database::recordAct(folder, {"export", "Ada", "test", "here", file, reading(folder).head(), {}});
+        const LogHead acts = headOfActs(reading(folder));
+        QVERIFY(acts.sequence == 3 && study::records::faultAgainst(reading(folder), acts).empty());
+        const std::string cut = "DELETE FROM acts WHERE number > 1; UPDATE sqlite_sequence SET seq = 1 WHERE name = 'acts'";
+        {
+            const auto other = copy();  // without a later entry of the log, only their own head shows it
+            for (int more = 0; more < 2; ++more)
+                (void)database::recordAct(other, {"export", "Ada", "test", "here", "", reading(other).head(), {}});
+            const LogHead end = headOfActs(reading(other));
+            meddle(other, cut);
+            QCOMPARE(faultsOf(other), QString());
+            QVERIFY(!study::records::faultAgainst(reading(other), end).empty());
+        }
+        OpenSession(folder, "S02").playUntilAnswers(4);  // its sitting begins with an entry
+        QCOMPARE(faultsOf(folder), QString());
+        meddle(folder, cut);
+        QVERIFY2(faultsOf(folder).contains("act 3, which entry"), qPrintable(faultsOf(folder)));
+    }
+
+    void anInventedUpgradeIsFound()
+    {
+        const auto folder = copy();
+        {
+            const database::SqliteConnection sqlite(folder.database(), database::SqliteConnection::Mode::Write);
+            sqlite.run("INSERT INTO participant_facts VALUES ('S04', 'debriefing', 'I knew the conditions', '')");
+            store(sqlite,
+                  database::actOnStudy(
+                      database::upgradedKind,
+                      {{"schema", 3}, {"faults_before", nlohmann::json::array()}, {"fixed_sha256", hashOfFixedTables(sqlite)}},
+                      "2026-01-01T00:00:00.000Z"));
+        }
+        QVERIFY2(faultsOf(folder).contains("(upgraded): the study had schema 3 before"), qPrintable(faultsOf(folder)));
+    }
+
+    void theCertificateNamesTheServerThatTheStudyWasOn()
+    {
+        const auto folder = copy();
+        const std::string address = "postgresql://owner@server.lab/lab?study=pilot";
+        QCOMPARE(database::recordAct(folder, {database::serverAct, "Ada", "test", "here", address, reading(folder).head(), {}}),
+                 std::optional<std::string>());
+        StudyStore store(folder, StudyStore::Access::Write);
+        const database::Erasure erasure{protocols::ParticipantId("S02"), true, "Ada", "asked for it", {}};
+        const auto text = protocols::readWholeFile(study::records::writeErasureCertificate(store, erasure, store.erase(erasure)));
+        for (const char* said :
+             {"server postgresql://owner@server.lab/lab?study=pilot on here", "write-ahead log", "pg_switch_wal"})
+            QVERIFY2(text.find(said) != std::string::npos, text.c_str());
     }
 
     void anActHoldsTheHeadOfItsTime()

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <set>
 
 #include "database/keys.h"
@@ -388,6 +389,10 @@ private Q_SLOTS:
         QCOMPARE(results["comparisons"].toArray().size(), 4);
         QFile(m_place.filePath("simulated/index.html")).open(QIODevice::WriteOnly);
         QVERIFY_THROWS_EXCEPTION(protocols::Error, writeSimulation(analysis, "{}", out));
+        const std::filesystem::path other = m_place.filePath("other").toStdString();
+        std::filesystem::create_directory(other);
+        std::ofstream(other / "results.json") << R"({"study":{"simulated":5}})";
+        QVERIFY_THROWS_EXCEPTION(protocols::Error, writeSimulation(analysis, "{}", other));
     }
 };
 

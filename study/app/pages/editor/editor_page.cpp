@@ -211,7 +211,7 @@ void EditorPage::offerFile()
 void EditorPage::open(const fs::path& file)
 {
     try {
-        const std::string text = protocols::readWholeFile(file);
+        const std::string text = protocols::readProtocolText(file);
         const ProtocolDraft opened = ProtocolDraft::fromText(text, file.string());
         const bool isOfStudy = belongsToStudy(file);
         edit(opened, isOfStudy ? fs::path() : file);

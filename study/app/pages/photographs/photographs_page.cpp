@@ -87,9 +87,8 @@ void PhotographsPage::focusFirst() { m_form.place->setFocus(); }
 
 void PhotographsPage::browseFiles()
 {
-    const QStringList chosen =
-        QFileDialog::getOpenFileNames(this, tr("Photographs"), m_form.place->text(),
-                                      tr("Images (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.webp);;All files (*)"));
+    const QStringList chosen = QFileDialog::getOpenFileNames(this, tr("Photographs"), m_form.place->text(),
+                                                             tr("Images (*.png *.jpg *.jpeg *.bmp *.tif *.tiff);;All files (*)"));
     std::vector<fs::path> files;
     for (const QString& file : chosen) files.emplace_back(file.toStdString());
     addAll(files);

@@ -157,7 +157,8 @@ void RehearsalPage::show()
     computer << (m_state.clockFault.isEmpty() ? tr("The clock is in order.") : m_state.clockFault);
     m_computer->setText(sentencesTogether(computer));
     m_session->setText(m_state.sessionWasPlayed ? tr("The session was played to its end.")
-                                                : tr("Play the session: every page, a few presentations of each part, a break."));
+                                                : tr("Play the session: every page, a few presentations of each part, a break. "
+                                                     "Its images are patterns, not those of the study."));
     const QStringList missing = m_state.missing();
     setRole(*m_result, missing.isEmpty() ? "done" : "hint");
     m_result->setText(missing.isEmpty() ? tr("Ready for %1.").arg(m_room.nextParticipant)

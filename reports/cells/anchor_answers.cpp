@@ -34,12 +34,11 @@ std::optional<stats::RatingReliability> ratingsTwice(const StudyData& data, cons
     return stats::ratingReliability(participants, scale.max, {.low = low, .high = high});
 }
 
-std::optional<stats::ChoiceReliability> choicesTwice(const StudyData& data, const QuestionInfo& info, int answersToAgree)
+std::optional<stats::ChoiceReliability> choicesTwice(const StudyData& data, const QuestionInfo& info, int alternatives)
 {
-    const std::string& question = info.id;
     const bool byOutcome = agreesByOutcome(data, info);
     std::vector<stats::RepeatedChoices> participants;
-    for (const auto& [participant, pairs] : answersTwice(data, question)) {
+    for (const auto& [participant, pairs] : answersTwice(data, info.id)) {
         auto& own = participants.emplace_back();
         for (const auto& [first, second] : pairs) {
             const auto* before = std::get_if<ChosenAnswer>(&first->content);
@@ -48,10 +47,12 @@ std::optional<stats::ChoiceReliability> choicesTwice(const StudyData& data, cons
             if (before == nullptr || after == nullptr || (!byOutcome && (!before->answer || !after->answer))) continue;
             ++own.pairs;
             own.agreeing += byOutcome ? before->correct == after->correct : *before->answer == *after->answer;
+            own.bothWrong += byOutcome && !before->correct && !after->correct;
         }
     }
     if (participants.empty()) return std::nullopt;
-    return stats::choiceReliability(participants, answersToAgree);
+    return stats::choiceReliability(participants, alternatives,
+                                    byOutcome ? stats::ChoicesCompared::Outcomes : stats::ChoicesCompared::Answers);
 }
 
 std::optional<AnchorFloor> floorOf(const StudyData& data, const AnswerCells& cells, const std::string& question)
@@ -119,7 +120,7 @@ bool agreesByOutcome(const StudyData& data, const QuestionInfo& question)
 {
     const Scoring scoring = scoringOf(question.kind);
     const auto* choice = std::get_if<RightOrWrong>(&scoring);
-    return data.choicesRepeatedAnew && choice != nullptr && !choice->isSameDifferent;
+    return data.choicesRepeatedAnew.contains(question.id) && choice != nullptr && !choice->isSameDifferent;
 }
 
 std::vector<QuestionAnchors> anchorsOf(const StudyData& data, const AnswerCells& cells)
@@ -130,8 +131,8 @@ std::vector<QuestionAnchors> anchorsOf(const StudyData& data, const AnswerCells&
         QuestionAnchors anchors{question.id, {}, {}, {}, agreesByOutcome(data, question), 0};
         std::visit(protocols::Overloaded{
                        [&](const RightOrWrong& choice) {
-                           anchors.answersToAgree = anchors.choicesByOutcome ? 2 : choice.alternatives;
-                           anchors.choices = choicesTwice(data, question, anchors.answersToAgree);
+                           anchors.alternatives = choice.alternatives;
+                           anchors.choices = choicesTwice(data, question, choice.alternatives);
                        },
                        [&](const NumberOnScale& scale) {
                            anchors.floor = floorOf(data, cells, question.id);

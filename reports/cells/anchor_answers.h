@@ -36,7 +36,7 @@ struct QuestionAnchors {
     std::optional<stats::RatingReliability> ratings;  ///< of a rating with repeated presentations
     std::optional<stats::ChoiceReliability> choices;  ///< of a choice with repeated presentations
     bool choicesByOutcome = false;                    ///< agreesByOutcome()
-    int answersToAgree = 0;                           ///< of `choices`: 2 (right, wrong) or the alternatives
+    int alternatives = 0;                             ///< of `choices`
 };
 
 /// The first and the second answer to one presentation, in the order of time. A presentation that was voided comes again later,
@@ -47,7 +47,8 @@ using AnswersTwice = std::pair<const StudyResponse*, const StudyResponse*>;
 std::map<std::string, std::vector<AnswersTwice>> answersTwice(const StudyData& data, const std::string& question);
 
 /// Whether two answers to this question agree where both are right or both are wrong: its choices came again beside other foils,
-/// so that the fabrics that were chosen cannot be compared. Elsewhere the same answer agrees.
+/// so that the fabrics that were chosen cannot be compared. Elsewhere the same answer agrees, also where another question of the
+/// study has other foils.
 bool agreesByOutcome(const StudyData& data, const QuestionInfo& question);
 
 /// One entry for each question with answers to anchors, in the order of the study.

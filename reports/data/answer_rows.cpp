@@ -49,11 +49,11 @@ constexpr std::array<std::string_view, 7> keyColumns{"participant", "fabric",   
 constexpr std::array<std::string_view, 9> answerColumns{"question", "correct", "rating",           "answer", "seconds",
                                                         "trial",    "sitting", "response_seconds", "voided"};
 
-/// Columns that only this program's export has together.
+/// Columns that only this program's export has together, also a public one, which has no times of day.
 bool isExport(const CsvTable& table)
 {
     return table.column("answer_begun_at") && table.column("stored_at") && table.column("alternatives") &&
-           table.column("wall_time");
+           table.column("touched_by") && table.column("corrections");
 }
 
 constexpr const char* anchorColumn = "anchor";
@@ -84,11 +84,13 @@ std::vector<std::string> piecesIn(std::string_view list)
     return pieces;
 }
 
-/// Whether `alternatives` of an export (a list as JSON) hold other pieces where a choice comes a second time.
-bool repeatsChoicesAnew(const CsvTable& table)
+/// The questions of a long table whose `alternatives` (a list as JSON, as an export writes it) hold other pieces where a choice
+/// comes a second time.
+std::set<std::string> questionsRepeatedAnew(const CsvTable& table)
 {
-    const auto pieces = table.column("alternatives"), anchor = table.column(anchorColumn);
-    if (!pieces || !anchor) return false;
+    const auto pieces = table.column("alternatives"), anchor = table.column(anchorColumn), question = table.column("question");
+    std::set<std::string> anew;
+    if (!pieces || !anchor || !question) return anew;
     std::map<std::vector<std::string>, std::vector<std::string>> first;
     for (const bool isSecond : {false, true})
         for (const auto& row : table.rows) {
@@ -102,9 +104,9 @@ bool repeatsChoicesAnew(const CsvTable& table)
             if (!isSecond)
                 first[presentation] = own;
             else if (const auto found = first.find(presentation); found != first.end() && found->second != own)
-                return true;
+                anew.insert(row[*question]);
         }
-    return false;
+    return anew;
 }
 
 class LongTable {
@@ -280,7 +282,7 @@ AnswerRows readAnswerRows(const std::filesystem::path& file, const AnswerRowsOpt
     rows.isOwnExport = isExport(foreign.table);
     nameTheOnlyQuestion(foreign.table);
     rows.hasAnchors = namesAnchors(foreign.table);
-    rows.choicesRepeatedAnew = rows.isOwnExport && rows.hasAnchors && repeatsChoicesAnew(foreign.table);
+    if (rows.hasAnchors) rows.choicesRepeatedAnew = questionsRepeatedAnew(foreign.table);
     if (!foreign.table.column("question")) {
         rows.table = std::move(foreign.table);
         return rows;

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,9 +24,9 @@ struct AnswerRows {
     std::vector<std::string> unused;                     ///< columns of a long table that are not analysed
     std::size_t voided = 0;                              ///< rows of a long table that are marked as void
     std::string taken;                                   ///< what the file was taken for; empty for a usual one
-    bool isOwnExport = false;                            ///< answers.csv of this program
+    bool isOwnExport = false;                            ///< answers.csv of this program, a public one, too
     bool hasAnchors = false;                             ///< the column "anchor" names anchors, and nothing else
-    bool choicesRepeatedAnew = false;                    ///< of an export: choices came again beside other foils
+    std::set<std::string> choicesRepeatedAnew;           ///< questions whose choices came again beside other foils
 };
 
 /// Reads a wide or a long table. A long one has a column `question` and one row an answer, with `correct` (right or wrong),

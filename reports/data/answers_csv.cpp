@@ -12,39 +12,12 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/number_text.h"
 #include "protocols/files/utf8.h"
-#include "protocols/question_ids.h"
+#include "reports/data/answer_columns.h"
 #include "reports/data/answer_numbers.h"
 #include "reports/text/plain_words.h"
 
 namespace reports {
 namespace {
-
-struct QuestionColumns {
-    QuestionInfo info;
-    std::optional<std::size_t> value;  ///< ID_correct, the rating or the words
-    std::optional<std::size_t> time;
-    std::optional<std::size_t> answer;
-    std::optional<std::size_t> trial;
-    std::optional<std::size_t> sitting;
-};
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-
-/// "Q2" and the like need no protocol to be known as questions.
-bool isUsualName(const std::string& name)
-{
-    return name.size() >= 2 && name[0] == 'Q' && std::all_of(name.begin() + 1, name.end(), isDigit);
-}
-
-/// "Q1_seconds" -> "Q1" for the suffix "_seconds".
-std::optional<std::string> stem(const std::string& name, const std::string& suffix)
-{
-    if (name.size() <= suffix.size() || !name.ends_with(suffix)) return std::nullopt;
-    return name.substr(0, name.size() - suffix.size());
-}
-
-/// Columns that say where an answer belongs; the others are questions.
-constexpr std::string_view designColumns[] = {"participant", "fabric", "condition", "group", "session", "repetition"};
 
 /// Under this name JSON files give the reasons of missing numbers.
 constexpr const char* reservedName = "why";
@@ -63,10 +36,10 @@ public:
     {
         readProtocol();
         readStatedOptions();
-        readHeader();
+        m_columns = answerColumnsOf(m_rows, m_options, m_where);
         for (std::size_t row = 0; row < m_table.rows.size(); ++row) readRow(row);
-        for (QuestionColumns& known : m_questions) {
-            if (!m_instruction) known.info.instructions.clear();
+        for (QuestionColumns& known : m_columns.questions) {
+            if (!m_columns.instruction) known.info.instructions.clear();
             m_data.questions.push_back(known.info);
         }
         if (m_data.responses.empty()) fail("there are no answers", m_where, "at least one row with an answer");
@@ -88,7 +61,6 @@ private:
         throw protocols::badInput({what, place, expected, nextStep});
     }
 
-    std::string headerRow() const { return m_where + ", header row"; }
     std::string nameOf(std::size_t row) const { return protocols::rowName(m_table, row); }
     const std::string& cell(std::size_t row, std::size_t column) const { return m_table.rows[row][column]; }
 
@@ -141,7 +113,7 @@ private:
     {
         if (!m_options.note) return;
         if (!m_rows.taken.empty()) m_options.note(m_where + ": read with " + m_rows.taken);
-        std::vector<std::string> unused = m_unused;
+        std::vector<std::string> unused = m_columns.unused;
         unused.insert(unused.end(), m_rows.unused.begin(), m_rows.unused.end());
         if (!unused.empty()) m_options.note(m_where + ": not analysed: " + listed(unused));
         if (m_hasOtherScale)
@@ -163,136 +135,6 @@ private:
         design.contrasts = m_data.planned.size();
         design.equivalenceBounds = protocol.equivalenceBounds;
         design.protocolSha256 = m_data.protocolInUse = m_options.protocolSha256;
-    }
-
-    const protocols::Question* inProtocol(const std::string& id) const
-    {
-        return m_options.protocol ? protocols::questionWith(*m_options.protocol, protocols::QuestionId(id)) : nullptr;
-    }
-
-    /// Those of the question's phase; none where no protocol is given.
-    std::vector<InstructionInfo> instructionsInProtocol(const std::string& id) const
-    {
-        std::vector<InstructionInfo> instructions;
-        if (!m_options.protocol) return instructions;
-        for (const protocols::Phase& phase : m_options.protocol->phases) {
-            if (std::ranges::find(phase.questions, protocols::QuestionId(id), &protocols::Question::id) == phase.questions.end())
-                continue;
-            for (const protocols::BlockInstruction& one : phase.instructions)
-                instructions.push_back({one.id.value, one.text, one.deadlineSeconds});
-        }
-        return instructions;
-    }
-
-    /// The question of a column; its kind is settled by its first column with answers.
-    QuestionColumns& question(const std::string& id)
-    {
-        for (QuestionColumns& known : m_questions)
-            if (known.info.id == id) return known;
-        requireGoodId(id);
-        const protocols::Question* asked = inProtocol(id);
-        m_questions.push_back({{id, asked != nullptr ? asked->text : std::string(), {}}, {}, {}, {}, {}, {}});
-        m_questions.back().info.instructions = instructionsInProtocol(id);
-        return m_questions.back();
-    }
-
-    void requireGoodId(const std::string& id) const
-    {
-        if (!protocols::isQuestionId(id))
-            fail("the question \"" + id + "\" has a name that files cannot carry", headerRow(),
-                 "a letter, then letters, digits and underscores, at most 40 characters");
-        for (const QuestionColumns& known : m_questions)
-            if (lowerCase(known.info.id) == lowerCase(id))
-                fail("the questions " + known.info.id + " and " + id + " differ in case only", headerRow(), "different names");
-    }
-
-    void readHeader()
-    {
-        for (const char* needed : {"participant", "fabric", "condition"})
-            if (!m_table.column(needed))
-                fail("the column \"" + std::string(needed) + "\" is missing", headerRow(),
-                     "participant,fabric,condition and the questions, such as Q1_correct,Q2,Q3,Q4",
-                     "where the column has another name, give it by --map " + std::string(needed) + "=COLUMN");
-        for (std::size_t i = 0; i < m_table.columns.size(); ++i) readColumn(m_table.columns[i], i);
-        for (const QuestionColumns& known : m_questions)
-            if (!known.value)
-                fail("the question " + known.info.id + " has no answers", headerRow(),
-                     "a column " + known.info.id + "_correct or " + known.info.id);
-        if (m_questions.empty())
-            fail("there is no question", headerRow(), "columns such as Q1_correct,Q2,Q3,Q4",
-                 "where a question has another name, give it by --map Q1_correct=COLUMN or --map Q2=COLUMN");
-        std::stable_sort(m_questions.begin(), m_questions.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
-    }
-
-    void readColumn(const std::string& name, std::size_t index)
-    {
-        if (std::ranges::find(designColumns, name) != std::end(designColumns)) return;
-        if (inProtocol(name) == nullptr && isPlaceColumn(name, index)) return;
-        if (m_rows.kinds.contains(name) && inProtocol(name) == nullptr) {
-            setValueColumn(name, index, openKind(name));
-            return;
-        }
-        if (const auto id = stem(name, "_correct"))
-            setValueColumn(*id, index, choiceKind(*id));
-        else if (const auto timed = stem(name, "_seconds"))
-            question(*timed).time = index;
-        else if (const auto answered = stem(name, "_answer"))
-            question(*answered).answer = index;
-        else if (isUsualName(name) || inProtocol(name) != nullptr)
-            setValueColumn(name, index, openKind(name));
-        else if (const std::size_t end = name.find('_'); end != std::string::npos && isUsualName(name.substr(0, end)))
-            fail("the column \"" + name + "\" is unknown", headerRow(),
-                 "a question such as " + name.substr(0, end) + ", alone or with _correct, _seconds, _answer, _trial or _sitting");
-        else
-            m_unused.push_back(name.empty() ? "a column without a name" : name);
-    }
-
-    /// "trial", "sitting", "instruction" and "anchor" hold for every question of the row, "Q1_trial" and "Q1_sitting" for one.
-    bool isPlaceColumn(const std::string& name, std::size_t index)
-    {
-        if (name == "trial")
-            m_trial = index;
-        else if (name == "sitting")
-            m_sitting = index;
-        else if (name == "instruction")
-            m_instruction = index;
-        else if (name == "anchor" && m_rows.hasAnchors)
-            m_anchor = index;
-        else if (const auto shown = stem(name, "_trial"))
-            question(*shown).trial = index;
-        else if (const auto sat = stem(name, "_sitting"))
-            question(*sat).sitting = index;
-        else
-            return false;
-        return true;
-    }
-
-    void setValueColumn(const std::string& id, std::size_t index, const protocols::AnswerKind& kind)
-    {
-        QuestionColumns& columns = question(id);
-        if (columns.value)
-            fail("the question " + id + " has two columns", headerRow(), "either " + id + " or " + id + "_correct");
-        columns.value = index;
-        columns.info.kind = kind;
-    }
-
-    /// The protocol's kind, where its answers are right or wrong.
-    protocols::AnswerKind choiceKind(const std::string& id) const
-    {
-        const protocols::Question* asked = inProtocol(id);
-        const bool isScored = asked != nullptr && std::holds_alternative<RightOrWrong>(scoringOf(asked->kind));
-        return isScored ? asked->kind : protocols::AnswerKind(protocols::ForcedChoice{m_options.alternatives});
-    }
-
-    /// The protocol's kind, where its answers are numbers or words.
-    protocols::AnswerKind openKind(const std::string& id) const
-    {
-        const protocols::Question* asked = inProtocol(id);
-        if (asked != nullptr && !std::holds_alternative<RightOrWrong>(scoringOf(asked->kind))) return asked->kind;
-        if (const auto found = m_rows.kinds.find(id);
-            found != m_rows.kinds.end() && !std::holds_alternative<protocols::Rating>(found->second))
-            return found->second;
-        return m_options.scale ? protocols::Rating{*m_options.scale} : protocols::Rating{};
     }
 
     static void remember(std::vector<std::string>& names, const std::string& name)
@@ -337,13 +179,16 @@ private:
     /// Empty where the row or the file names none.
     std::string instructionOf(std::size_t row) const
     {
-        return !m_instruction || protocols::isMissing(cell(row, *m_instruction)) ? std::string() : cell(row, *m_instruction);
+        return !m_columns.instruction || protocols::isMissing(cell(row, *m_columns.instruction))
+                   ? std::string()
+                   : cell(row, *m_columns.instruction);
     }
 
     /// "mismatched 12", "repeated"; empty for a row of the list.
     std::string anchorOf(std::size_t row) const
     {
-        return !m_anchor || protocols::isMissing(cell(row, *m_anchor)) ? std::string() : cell(row, *m_anchor);
+        return !m_columns.anchor || protocols::isMissing(cell(row, *m_columns.anchor)) ? std::string()
+                                                                                       : cell(row, *m_columns.anchor);
     }
 
     /// Where the answers of such a row are kept.
@@ -405,15 +250,15 @@ private:
         }
         const std::optional<int> session = sessionIn(row, participant);
         const std::string instruction = instructionOf(row);
-        for (QuestionColumns& columns : m_questions)
+        for (QuestionColumns& columns : m_columns.questions)
             if (const auto content = contentIn(row, columns)) {
                 StudyResponse response{participant, fabric, condition, columns.info.id, *content};
                 response.repetition = repetition;
                 std::optional<double> taken;
                 if (columns.time) taken = answerNumberOrMissing(m_table, row, *columns.time);
                 response.seconds = taken;
-                response.trial = countIn(row, columns.trial ? columns.trial : m_trial);
-                const auto sitting = columns.sitting ? columns.sitting : m_sitting;
+                response.trial = countIn(row, columns.trial ? columns.trial : m_columns.trial);
+                const auto sitting = columns.sitting ? columns.sitting : m_columns.sitting;
                 response.sitting = sitting ? countIn(row, sitting) : session;
                 response.instruction = instruction;
                 learnInstruction(columns, instruction);
@@ -471,8 +316,8 @@ private:
         return choice;
     }
 
-    /// Whether the table comes from an export of this program, which was checked against its protocol. A public one has no times
-    /// of day.
+    /// Whether the table comes from an export of this program, which was checked against its protocol. Those of the first
+    /// versions had fewer columns.
     bool isExport() const
     {
         const auto has = [this](const char* column) { return std::ranges::find(m_rows.unused, column) != m_rows.unused.end(); };
@@ -498,10 +343,8 @@ private:
     AnswerRows m_rows;
     const protocols::CsvTable& m_table = m_rows.table;
     StudyData m_data;
-    bool m_hasOtherScale = false;       ///< ratings of an export are outside the scale that nobody named
-    std::vector<std::string> m_unused;  ///< columns that are not analysed
-    std::vector<QuestionColumns> m_questions;
-    std::optional<std::size_t> m_trial, m_sitting, m_instruction, m_anchor;
+    bool m_hasOtherScale = false;  ///< ratings of an export are outside the scale that nobody named
+    AnswerColumns m_columns;
     std::map<std::string, std::vector<std::string>> m_sessions;  ///< of each participant, in the order of the rows
     /// Cells with their repetitions and anchors.
     std::set<std::tuple<std::string, std::string, std::string, std::string, std::string>> m_seen;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <variant>
@@ -147,7 +148,7 @@ struct StudyData {
     /// To the image of `fabric` with another fabric on the tray; `condition` is empty while the study is blinded.
     std::vector<StudyResponse> mismatchedResponses;
     std::vector<StudyResponse> repeatedResponses;  ///< to presentations that came a second time
-    bool choicesRepeatedAnew = false;              ///< of them, choices had other foils the second time
+    std::set<std::string> choicesRepeatedAnew;     ///< questions whose choices had other foils the second time
     std::vector<std::string> withdrawn;            ///< participants who withdrew; their answers are not analysed
     std::string participantsSentence;              ///< who took part, by the facts they gave; empty: none were asked
     std::vector<TouchedPresentation> touches;      ///< analysed presentations with samples of the finger

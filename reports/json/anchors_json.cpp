@@ -63,9 +63,14 @@ Json repeatedRow(const stats::RatingReliability& ratings, const std::pair<double
     return row;
 }
 
-Json repeatedRow(const stats::ChoiceReliability& choices)
+Json repeatedRow(const stats::ChoiceReliability& choices, bool byOutcome, int alternatives)
 {
-    Json row{{"pairs", choices.pairs}, {"participants", choices.participants}, {"agreeing", choices.agreeing}};
+    Json row{{"pairs", choices.pairs},
+             {"participants", choices.participants},
+             {"alternatives", alternatives},
+             {"compared", byOutcome ? "right and wrong" : "answers"},
+             {"agreeing", choices.agreeing}};
+    if (byOutcome) row["both_wrong"] = choices.bothWrong;
     putEstimate(row, "agreement", choices.agreement);
     putEstimate(row, "kappa", choices.kappa);
     putEstimate(row, "ceiling_of_proportion", choices.shareCeiling);
@@ -84,7 +89,7 @@ nlohmann::ordered_json anchorsMember(const StudyAnalysis& analysis)
         Json row{{"question", anchors.question}};
         if (anchors.floor) row["mismatched"] = floorRow(*anchors.floor, analysis.data.blinded);
         if (anchors.ratings) row["repeated"] = repeatedRow(*anchors.ratings, analysis.data.equivalenceBounds);
-        if (anchors.choices) row["repeated"] = repeatedRow(*anchors.choices);
+        if (anchors.choices) row["repeated"] = repeatedRow(*anchors.choices, anchors.choicesByOutcome, anchors.alternatives);
         part["anchors"].push_back(std::move(row));
     }
     return part;

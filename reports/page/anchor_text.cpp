@@ -64,14 +64,18 @@ std::string reliabilitySentences(const std::string& question, const stats::Ratin
     return text;
 }
 
-std::string choiceSentences(const std::string& question, const stats::ChoiceReliability& found, bool byOutcome, int alternatives)
+std::string choiceSentences(const std::string& question, const QuestionAnchors& anchors)
 {
-    std::string text =
-        question + " test&ndash;retest: " + std::to_string(found.agreeing) + " of " + counted(found.pairs, "choice") +
-        (byOutcome ? " that came twice, the second time beside other foils, were right both times or wrong both times"
-                   : " that came twice were the same");
+    const stats::ChoiceReliability& found = *anchors.choices;
+    std::string text = question + " test&ndash;retest: ";
+    if (anchors.choicesByOutcome)
+        text += counted(found.pairs, "choice") + " came twice, the second time beside other foils; " +
+                std::to_string(found.agreeing - found.bothWrong) + " were right both times and " +
+                std::to_string(found.bothWrong) + " wrong both times";
+    else
+        text += std::to_string(found.agreeing) + " of " + counted(found.pairs, "choice") + " that came twice were the same";
     if (!found.kappa.value.exists()) return text + ".";
-    return text + "; corrected for chance (1/" + std::to_string(alternatives) + "), kappa is " +
+    return text + "; corrected for guessing (1/" + std::to_string(anchors.alternatives) + "), kappa is " +
            valueWithInterval(found.kappa.value, found.kappa.ci95, 2) +
            ". With this noise the share of right answers, over all conditions together, can reach at most " +
            valueWithInterval(found.shareCeiling.value, found.shareCeiling.ci95, 2) + ".";
@@ -97,8 +101,7 @@ std::string choiceAnchorsText(const StudyAnalysis& analysis)
     std::vector<std::string> items;
     for (const auto& question : questionsWith<ChoiceAnalysis>(analysis))
         if (const QuestionAnchors* anchors = anchorsOf(analysis.anchors, question.id()); anchors != nullptr && anchors->choices)
-            items.push_back(choiceSentences("<b>" + protocols::escapedMarkup(question.id()) + "</b>", *anchors->choices,
-                                            anchors->choicesByOutcome, anchors->answersToAgree));
+            items.push_back(choiceSentences("<b>" + protocols::escapedMarkup(question.id()) + "</b>", *anchors));
     return listedAnchors(items);
 }
 
@@ -116,14 +119,14 @@ std::string anchorsMethod(const StudyAnalysis& analysis)
            "the "
            "ICC (Spearman 1904). The highest mean rating is the end of the scale minus SD/&radic;(2&pi;): noise around the end "
            "can "
-           "only lower a rating. For choices, kappa is the agreement corrected for chance 1/m (Brennan and Prediger 1981); where "
-           "the foils were "
-           "others the second time, right and wrong are compared, and m is 2. Its "
-           "interval is Wilson&rsquo;s, with a design effect where participants differ. The highest share of right answers is (1 "
-           "+ "
-           "(m &minus; 1)&radic;kappa)/m: among all probabilities of the alternatives that give this agreement, it is the "
-           "largest "
-           "that one alternative can have. These ceilings suppose the noise of the repeated presentations.";
+           "only lower a rating. For choices, kappa is the agreement corrected for guessing among m alternatives (Brennan and "
+           "Prediger 1981). Where the foils were others the second time, right and wrong are compared, and two wrong answers "
+           "agree "
+           "by 1/(m &minus; 1) only: guessers have a kappa of 0. Its interval is Wilson&rsquo;s, with a design effect where "
+           "participants differ. The highest share of right answers is (1 + &radic;((k &minus; 1)(kA &minus; 1)))/k for an "
+           "agreement of A: among all probabilities of k answers that give this agreement, it is the largest that one answer can "
+           "have. k is m, or 2 where right and wrong are compared; then all wrong answers count as one, and the ceiling is high "
+           "where many are wrong. These ceilings suppose the noise of the repeated presentations.";
 }
 
 }  // namespace reports

@@ -132,18 +132,25 @@ anchorRatings <- function(question, top) {
        within_sd_ci95_low = sdEnds[1], within_sd_ci95_high = sdEnds[2], mean_difference = mean(shifts), ci95_low = ends[1],
        ci95_high = ends[2], ceiling_of_correlation = sqrt(max(0, icc)), ceiling_of_mean = top - noise / sqrt(2 * pi))
 }
-anchorChoices <- function(question, m) {
-  own <- anchorsOf(question, "repeated")
-  same <- own$first == own$second
-  pairs <- c(table(own$participant))
-  share <- mean(same)
-  squares <- sum((c(tapply(same, own$participant, sum)) - share * pairs)^2)
+# Share of pairs that agree, each by a score of 0 to 1, with Wilson's interval and the design effect of participants.
+shareOfPairs <- function(scores, participant) {
+  pairs <- c(table(participant))
+  share <- mean(scores)
+  squares <- sum((c(tapply(scores, participant, sum)) - share * pairs)^2)
   effect <- max(1, squares * length(pairs) / (length(pairs) - 1) / (sum(pairs) * share * (1 - share)), na.rm = TRUE)
   n <- sum(pairs) / if (is.finite(effect)) effect else 1
-  ends <- prop.test(share * n, n, correct = FALSE)$conf.int
-  kappa <- (m * share - 1) / (m - 1)
-  list(pairs = nrow(own), agreement = share, agreement_ci95_low = ends[1], agreement_ci95_high = ends[2], kappa = kappa,
-       ceiling_of_proportion = (1 + (m - 1) * sqrt(max(0, kappa))) / m)
+  c(share, prop.test(share * n, n, correct = FALSE)$conf.int)
+}
+# `m` alternatives; `k` answers that are compared: 2 where only right and wrong are, and two wrong ones agree by 1/(m - 1).
+anchorChoices <- function(question, m, k) {
+  own <- anchorsOf(question, "repeated")
+  same <- as.numeric(own$first == own$second)
+  share <- shareOfPairs(same, own$participant)
+  blind <- if (k < m) same * ifelse(own$first == "wrong", 1 / (m - 1), 1) else same
+  kappa <- (m * shareOfPairs(blind, own$participant) - 1) / (m - 1)
+  list(pairs = nrow(own), agreement = share[1], agreement_ci95_low = share[2], agreement_ci95_high = share[3],
+       kappa = kappa[1], kappa_ci95_low = kappa[2], kappa_ci95_high = kappa[3],
+       ceiling_of_proportion = (1 + sqrt((k - 1) * max(0, k * share[1] - 1))) / k)
 }
 
 # ---- linear mixed models ----------------------------------------------------------------------------------------------------
@@ -494,7 +501,7 @@ computed <- function(g) {
     ordinal_model = laplace(g$question, g$a, g$b, ordinalOf(g$question, g$low)),
     anchor_floor = anchorFloor(g$question),
     anchor_ratings = quietly(anchorRatings(g$question, g$high)),
-    anchor_choices = quietly(anchorChoices(g$question, g$low)),
+    anchor_choices = quietly(anchorChoices(g$question, g$low, g$high)),
     stop("expected.csv has an unknown section: ", g$section))
 }
 

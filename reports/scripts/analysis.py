@@ -169,20 +169,30 @@ def anchor_ratings(question, top):
     return result
 
 
-def anchor_choices(question, m):
-    own = [(len(pairs), sum(first == second for first, second in pairs)) for pairs in twice(question)]
-    n = sum(pairs for pairs, _ in own)
-    share = sum(agreeing for _, agreeing in own) / n
+def share_of_pairs(own):
+    """Share of pairs that agree, each by a score of 0 to 1, with Wilson's interval and the design effect of participants."""
+    n = sum(len(scores) for scores in own)
+    share = math.fsum(score for scores in own for score in scores) / n
     independent = n * share * (1 - share)
-    squares = math.fsum((agreeing - share * pairs) ** 2 for pairs, agreeing in own)
+    squares = math.fsum((math.fsum(scores) - share * len(scores)) ** 2 for scores in own)
     effect = max(1.0, squares * len(own) / (len(own) - 1) / independent) if len(own) > 1 and independent > 0 else 1.0
     z, size = stats.norm.ppf(0.975), n / effect
     middle = (share + z * z / (2 * size)) / (1 + z * z / size)
     half = z * math.sqrt(share * (1 - share) / size + z * z / (4 * size * size)) / (1 + z * z / size)
-    kappa = (m * share - 1) / (m - 1)
-    return {"pairs": n, "agreement": share, "agreement_ci95_low": max(0.0, middle - half),
-            "agreement_ci95_high": min(1.0, middle + half), "kappa": kappa,
-            "ceiling_of_proportion": (1 + (m - 1) * math.sqrt(max(0.0, kappa))) / m}
+    return share, max(0.0, middle - half), min(1.0, middle + half)
+
+
+def anchor_choices(question, m, k):
+    """Of m alternatives; k answers are compared: 2 where only right and wrong are, and two wrong ones agree by 1/(m - 1)."""
+    own = twice(question)
+    share, low, high = share_of_pairs([[float(first == second) for first, second in pairs] for pairs in own])
+    two_wrong = 1 / (m - 1) if k < m else 1.0
+    blind = share_of_pairs([[(two_wrong if first == "wrong" else 1.0) if first == second else 0.0 for first, second in pairs]
+                            for pairs in own])
+    kappa, kappa_low, kappa_high = ((m * value - 1) / (m - 1) for value in blind)
+    return {"pairs": sum(map(len, own)), "agreement": share, "agreement_ci95_low": low, "agreement_ci95_high": high,
+            "kappa": kappa, "kappa_ci95_low": kappa_low, "kappa_ci95_high": kappa_high,
+            "ceiling_of_proportion": (1 + math.sqrt((k - 1) * max(0.0, k * share - 1))) / k}
 
 
 def holm(found):
@@ -212,7 +222,7 @@ compute = {"matches": lambda r: matches(r["question"], r["a"], float(r["low"])),
            "equivalence": lambda r: equivalence(r["question"], r["a"], r["b"], float(r["low"]), float(r["high"])),
            "anchor_floor": lambda r: anchor_floor(r["question"]),
            "anchor_ratings": lambda r: anchor_ratings(r["question"], float(r["high"])),
-           "anchor_choices": lambda r: anchor_choices(r["question"], float(r["low"]))}
+           "anchor_choices": lambda r: anchor_choices(r["question"], float(r["low"]), float(r["high"]))}
 left_out = [row for row in expected if row["section"] not in compute]
 expected = [row for row in expected if row["section"] in compute]
 found = {}

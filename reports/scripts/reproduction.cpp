@@ -228,11 +228,12 @@ void addAnchorNumbers(std::string& text, const StudyAnalysis& analysis, const Qu
             .ends("ci95", anchors.floor->ci95);
     if (anchors.choices)
         NumberRows(text, "anchor_choices", anchors.question, "", "")
-            .within(anchors.answersToAgree, "")
+            .within(anchors.alternatives, std::to_string(anchors.choicesByOutcome ? 2 : anchors.alternatives))
             .count("pairs", anchors.choices->pairs)
             .put("agreement", anchors.choices->agreement.value)
             .ends("agreement_ci95", anchors.choices->agreement.ci95)
             .put("kappa", anchors.choices->kappa.value)
+            .ends("kappa_ci95", anchors.choices->kappa.ci95)
             .put("ceiling_of_proportion", anchors.choices->shareCeiling.value);
     if (!anchors.ratings) return;
     for (const QuestionInfo& question : analysis.data.questions)
@@ -308,7 +309,8 @@ std::string codebookCsv(const StudyData& data)
         {"expected.csv", "low", "number", "", "",
          "chance of a match, the lower bound of equivalence, the lowest rating, the number of alternatives, or the unit to which "
          "an ordinal model rounds ratings"},
-        {"expected.csv", "high", "number", "", "", "upper bound of equivalence, or the highest rating"},
+        {"expected.csv", "high", "number", "", "",
+         "upper bound of equivalence, the highest rating, or the number of answers that are compared: 2 for right and wrong"},
         {"expected.csv", "quantity", "text", "", "",
          "name as in results.json and statistics.json; ci95_low and ci95_high are the ends of ci95"},
         {"expected.csv", "value", "number", "", "", "as the report has it; empty where it does not exist"}};

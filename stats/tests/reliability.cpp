@@ -99,17 +99,20 @@ Estimate raised(const Estimate& of, const std::function<double(double)>& by)
     return {raised(of.value, by), {raised(of.ci95.low, by), raised(of.ci95.high, by)}};
 }
 
+/// One participant's pairs, and the sum of what they agree by, 0 to 1 each.
+struct ScoredPairs {
+    double pairs = 0, score = 0;
+};
+
 /// Variance of the participants' weighted mean share over that of independent pairs; at least 1.
-double designEffect(std::span<const RepeatedChoices> participants, double share, double pairs)
+double designEffect(std::span<const ScoredPairs> participants, double share, double pairs)
 {
-    double n = 0, squares = 0;
-    for (const RepeatedChoices& one : participants) {
-        if (one.pairs == 0) continue;
-        const double residual = static_cast<double>(one.agreeing) - share * static_cast<double>(one.pairs);
+    double squares = 0;
+    for (const ScoredPairs& one : participants) {
+        const double residual = one.score - share * one.pairs;
         squares += residual * residual;
-        ++n;
     }
-    const double independent = pairs * share * (1 - share);
+    const double independent = pairs * share * (1 - share), n = static_cast<double>(participants.size());
     if (n < 2 || independent <= 0) return 1;
     return std::max(1.0, squares * n / (n - 1) / independent);
 }
@@ -121,6 +124,28 @@ Interval scoreInterval(double share, double n)
     const double middle = (share + z * z / (2 * n)) / below;
     const double half = z * std::sqrt(share * (1 - share) / n + z * z / (4 * n * n)) / below;
     return {std::max(0.0, middle - half), std::min(1.0, middle + half)};
+}
+
+/// Share of pairs that agree. `twoWrong`: what two wrong choices agree by.
+Estimate shareOfPairs(std::span<const RepeatedChoices> participants, double twoWrong)
+{
+    std::vector<ScoredPairs> scored;
+    double pairs = 0, score = 0;
+    for (const RepeatedChoices& one : participants) {
+        if (one.pairs == 0) continue;
+        const double own = static_cast<double>(one.agreeing - one.bothWrong) + twoWrong * static_cast<double>(one.bothWrong);
+        scored.push_back({static_cast<double>(one.pairs), own});
+        pairs += scored.back().pairs;
+        score += own;
+    }
+    const double share = score / pairs;
+    return {share, scoreInterval(share, pairs / designEffect(scored, share, pairs))};
+}
+
+/// Kappa of this agreement among m equally likely answers.
+Estimate beyondChance(const Estimate& agreement, double m)
+{
+    return raised(agreement, [m](double share) { return (m * share - 1) / (m - 1); });
 }
 
 }  // namespace
@@ -147,12 +172,13 @@ RatingReliability ratingReliability(std::span<const RatingPairs> all, double sca
     return result;
 }
 
-ChoiceReliability choiceReliability(std::span<const RepeatedChoices> participants, int alternatives)
+ChoiceReliability choiceReliability(std::span<const RepeatedChoices> participants, int alternatives, ChoicesCompared compared)
 {
     ChoiceReliability result;
     for (const RepeatedChoices& one : participants) {
         result.pairs += one.pairs;
         result.agreeing += one.agreeing;
+        result.bothWrong += one.bothWrong;
         result.participants += one.pairs > 0;
     }
     if (result.pairs == 0) {
@@ -161,11 +187,11 @@ ChoiceReliability choiceReliability(std::span<const RepeatedChoices> participant
             *estimate = {Value::undefined(why), noInterval(why)};
         return result;
     }
-    const double pairs = static_cast<double>(result.pairs), share = static_cast<double>(result.agreeing) / pairs;
-    result.agreement = {share, scoreInterval(share, pairs / designEffect(participants, share, pairs))};
-    const double m = alternatives;
-    result.kappa = raised(result.agreement, [m](double agreement) { return (m * agreement - 1) / (m - 1); });
-    result.shareCeiling = raised(result.kappa, [m](double kappa) { return (1 + (m - 1) * std::sqrt(std::max(0.0, kappa))) / m; });
+    const double m = alternatives, answers = compared == ChoicesCompared::Outcomes ? 2 : m;
+    result.agreement = shareOfPairs(participants, 1);
+    result.kappa = beyondChance(shareOfPairs(participants, 1 / (m - 1)), m);
+    const auto largest = [answers](double kappa) { return (1 + (answers - 1) * std::sqrt(std::max(0.0, kappa))) / answers; };
+    result.shareCeiling = raised(beyondChance(result.agreement, answers), largest);
     return result;
 }
 

@@ -52,31 +52,50 @@ struct RatingReliability {
 /// What needs more pairs or participants is undefined with its reason. Intervals need at least 3 participants.
 RatingReliability ratingReliability(std::span<const RatingPairs> participants, double scaleMax, const EquivalenceOptions& bounds);
 
+/// What two choices can be compared by.
+enum class ChoicesCompared {
+    Answers,   ///< both choices are the same
+    Outcomes,  ///< both are right or both wrong: the foils are others the second time, so wrong choices cannot be the same
+};
+
 /// One participant's repeated choices.
 struct RepeatedChoices {
     std::size_t pairs = 0;
-    std::size_t agreeing = 0;  ///< both choices are the same
+    std::size_t agreeing = 0;
+    std::size_t bothWrong = 0;  ///< of `agreeing`; stays 0 where answers are compared
 };
 
 struct ChoiceReliability {
-    std::size_t pairs = 0, agreeing = 0;
+    std::size_t pairs = 0, agreeing = 0, bothWrong = 0;
     std::size_t participants = 0;  ///< with at least one pair
     /// Share of pairs that agree. Wilson's interval; the pairs divided by the design effect of participants where their shares
     /// differ more than chance makes them (Kish 1965; Korn and Graubard 1998, Survey Methodology 24, 193).
     Estimate agreement;
-    /// (agreement - 1/m) / (1 - 1/m): kappa for alternatives that change from pair to pair, so that no alternative has a
-    /// frequency of its own (Brennan and Prediger 1981, Educ Psychol Meas 41, 687). A habit for one of the words "same" and
+    /// Of answers: (agreement - 1/m) / (1 - 1/m), kappa for alternatives that change from pair to pair, so that no alternative
+    /// has a frequency of its own (Brennan and Prediger 1981, Educ Psychol Meas 41, 687). A habit for one of the words "same" and
     /// "different" counts as agreement.
+    /// Of outcomes: the same, but two wrong choices agree by 1/(m - 1) only, as often as foils taken blindly would be the same.
+    /// That is the mean product of the two scores corrected for guessing (1 for right, -1/(m - 1) for wrong): 0 for guessers, 1
+    /// where all is right, and the share of presentations that are known where all others are guessed. It needs no estimate of
+    /// the share of right answers. Scott's pi, which takes chance from that share, is 0 for rare errors at random and has no
+    /// value without errors; the guessers' agreement (1 + (m - 1)^2) / m^2 as chance puts a share of 1/2 far below guessers.
+    /// A choice that is wrong for a lasting reason looks like a guess here. The interval is Wilson's of the share that agrees
+    /// so. It supposes the variance of whole pairs, so that it is too wide rather than too narrow where many are wrong.
     Estimate kappa;
     /// The highest share of right answers over the presentations that came twice; those of one condition may be answered with
     /// less noise than those of another. Who chooses alternative j with probability q_j agrees with themselves with the sum of
     /// q_j^2. For a given sum A, the largest q_j is highest where the others are equal: (1 + sqrt((m - 1) (m A - 1))) / m. It
     /// is concave in A, so it bounds the mean over presentations, too (Jensen). Corrected for chance it is sqrt(kappa), as the
-    /// correlation of ratings is sqrt(ICC). At kappa <= 0 it is 1/m.
+    /// correlation of ratings is sqrt(ICC). At agreement of 1/m and below it is 1/m.
+    /// Of outcomes, the two alternatives are right and wrong: (1 + sqrt(2 A - 1)) / 2, and 1/2 where A is below 1/2, which is
+    /// then chance, as no true A is. It bounds the share of each single alternative, because none is chosen more often than right
+    /// or than all wrong ones together; so it holds however wrong choices spread, and is wide where many are wrong. It supposes
+    /// that the two answers are independent and equally often right. What other foils change counts as noise.
     Estimate shareCeiling;
 };
 
 /// `alternatives`: m, at least 2.
-ChoiceReliability choiceReliability(std::span<const RepeatedChoices> participants, int alternatives);
+ChoiceReliability choiceReliability(std::span<const RepeatedChoices> participants, int alternatives,
+                                    ChoicesCompared compared = ChoicesCompared::Answers);
 
 }  // namespace stats

@@ -140,7 +140,8 @@ std::vector<reports::StudyResponse>& responsesTo(const Naming::Entry& shown, rep
     return shown.condition == protocols::catchTrialId().value ? data.catchResponses : data.responses;
 }
 
-/// Whether choices that came a second time had other foils then; those of older studies had the same.
+/// The trays of choices that came a second time. Some phases have other foils then; those of older studies, and trays with all
+/// fabrics, hold the same pieces.
 class RepeatedTrays {
 public:
     void add(const database::CurrentAnswer& answer, const Naming::Entry& shown)
@@ -152,9 +153,12 @@ public:
         std::ranges::sort(pieces);
         m_trays[{answer.participant, answer.record.question, shown.fabric, shown.condition, shown.instruction}].insert(pieces);
     }
-    bool differ() const
+    std::set<std::string> questionsAnew() const
     {
-        return std::ranges::any_of(m_trays, [](const auto& tray) { return tray.second.size() > 1; });
+        std::set<std::string> questions;
+        for (const auto& [presentation, trays] : m_trays)
+            if (trays.size() > 1) questions.insert(std::get<protocols::QuestionId>(presentation).value);
+        return questions;
     }
 
 private:
@@ -184,7 +188,7 @@ void readAnswers(const std::vector<database::CurrentAnswer>& answers, const prot
             responsesTo(entry, data).push_back(responseOf(answer, entry, question->kind, places.at(keyOf(answer)), data.times));
         if (hasAnchors(protocol)) trays.add(answer, entry);
     }
-    data.choicesRepeatedAnew = trays.differ();
+    data.choicesRepeatedAnew = trays.questionsAnew();
     data.voided = voided.size();
 }
 

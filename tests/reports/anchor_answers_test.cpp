@@ -12,6 +12,7 @@
 #include "reports/data/answers_csv.h"
 #include "reports/figures/report_figures.h"
 #include "reports/json/results_json.h"
+#include "reports/page/anchor_text.h"
 #include "reports/tables/report_tables.h"
 #include "stats/kernels/draws.h"
 #include "tests/reports/study_builder.h"
@@ -119,7 +120,7 @@ private Q_SLOTS:
     void besideOtherFoilsRightAndWrongAreCompared()
     {
         StudyData data = builders::emptyStudy(1, 4, {"h"}, {{"Q1", "", builders::amongThree}});
-        data.choicesRepeatedAnew = true;
+        data.choicesRepeatedAnew = {"Q1"};
         data.responses = {chosen("P01", "F01", "F02"), chosen("P01", "F02", "F02"), chosen("P01", "F03", "F03"),
                           chosen("P01", "F04", "F04")};
         data.repeatedResponses = {chosen("P01", "F01", "F04"), chosen("P01", "F02", "F01"), chosen("P01", "F03", "F03"),
@@ -127,8 +128,36 @@ private Q_SLOTS:
         const auto anchors = anchorsOf(data, AnswerCells(data));
         QCOMPARE(anchors.at(0).choices->pairs, 4u);
         QCOMPARE(anchors.at(0).choices->agreeing, 3u);  // wrong both times agrees, whatever was chosen
-        QCOMPARE(anchors.at(0).answersToAgree, 2);
-        QCOMPARE(*anchors.at(0).choices->kappa.value, 0.5);  // (2 * 3/4 - 1) / (2 - 1)
+        QCOMPARE(anchors.at(0).choices->bothWrong, 1u);
+        QCOMPARE(*anchors.at(0).choices->kappa.value, 0.4375);  // two wrong of three agree by 1/2: (3 * 2.5/4 - 1) / (3 - 1)
+        QCOMPARE(*anchors.at(0).choices->shareCeiling.value, (1 + std::sqrt(0.5)) / 2);
+        const StudyAnalysis analysis = analyse(data, {.depth = Depth::Quick});
+        const QString words = QString::fromStdString(choiceAnchorsText(analysis));
+        QVERIFY2(words.contains("2 were right both times and 1 wrong both times; corrected for guessing (1/3), kappa is 0.44"),
+                 qPrintable(words));
+        const auto json = resultsJson(analysis, {})["anchors"][0]["repeated"];
+        QCOMPARE(json["compared"].get<std::string>(), std::string("right and wrong"));
+        QCOMPARE(json["alternatives"].get<int>(), 3);
+        QCOMPARE(json["both_wrong"].get<int>(), 1);
+    }
+
+    /// Of two phases of choices one has all fabrics on its trays: there a wrong choice can be the same, or another one.
+    void aQuestionWithTheSameTraysComparesFabrics()
+    {
+        StudyData data = builders::emptyStudy(1, 4, {"h"}, {{"Q1", "", builders::amongThree}, {"Q5", "", builders::amongThree}});
+        data.choicesRepeatedAnew = {"Q5"};
+        data.responses = {chosen("P01", "F01", "F02"), chosen("P01", "F02", "F02")};
+        data.repeatedResponses = {chosen("P01", "F01", "F04"), chosen("P01", "F02", "F02")};
+        for (auto* responses : {&data.responses, &data.repeatedResponses})
+            for (std::size_t i = 0; i < 2; ++i) {
+                StudyResponse other = (*responses)[i];
+                other.question = "Q5";
+                responses->push_back(other);
+            }
+        const auto anchors = anchorsOf(data, AnswerCells(data));
+        QCOMPARE(anchors.at(0).choices->agreeing, 1u);
+        QCOMPARE(anchors.at(1).choices->agreeing, 2u);
+        QVERIFY(!anchors[0].choicesByOutcome && anchors[1].choicesByOutcome);
     }
 
     void theFloorStandsBesideTheLowestCondition()
@@ -235,6 +264,49 @@ private Q_SLOTS:
         QCOMPARE(other.responses.size(), 2u);
         const StudyData wide = read("participant,fabric,condition,Q2,anchor\nP1,A,x,5,\nP1,A,x,6,repeated\n");
         QCOMPARE(wide.repeatedResponses.size(), 1u);
+    }
+
+    /// Published answers have no times of day. Q1 came again beside other foils; the trays of Q5 hold all four fabrics.
+    void publicTablesGiveTheSameFigures()
+    {
+        const std::string columns =
+            "participant,trial,question,fabric,condition,alternatives,answer,correct,rating,seconds,"
+            "touched_by,answered_at,stored_at,corrections,voided,answer_begun_at,anchor";
+        const std::string all = R"("[""A"",""B"",""C"",""D""]")", others = R"("[""A"",""D"",""C""]")";
+        int trial = 0;
+        std::string rows;
+        const auto row = [&](const std::string& question, const std::string& fabric, const std::string& tray,
+                             const std::string& answer, const std::string& anchor, const std::string& condition) {
+            const bool isRating = question == "Q2";
+            rows += "P1," + std::to_string(++trial) + "," + question + "," + fabric + "," + condition + "," + tray + "," +
+                    (isRating ? ",," + answer : answer + "," + (answer == fabric ? "1," : "0,")) + ",2,display,5,6,0,0,4," +
+                    anchor + "TIME\n";
+        };
+        const std::string first = R"("[""A"",""B"",""C""]")";
+        for (const char* condition : {"v_grey", "h"}) {
+            row("Q1", "A", first, "B", "", condition);
+            row("Q1", "C", first, "C", "", condition);
+            row("Q1", "A", others, "D", "repeated", condition);
+            row("Q1", "C", others, "C", "repeated", condition);
+            row("Q5", "A", all, "B", "", condition);
+            row("Q5", "A", all, "D", "repeated", condition);
+            row("Q2", "A", "[]", "4", "", condition);
+            row("Q2", "A", "[]", "5", "repeated", condition);
+        }
+        row("Q2", "A", "[]", "1", "", "catch");
+        const auto figures = [&](const std::string& header, const std::string& time) {
+            const QString text = QString::fromStdString(header + "\n" + rows).replace("TIME", QString::fromStdString(time));
+            return resultsJson(analyse(read(text.toStdString()), {.depth = Depth::Quick}), {});
+        };
+        const auto own = figures(columns + ",wall_time", ",2026-01-01T00:00:00Z"), published = figures(columns, "");
+        QCOMPARE(QString::fromStdString(published.dump()), QString::fromStdString(own.dump()));
+        for (const auto& one : published["anchors"])
+            if (one["repeated"].contains("compared")) {
+                const bool isAnew = one["question"] == "Q1";
+                QCOMPARE(one["repeated"]["compared"].get<std::string>(), std::string(isAnew ? "right and wrong" : "answers"));
+                QCOMPARE(one["repeated"]["agreement"].get<double>(), isAnew ? 1.0 : 0.0);
+            }
+        QCOMPARE(published["anchors"].size(), std::size_t{3});
     }
 
 private:

@@ -1,5 +1,5 @@
 // Other programs compute the main tables again: of a complete study, of one with missing answers, and of one whose answers are so
-// equal that tests do not exist. A wrong number is found.
+// equal that tests do not exist, and of one with answers to anchors. A wrong number is found.
 #include "reports/scripts/reproduction.h"
 
 #include <QProcess>
@@ -34,6 +34,36 @@ std::string studyCsv(bool isDegenerate)
                 const double rating = isDegenerate && c > 0 ? 5 : (mixed * 7 + 11 * c) % 100 / 10.0;
                 csv += (p < 9 ? "=P0" : "=P") + std::to_string(p + 1) + ",F" + std::to_string(f + 1) + "," + conditions[c] + "," +
                        std::to_string(correct) + "," + std::to_string(rating) + "\n";
+            }
+    return csv;
+}
+
+/// Six participants whose choices and ratings partly came again: Q1 beside other foils, Five among the same five fabrics.
+std::string anchoredCsv()
+{
+    std::string csv = "participant,question,fabric,condition,alternatives,answer,correct,rating,anchor\n";
+    const auto add = [&](const std::string& before, const char* tray, int answer, const char* anchor) {
+        const std::string chosen = "F" + std::to_string(answer + 1);
+        csv += before + "," + tray + "," + chosen + "," + (before.find("," + chosen + ",") != std::string::npos ? "1" : "0") +
+               ",," + anchor + "\n";
+    };
+    const char* conditions[] = {"f", "h", "h&f"};
+    for (int p = 0; p < 6; ++p)
+        for (int f = 0; f < 2; ++f)
+            for (int c = 0; c < 3; ++c) {
+                const auto row = [&](const char* question) {
+                    return "P" + std::to_string(p + 1) + "," + question + ",F" + std::to_string(f + 1) + "," + conditions[c];
+                };
+                const int mixed = (7 * p + 5 * f + 3 * c * c + p * f) % 11;
+                for (const bool again : {false, true}) {
+                    if (again && c == f) continue;
+                    const char* anchor = again ? "repeated" : "";
+                    const int answer = again && mixed % 3 == 0 ? 2 : mixed % 4 == 0 ? 3 : (f + mixed / 8) % 3;
+                    add(row("Q1"), again ? R"("[""F1"",""F2"",""F5""]")" : R"("[""F1"",""F2"",""F3""]")", answer, anchor);
+                    add(row("Five"), R"("[""F1"",""F2"",""F3"",""F4"",""F5""]")", answer, anchor);
+                    csv += row("Q2") + ",[],,," + std::to_string((mixed * 7 + 11 * c + 5 * again) % 100 / 10.0) + "," + anchor +
+                           "\n";
+                }
             }
     return csv;
 }
@@ -110,6 +140,18 @@ private Q_SLOTS:
         QCOMPARE(answers.rows.size(), analysis.data.responses.size());
     }
 
+    /// The scripts get the alternatives and the number of answers that are compared.
+    void choicesThatCameTwiceHaveTheirRows()
+    {
+        QTemporaryDir place;
+        const fs::path answers = fs::path(place.path().toStdString()) / "study.csv";
+        protocols::writeWholeFile(answers, anchoredCsv());
+        const auto analysis = reports::analyse(reports::readAnswersCsv(answers), {.depth = reports::Depth::Quick});
+        const QString numbers = QString::fromStdString(reports::expectedNumbersCsv(analysis));
+        QCOMPARE(numbers.count("anchor_choices,Q1,,,3,2,"), 8);
+        QCOMPARE(numbers.count("anchor_choices,Five,,,3,3,"), 8);
+    }
+
     void modelsOfEqualRatingsHaveTheirRows()
     {
         QTemporaryDir place;
@@ -130,7 +172,7 @@ private Q_SLOTS:
         QTest::addColumn<QString>("program");
         QTest::addColumn<QString>("script");
         QTest::addColumn<QString>("study");
-        for (const char* study : {"clean", "missing", "degenerate"}) {
+        for (const char* study : {"clean", "missing", "degenerate", "anchors"}) {
             QTest::addRow("R, %s", study) << "Rscript"
                                           << "analysis.R" << study;
             QTest::addRow("Python, %s", study) << "python3"
@@ -148,12 +190,13 @@ private Q_SLOTS:
         fs::path answers = smallStudy();
         if (study != "missing") {
             answers = folder / "study.csv";
-            protocols::writeWholeFile(answers, studyCsv(study == "degenerate"));
+            protocols::writeWholeFile(answers, study == "anchors" ? anchoredCsv() : studyCsv(study == "degenerate"));
         }
         reports::writeReproduction(reports::analyse(reports::readAnswersCsv(answers), {.depth = reports::Depth::Quick}), folder);
         const auto [code, said] = ran(program, script, folder);
         QVERIFY2(code == 0, qPrintable(said));
         QVERIFY2(isReproduced(said), qPrintable(said));
+        QCOMPARE(said.contains("anchor_choices: 16 of 16"), study == "anchors");
         // One number of the report is made wrong.
         QVERIFY(setNumber(folder, "ratings,Q2,f,,,,mean,", "99") || setNumber(folder, "ratings,Q2,v_grey,,,,mean,", "99"));
         const auto [wrong, words] = ran(program, script, folder);

@@ -111,6 +111,25 @@ private Q_SLOTS:
         QCOMPARE(*choiceReliability(std::vector<RepeatedChoices>{{4, 1}}, 2).shareCeiling.value, 0.5);
     }
 
+    // python3: m=3; r,w,n=9,5,20; a=(r+w)/n; b=(r+w/(m-1))/n; a, (m*b-1)/(m-1), (1+(2*a-1)**.5)/2
+    //   0.7 0.36249999999999993 0.816227766016838
+    void outcomesAgreeBeyondGuessing()
+    {
+        const std::vector<RepeatedChoices> participants{{5, 4, 2}, {5, 3, 1}, {5, 3, 0}, {5, 4, 2}, {0, 0, 0}};
+        const ChoiceReliability found = choiceReliability(participants, 3, ChoicesCompared::Outcomes);
+        QCOMPARE(found.bothWrong, 5u);
+        QCOMPARE(*found.agreement.value, 0.7);
+        QCOMPARE(*found.kappa.value, 0.3625);
+        QVERIFY(*found.kappa.ci95.low < *found.kappa.value && *found.kappa.value < *found.kappa.ci95.high);
+        QCOMPARE(*found.shareCeiling.value, 0.816227766016838);
+        const std::vector<RepeatedChoices> never{{4, 0, 0}};
+        QCOMPARE(*choiceReliability(never, 3, ChoicesCompared::Outcomes).kappa.value, -0.5);
+        QCOMPARE(*choiceReliability(never, 3, ChoicesCompared::Outcomes).shareCeiling.value, 0.5);
+        // Of two alternatives there is one foil, so that nothing is lost.
+        const std::vector<RepeatedChoices> two{{8, 6, 2}}, same{{8, 6, 0}};
+        QCOMPARE(*choiceReliability(two, 2, ChoicesCompared::Outcomes).kappa.value, *choiceReliability(same, 2).kappa.value);
+    }
+
     void participantsWhoDifferWidenTheInterval()
     {
         const Interval alike = choiceReliability(std::vector<RepeatedChoices>{{6, 4}, {6, 4}, {6, 4}, {6, 4}}, 3).agreement.ci95;
@@ -204,6 +223,47 @@ private Q_SLOTS:
         QVERIFY(held > 0.92 * studies);
     }
 
+    void guessersHaveNoKappa_data()
+    {
+        QTest::addColumn<int>("m");
+        for (const int m : {2, 3, 4, 9}) QTest::addRow("%d alternatives", m) << m;
+    }
+
+    /// Ten participants, six pairs each: guessers, people who are always right, nine times of ten, or where they know the fabric.
+    void guessersHaveNoKappa()
+    {
+        QFETCH(int, m);
+        struct People {
+            const char* name;
+            double known, rightOfKnown;  ///< the others are guessed
+            double kappa;
+        };
+        const double nine = (0.9 * m - 1) / (m - 1);
+        for (const People& people : {People{"guess", 0, 0, 0}, People{"always right", 1, 1, 1},
+                                     People{"90 % right", 1, 0.9, nine * nine}, People{"know half", 0.5, 1, 0.5}}) {
+            constexpr int studies = 2000;
+            int held = 0;
+            double sum = 0;
+            for (int study = 0; study < studies; ++study) {
+                Draws draws(15, static_cast<std::uint64_t>(study));
+                std::vector<RepeatedChoices> participants(10);
+                for (RepeatedChoices& one : participants)
+                    for (; one.pairs < 6; ++one.pairs) {
+                        const double right = draws.happens(people.known) ? people.rightOfKnown : 1.0 / m;
+                        const bool first = draws.happens(right), second = draws.happens(right);
+                        one.agreeing += first == second;
+                        one.bothWrong += !first && !second;
+                    }
+                const Estimate kappa = choiceReliability(participants, m, ChoicesCompared::Outcomes).kappa;
+                sum += *kappa.value;
+                held += *kappa.ci95.low <= people.kappa + 1e-9 && people.kappa - 1e-9 <= *kappa.ci95.high;
+            }
+            qInfo("%s among %d: kappa %.3f, coverage %.1f %%", people.name, m, sum / studies, 100.0 * held / studies);
+            QVERIFY2(std::abs(sum / studies - people.kappa) < 0.015, people.name);
+            QVERIFY2(held > 0.93 * studies, people.name);
+        }
+    }
+
     /// A rendering that is felt as 10, rated with noise: its mean is the ceiling, and no other rendering's is higher.
     void noPerfectRenderingIsRatedAboveTheCeiling()
     {
@@ -224,7 +284,7 @@ private Q_SLOTS:
         double closest = 1;
         for (int study = 0; study < 3000; ++study) {
             const int m = 2 + static_cast<int>(draws.uniform() * 4);
-            double agreement = 0, best = 0;
+            double agreement = 0, outcomes = 0, best = 0;
             constexpr int renderings = 5;
             for (int i = 0; i < renderings; ++i) {
                 std::vector<double> q;
@@ -233,13 +293,19 @@ private Q_SLOTS:
                 double squares = 0;
                 for (const double one : q) squares += one * one / (sum * sum);
                 agreement += squares / renderings;
+                const double right = q.front() / sum;
+                outcomes += (right * right + (1 - right) * (1 - right)) / renderings;
                 best += std::ranges::max(q) / sum / renderings;
             }
             // A large study with this agreement.
             const auto pairs = std::size_t{1} << 40U;
-            const std::vector<RepeatedChoices> one{{pairs, static_cast<std::size_t>(agreement * static_cast<double>(pairs))}};
-            const double ceiling = *choiceReliability(one, m).shareCeiling.value;
+            const auto ceilingAt = [&](double share, ChoicesCompared compared) {
+                const std::vector<RepeatedChoices> one{{pairs, static_cast<std::size_t>(share * static_cast<double>(pairs))}};
+                return *choiceReliability(one, m, compared).shareCeiling.value;
+            };
+            const double ceiling = ceilingAt(agreement, ChoicesCompared::Answers);
             QVERIFY(best <= ceiling + 1e-5);
+            QVERIFY(best <= ceilingAt(outcomes, ChoicesCompared::Outcomes) + 1e-5);
             closest = std::min(closest, ceiling - best);
         }
         QVERIFY2(closest < 0.01, "the ceiling is reached");

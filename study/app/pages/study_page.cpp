@@ -277,9 +277,8 @@ void StudyPage::resumeChosen()
 void StudyPage::enrol()
 {
     const QString participant = m_participant->text().trimmed();
-    const auto alike = std::find_if(m_overview.places.begin(), m_overview.places.end(), [&](const auto& place) {
-        return lookOf(place.participant) == lookOf(participant);
-    });
+    const auto alike = std::find_if(m_overview.places.begin(), m_overview.places.end(),
+                                    [&](const auto& place) { return lookOf(place.participant) == lookOf(participant); });
     m_message->clearMessage();
     m_message->standBelow(*m_participant);
     if (participant.isEmpty())

@@ -370,7 +370,8 @@ void AppEditorFaultsTest::largeProtocolOpensWithinSeconds()
     for (int line = 0; line < 2000; ++line) lines.push_back("Point " + std::to_string(line));
     draft.set("checklist", lines);
     const std::string text = draft.fileText();
-    QVERIFY2(std::count(text.begin(), text.end(), '\n') > 5000, qPrintable(QString::number(std::count(text.begin(), text.end(), '\n'))));
+    QVERIFY2(std::count(text.begin(), text.end(), '\n') > 5000,
+             qPrintable(QString::number(std::count(text.begin(), text.end(), '\n'))));
     const QString file = filePath("large.json");
     protocols::writeWholeFile(file.toStdString(), text);
     auto options = tests::editorOptions();

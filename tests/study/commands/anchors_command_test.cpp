@@ -145,6 +145,32 @@ private Q_SLOTS:
         QCOMPARE(again["questions"].dump(), own["questions"].dump());
     }
 
+    /// The trays of one phase hold all five fabrics, so that a choice can be the same again; the other phase has other foils.
+    void eachQuestionIsComparedByItsTrays()
+    {
+        std::ofstream(path("mixed.json").toStdString())
+            << R"({"schema": "vis2hap.protocol/1", "name": "mixed", "participants": 4, "fabrics": 5,
+            "conditions": ["v_grey", "f", "h", "h&f"], "break_after": 6, "planned": [["h&f", "v_grey"]],
+            "question_texts": {"Five": "Which of the five pieces feels like the screen?"},
+            "phases": [{"questions": ["Q1"], "alternatives": 3, "anchors": {"repeated": 5}, "catch_trials": 2},
+                       {"questions": ["Five"], "alternatives": 5, "anchors": {"repeated": 5}}]})";
+        mustRun({"study", "new", path("mixed"), "--dataset", path("fabrics"), "--protocol", path("mixed.json"), "--seed", "3",
+                 "--no-passphrase", "--allow-training-samples"});
+        mustRun({"simulate", path("mixed"), "--seed", "7"});
+        mustRun({"unblind", path("mixed"), "--who", "tester", "--why", "test"});
+        mustRun({"report", path("mixed"), "--out", path("mixed-report")});
+        const Json own = jsonIn(path("mixed-report/results.json"));
+        QCOMPARE(own["anchors"][0]["repeated"]["compared"].get<std::string>(), std::string("right and wrong"));
+        QCOMPARE(own["anchors"][1]["repeated"]["compared"].get<std::string>(), std::string("answers"));
+        // The published answers lack the times of day, and give the same report.
+        mustRun({"export", path("mixed"), "--out", path("published"), "--public"});
+        mustRun(
+            {"report", "--from", path("published/answers.csv"), "--out", path("mixed-again"), "--protocol", path("mixed.json")});
+        const Json again = jsonIn(path("mixed-again/results.json"));
+        QCOMPARE(again["anchors"].dump(), own["anchors"].dump());
+        QCOMPARE(again["questions"].dump(), own["questions"].dump());
+    }
+
     void recordedScriptsPlayThemAgain()
     {
         mustRun({"export", path("study"), "--out", path("scripts"), "--format", "script"});

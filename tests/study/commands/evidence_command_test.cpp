@@ -1,5 +1,4 @@
-// Evidence that leaves the study: the log in exports, the data of one person, printed and signed heads, the data sheet; and the
-// rule for names of people.
+// Evidence that leaves the study: the log in exports, the data of one person, the data sheet; and the rule for names of people.
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
@@ -13,6 +12,7 @@
 
 #include "database/evidence/acts.h"
 #include "protocols/files/csv_table.h"
+#include "tests/study/commands/evidence_study.h"
 #include "tests/support/played_session.h"
 #include "tests/support/program.h"
 #include "tests/support/raw_sqlite.h"
@@ -20,30 +20,15 @@
 
 using nlohmann::json;
 using protocols::CsvTable;
-using study::session::Noted;
 using support::mustRun;
 using support::runProgram;
+using tests::evidence::askingProtocol;
+using tests::evidence::bytesOf;
+using tests::evidence::headIn;
+using tests::evidence::jsonOf;
 using tests::support::OpenSession;
 
 namespace {
-
-const std::string askingProtocol = R"({
-  "schema": "vis2hap.protocol/1", "name": "A <study> of touch", "participants": 2, "fabrics": ["F01", "F02", "F03"],
-  "conditions": ["v_grey", "h&f"],
-  "phases": [{"questions": ["Q1"], "alternatives": 3},
-             {"questions": ["Feel", "Why"], "scale": {"min": 1, "max": 7, "step": 0.5, "sections": 1}, "free_text": ["Why"]},
-             {"questions": ["Same"], "same_different": true}],
-  "question_texts": {"Feel": "How close is it?", "Why": "What did you feel?", "Same": "Is it the same?"},
-  "facts": ["age"], "consent": "I agree to take part."
-})";
-
-QString bytesOf(const QString& file)
-{
-    QFile opened(file);
-    return opened.open(QIODevice::ReadOnly) ? QString::fromUtf8(opened.readAll()) : QString();
-}
-
-json jsonOf(const QString& file) { return json::parse(bytesOf(file).toStdString()); }
 
 CsvTable tableOf(const QString& file) { return protocols::csvTableFrom(bytesOf(file).toStdString(), file.toStdString()); }
 
@@ -80,34 +65,11 @@ class EvidenceCommandTest : public QObject {
 
     QString at(const QString& name) const { return m_place.filePath(name); }
 
-    /// P1 finished, with a note, a correction and a voided presentation; P2 is on the way.
-    QString playedStudy(const std::string& protocol = askingProtocol)
+    QString playedStudy(const std::string& protocol = tests::evidence::askingProtocol)
     {
         const QString study = at(QString("study%1").arg(++m_studies));
-        tests::support::buildStudy(study.toStdString(), {.protocol = protocol});
-        {
-            OpenSession first({study.toStdString()}, "P1", database::ParticipantKind::Human, {"Ada", "test", "here"});
-            first.stepUntil("Presenting");
-            first.send(study::session::Touched{study::session::TouchSource::Display});
-            first.clock.advanceSeconds(3);
-            const auto next = tests::support::nextEvent(first.driver->view(), first.driver->plan());
-            first.send(study::session::Answered{std::get<study::session::Answered>(*next).response,
-                                                {.begunAgoNs = 1000000000, .touchEndedAgoNs = 500000000}});
-            first.playUntilAnswers(2);
-            first.stepUntil("Presenting");
-            first.send(Noted{"smells of <glue>", true});
-            first.send(study::session::Voided{"wrong piece"});
-            first.playUntilAnswers(4);
-            first.playToEnd();
-        }
-        OpenSession({study.toStdString()}, "P2", database::ParticipantKind::Human).playUntilAnswers(3);
+        tests::evidence::playStudy(study.toStdString(), protocol);
         return study;
-    }
-
-    static QString headIn(const QString& study)
-    {
-        const database::StudyStore store({study.toStdString()}, database::StudyStore::Access::Read);
-        return QString::fromStdString(textOf(store.head()));
     }
 
 private Q_SLOTS:
@@ -430,108 +392,6 @@ private Q_SLOTS:
         const QString text = bytesOf(at("quoted pages/labels.html"));
         QVERIFY(text.contains("vis2hap verify &#39;Stüdie mit Leer&#39; --against ") ||
                 text.contains("vis2hap verify 'Stüdie mit Leer' --against "));
-    }
-
-    void printedPagesCarryTheHead()
-    {
-        const QString study = playedStudy();
-        mustRun({"study", "sheets", study, "--out", at("pages")});
-        const QString head = headIn(study), number = head.left(head.indexOf(':')), brief = head.left(number.size() + 17);
-        const QString command = "vis2hap verify " + QDir(study).dirName() + " --against " + brief;
-        for (const char* page : {"labels.html", "preparation.html", "session.html", "scale-card.html"}) {
-            const QString text = bytesOf(at("pages/") + page);
-            QVERIFY2(text.contains("<b>" + brief + "</b> (" + number + " entries)") && text.contains(command), page);
-            QVERIFY2(!text.contains(head), page);
-        }
-        QVERIFY(bytesOf(at("pages/session.html")).contains("<th>head of the log</th>"));
-        QVERIFY(mustRun({"verify", study, "--against", brief}).out.contains("the log contains the given head"));
-    }
-
-    void printedPagesFollowTheirLanguage()
-    {
-        const QString study = playedStudy(), head = headIn(study), number = head.left(head.indexOf(':'));
-        mustRun({"study", "sheets", study, "--out", at("sheets"), "--language", "zh_CN"});
-        for (const char* page : {"labels.html", "preparation.html", "session.html"}) {
-            const QString text = bytesOf(at("sheets/") + page);
-            QVERIFY2(text.contains("<html lang=\"zh\">") && text.contains("</b>（" + number + "条记录）。校验："), page);
-        }
-        QVERIFY(bytesOf(at("sheets/labels.html")).contains("布样标签</h1>"));
-        QVERIFY(bytesOf(at("sheets/scale-card.html")).contains("<html lang=\"en\">"));  // the card is for participants
-    }
-
-    void aSignedHeadIsChecked()
-    {
-        const QString study = playedStudy(), key = at("lab"), statement = at("head.txt");
-        mustRun({"study", "signing-key", "--out", key, "--no-passphrase"});
-        mustRun({"study", "sign", study, "--key", key, "--out", statement});
-        const QString head = headIn(study);
-        QVERIFY(bytesOf(statement).contains("head: " + head + "\nentries: " + head.left(head.indexOf(':')) + "\ntime: "));
-        const QStringList check{"verify", study, "--against", statement, "--public-key", key + ".pub"};
-        auto run = mustRun(check);
-        QVERIFY2(run.out.contains("the signature is that of the public key") && run.out.contains("does not prove"),
-                 qPrintable(run.out));
-        const json result = json::parse(mustRun(check + QStringList{"--json"}).out.toStdString());
-        QVERIFY(result["signature"]["valid"].get<bool>() && result["against"][0]["contained"].get<bool>());
-
-        // Later entries do not matter.
-        mustRun({"unblind", study, "--who", "M", "--why", "done"});
-        mustRun(check);
-
-        run = mustRun({"verify", study, "--against", statement});
-        QVERIFY2(run.out.contains("its signature was not checked"), qPrintable(run.out));
-
-        mustRun({"study", "signing-key", "--out", at("other"), "--no-passphrase"});
-        run = runProgram({"verify", study, "--against", statement, "--public-key", at("other.pub")});
-        QCOMPARE(run.exitCode, 1);
-        QVERIFY2(run.out.contains("signed with another key") && run.out.contains(": 1 fault "), qPrintable(run.out));
-
-        QFile altered(at("altered.txt"));
-        QVERIFY(altered.open(QIODevice::WriteOnly));
-        altered.write(bytesOf(statement).replace("time: 2", "time: 1").toUtf8());
-        altered.close();
-        run = runProgram({"verify", study, "--against", altered.fileName(), "--public-key", key + ".pub"});
-        QCOMPARE(run.exitCode, 1);
-        QVERIFY2(run.out.contains("altered after it was signed") && run.out.contains(": 1 fault "), qPrintable(run.out));
-
-        run = runProgram({"verify", study, "--public-key", key + ".pub"});
-        QCOMPARE(run.exitCode, 2);
-        QVERIFY2(run.err.contains("there is no signature to check"), qPrintable(run.err));
-        run = runProgram({"verify", study, "--against", statement, "--public-key", key});
-        QCOMPARE(run.exitCode, 2);
-        QVERIFY2(run.err.contains("no public key of Ed25519"), qPrintable(run.err));
-    }
-
-    /// The database of an earlier day is put back: the signature holds, and the log lacks the head.
-    void aRolledBackStudyLacksTheSignedHead()
-    {
-        const QString study = at("rolled"), statement = at("rolled.txt");
-        tests::support::buildStudy(study.toStdString());
-        OpenSession({study.toStdString()}, "P1").playUntilAnswers(2);
-        QVERIFY(QFile::copy(study + "/study.db", at("earlier.db")));
-        OpenSession({study.toStdString()}, "P1").playUntilAnswers(5);
-        mustRun({"study", "signing-key", "--out", at("key"), "--no-passphrase"});
-        mustRun({"study", "sign", study, "--key", at("key"), "--out", statement});
-        for (const char* file : {"/study.db", "/study.db-wal", "/study.db-shm"}) QFile::remove(study + file);
-        QVERIFY(QFile::copy(at("earlier.db"), study + "/study.db"));
-        const auto run = runProgram({"verify", study, "--against", statement, "--public-key", at("key.pub")});
-        QCOMPARE(run.exitCode, 1);
-        QVERIFY2(run.out.contains("entries were cut off, or an earlier database was put back"), qPrintable(run.out));
-    }
-
-    void onlySoundStudiesAreSigned()
-    {
-        const QString study = playedStudy();
-        mustRun({"study", "signing-key", "--out", at("key3"), "--no-passphrase"});
-        QCOMPARE(runProgram({"study", "signing-key", "--out", at("key3"), "--no-passphrase"}).exitCode, 2);
-        QCOMPARE(QFile(at("key3")).permissions() & (QFile::ReadGroup | QFile::ReadOther), QFile::Permissions());
-        auto run = runProgram({"study", "sign", study, "--key", at("key3"), "--out", study + "/head.txt"});
-        QCOMPARE(run.exitCode, 2);
-        QVERIFY2(run.err.contains("would lie in the study folder"), qPrintable(run.err));
-        QVERIFY(QFile::copy(at("key3.pub"), study + "/stray"));
-        run = runProgram({"study", "sign", study, "--key", at("key3"), "--out", at("unsound.txt")});
-        QCOMPARE(run.exitCode, 1);
-        QVERIFY2(run.err.contains("the study is not sound: stray"), qPrintable(run.err));
-        QVERIFY(!QFile::exists(at("unsound.txt")));
     }
 
     void theDataSheetIsPrintedAndWritten()

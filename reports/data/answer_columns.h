@@ -1,0 +1,34 @@
+// The header of a table of answers: which column holds what of which question.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reports/data/answer_rows.h"
+#include "reports/data/answers_csv.h"
+#include "reports/data/study_data.h"
+
+namespace reports {
+
+/// Where the table holds the answers to one question.
+struct QuestionColumns {
+    QuestionInfo info;
+    std::optional<std::size_t> value;  ///< ID_correct, the rating or the words
+    std::optional<std::size_t> time;
+    std::optional<std::size_t> answer;
+    std::optional<std::size_t> trial;
+    std::optional<std::size_t> sitting;
+};
+
+struct AnswerColumns {
+    std::vector<QuestionColumns> questions;  ///< in the order of their columns of answers
+    std::optional<std::size_t> trial, sitting, instruction, anchor;
+    std::vector<std::string> unused;  ///< columns that are not analysed
+};
+
+/// Reads the header of the wide table. Throws badInput, naming the file by `where`, as readAnswersCsv() says.
+AnswerColumns answerColumnsOf(const AnswerRows& rows, const AnswersCsvOptions& options, const std::string& where);
+
+}  // namespace reports

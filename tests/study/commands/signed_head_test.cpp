@@ -1,0 +1,136 @@
+// The head of the log outside the study: on printed pages, and signed.
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/study/commands/evidence_study.h"
+#include "tests/support/program.h"
+
+using nlohmann::json;
+using support::mustRun;
+using support::runProgram;
+using tests::evidence::bytesOf;
+using tests::evidence::headIn;
+using tests::support::OpenSession;
+
+class SignedHeadTest : public QObject {
+    Q_OBJECT
+    QTemporaryDir m_place;
+    int m_studies = 0;
+
+    QString at(const QString& name) const { return m_place.filePath(name); }
+
+    QString playedStudy()
+    {
+        const QString study = at(QString("study%1").arg(++m_studies));
+        tests::evidence::playStudy(study.toStdString());
+        return study;
+    }
+
+private Q_SLOTS:
+    void printedPagesCarryTheHead()
+    {
+        const QString study = playedStudy();
+        mustRun({"study", "sheets", study, "--out", at("pages")});
+        const QString head = headIn(study), number = head.left(head.indexOf(':')), brief = head.left(number.size() + 17);
+        const QString command = "vis2hap verify " + QDir(study).dirName() + " --against " + brief;
+        for (const char* page : {"labels.html", "preparation.html", "session.html", "scale-card.html"}) {
+            const QString text = bytesOf(at("pages/") + page);
+            QVERIFY2(text.contains("<b>" + brief + "</b> (" + number + " entries)") && text.contains(command), page);
+            QVERIFY2(!text.contains(head), page);
+        }
+        QVERIFY(bytesOf(at("pages/session.html")).contains("<th>head of the log</th>"));
+        QVERIFY(mustRun({"verify", study, "--against", brief}).out.contains("the log contains the given head"));
+    }
+
+    void printedPagesFollowTheirLanguage()
+    {
+        const QString study = playedStudy(), head = headIn(study), number = head.left(head.indexOf(':'));
+        mustRun({"study", "sheets", study, "--out", at("sheets"), "--language", "zh_CN"});
+        for (const char* page : {"labels.html", "preparation.html", "session.html"}) {
+            const QString text = bytesOf(at("sheets/") + page);
+            QVERIFY2(text.contains("<html lang=\"zh\">") && text.contains("</b>（" + number + "条记录）。校验："), page);
+        }
+        QVERIFY(bytesOf(at("sheets/labels.html")).contains("布样标签</h1>"));
+        QVERIFY(bytesOf(at("sheets/scale-card.html")).contains("<html lang=\"en\">"));  // the card is for participants
+    }
+
+    void aSignedHeadIsChecked()
+    {
+        const QString study = playedStudy(), key = at("lab"), statement = at("head.txt");
+        mustRun({"study", "signing-key", "--out", key, "--no-passphrase"});
+        mustRun({"study", "sign", study, "--key", key, "--out", statement});
+        const QString head = headIn(study);
+        QVERIFY(bytesOf(statement).contains("head: " + head + "\nentries: " + head.left(head.indexOf(':')) + "\ntime: "));
+        const QStringList check{"verify", study, "--against", statement, "--public-key", key + ".pub"};
+        auto run = mustRun(check);
+        QVERIFY2(run.out.contains("the signature is that of the public key") && run.out.contains("does not prove"),
+                 qPrintable(run.out));
+        const json result = json::parse(mustRun(check + QStringList{"--json"}).out.toStdString());
+        QVERIFY(result["signature"]["valid"].get<bool>() && result["against"][0]["contained"].get<bool>());
+
+        // Later entries do not matter.
+        mustRun({"unblind", study, "--who", "M", "--why", "done"});
+        mustRun(check);
+
+        run = mustRun({"verify", study, "--against", statement});
+        QVERIFY2(run.out.contains("its signature was not checked"), qPrintable(run.out));
+
+        mustRun({"study", "signing-key", "--out", at("other"), "--no-passphrase"});
+        run = runProgram({"verify", study, "--against", statement, "--public-key", at("other.pub")});
+        QCOMPARE(run.exitCode, 1);
+        QVERIFY2(run.out.contains("signed with another key") && run.out.contains(": 1 fault "), qPrintable(run.out));
+
+        QFile altered(at("altered.txt"));
+        QVERIFY(altered.open(QIODevice::WriteOnly));
+        altered.write(bytesOf(statement).replace("time: 2", "time: 1").toUtf8());
+        altered.close();
+        run = runProgram({"verify", study, "--against", altered.fileName(), "--public-key", key + ".pub"});
+        QCOMPARE(run.exitCode, 1);
+        QVERIFY2(run.out.contains("altered after it was signed") && run.out.contains(": 1 fault "), qPrintable(run.out));
+
+        run = runProgram({"verify", study, "--public-key", key + ".pub"});
+        QCOMPARE(run.exitCode, 2);
+        QVERIFY2(run.err.contains("there is no signature to check"), qPrintable(run.err));
+        run = runProgram({"verify", study, "--against", statement, "--public-key", key});
+        QCOMPARE(run.exitCode, 2);
+        QVERIFY2(run.err.contains("no public key of Ed25519"), qPrintable(run.err));
+    }
+
+    /// The database of an earlier day is put back: the signature holds, and the log lacks the head.
+    void aRolledBackStudyLacksTheSignedHead()
+    {
+        const QString study = at("rolled"), statement = at("rolled.txt");
+        tests::support::buildStudy(study.toStdString());
+        OpenSession({study.toStdString()}, "P1").playUntilAnswers(2);
+        QVERIFY(QFile::copy(study + "/study.db", at("earlier.db")));
+        OpenSession({study.toStdString()}, "P1").playUntilAnswers(5);
+        mustRun({"study", "signing-key", "--out", at("key"), "--no-passphrase"});
+        mustRun({"study", "sign", study, "--key", at("key"), "--out", statement});
+        for (const char* file : {"/study.db", "/study.db-wal", "/study.db-shm"}) QFile::remove(study + file);
+        QVERIFY(QFile::copy(at("earlier.db"), study + "/study.db"));
+        const auto run = runProgram({"verify", study, "--against", statement, "--public-key", at("key.pub")});
+        QCOMPARE(run.exitCode, 1);
+        QVERIFY2(run.out.contains("entries were cut off, or an earlier database was put back"), qPrintable(run.out));
+    }
+
+    void onlySoundStudiesAreSigned()
+    {
+        const QString study = playedStudy();
+        mustRun({"study", "signing-key", "--out", at("key3"), "--no-passphrase"});
+        QCOMPARE(runProgram({"study", "signing-key", "--out", at("key3"), "--no-passphrase"}).exitCode, 2);
+        QCOMPARE(QFile(at("key3")).permissions() & (QFile::ReadGroup | QFile::ReadOther), QFile::Permissions());
+        auto run = runProgram({"study", "sign", study, "--key", at("key3"), "--out", study + "/head.txt"});
+        QCOMPARE(run.exitCode, 2);
+        QVERIFY2(run.err.contains("would lie in the study folder"), qPrintable(run.err));
+        QVERIFY(QFile::copy(at("key3.pub"), study + "/stray"));
+        run = runProgram({"study", "sign", study, "--key", at("key3"), "--out", at("unsound.txt")});
+        QCOMPARE(run.exitCode, 1);
+        QVERIFY2(run.err.contains("the study is not sound: stray"), qPrintable(run.err));
+        QVERIFY(!QFile::exists(at("unsound.txt")));
+    }
+};
+
+QTEST_GUILESS_MAIN(SignedHeadTest)
+#include "signed_head_test.moc"

@@ -161,12 +161,15 @@ void FolderDraft::becomePlace()
     syncFolder(m_place.parent_path());
 }
 
-/// An empty folder, but for the draft, gets the mode that the program gives to its folders. One with files is somebody's.
+/// An empty folder, but for the draft, gets the mode that the program gives to its folders. One with files is somebody's, and
+/// one that others may write into is shared on purpose.
 void FolderDraft::closeEmptyPlace() const
 {
     const auto entries = std::distance(fs::directory_iterator(m_place), fs::directory_iterator());
     std::error_code ignored;  // who may write into a folder need not own it
-    if (entries == 1) fs::permissions(m_place, fs::status(m_draft).permissions(), ignored);
+    constexpr fs::perms shared = fs::perms::group_write | fs::perms::others_write | fs::perms::set_gid;
+    if (entries == 1 && (fs::status(m_place).permissions() & shared) == fs::perms::none)
+        fs::permissions(m_place, fs::status(m_draft).permissions(), ignored);
 }
 
 void FolderDraft::joinPlace(const std::vector<fs::path>& last)

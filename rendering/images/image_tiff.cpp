@@ -87,8 +87,12 @@ OpenTiff open(Memory& memory, const std::filesystem::path& file, const char* mod
                                       unmapNothing, options.get()));
 }
 
-protocols::Error notATiff(const std::filesystem::path& file, const std::string& why)
+protocols::Error notATiff(const std::filesystem::path& file, const std::string& why, bool mayHaveColours = false)
 {
+    if (mayHaveColours)
+        return protocols::badInput({"is a TIFF that this program does not read (" + why + ")", file.string(),
+                                    "an upright TIFF in strips, grey or interleaved RGB, of 8 or 16 bits",
+                                    "export it again, or convert it to PNG"});
     return protocols::badInput({"is not a readable TIFF (" + why + ")", file.string(),
                                 "one channel of 32-bit float, 16-bit or 8-bit samples in strips", "export it again"});
 }
@@ -105,9 +109,7 @@ void requirePlainColours(TIFF* tiff, const std::filesystem::path& file)
         why = "its colours are neither grey nor RGB";
     else if (orientation != ORIENTATION_TOPLEFT)
         why = "its orientation mark turns or mirrors it";
-    if (!why.empty())
-        throw protocols::badInput({"is a TIFF that this program does not read (" + why + ")", file.string(),
-                                   "an upright TIFF, grey or RGB", "export it again, or convert it to PNG"});
+    if (!why.empty()) throw notATiff(file, why, true);
 }
 
 int typeOf(TIFF* tiff, const std::filesystem::path& file, bool mayHaveColours)
@@ -120,10 +122,11 @@ int typeOf(TIFF* tiff, const std::filesystem::path& file, bool mayHaveColours)
     if (mayHaveColours && (samples == 3 || samples == 4) && planes == PLANARCONFIG_CONTIG && format == SAMPLEFORMAT_UINT &&
         (bits == 8 || bits == 16))
         return CV_MAKETYPE(bits == 8 ? CV_8U : CV_16U, samples);
-    if (samples != 1) throw notATiff(file, std::to_string(samples) + " channels");
+    const bool isPlanar = mayHaveColours && samples > 1 && planes != PLANARCONFIG_CONTIG;
+    if (samples != 1) throw notATiff(file, std::to_string(samples) + (isPlanar ? " planes" : " channels"), mayHaveColours);
     if (format == SAMPLEFORMAT_IEEEFP && bits == 32) return CV_32FC1;
     if (format == SAMPLEFORMAT_UINT && (bits == 8 || bits == 16)) return bits == 8 ? CV_8UC1 : CV_16UC1;
-    throw notATiff(file, std::to_string(bits) + " bits of sample format " + std::to_string(format));
+    throw notATiff(file, std::to_string(bits) + " bits of sample format " + std::to_string(format), mayHaveColours);
 }
 
 cv::Mat readPixels(const std::filesystem::path& file, bool mayHaveColours)
@@ -139,7 +142,7 @@ cv::Mat readPixels(const std::filesystem::path& file, bool mayHaveColours)
     const std::uint64_t pixels = std::uint64_t(width) * height;
     if (pixels == 0 || pixels > mostTiffPixels)
         throw notATiff(file, std::to_string(width) + " x " + std::to_string(height) + " pixels");
-    if (TIFFIsTiled(tiff.get())) throw notATiff(file, "tiled");
+    if (TIFFIsTiled(tiff.get())) throw notATiff(file, "tiled", mayHaveColours);
     if (pixels * CV_ELEM_SIZE(type) > memory.bytes.size() * 1100ull + (1u << 20)) throw notATiff(file, "the file is truncated");
     cv::Mat image(int(height), int(width), type);
     if (TIFFScanlineSize64(tiff.get()) != std::uint64_t(width) * CV_ELEM_SIZE(type))

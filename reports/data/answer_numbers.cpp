@@ -71,7 +71,7 @@ void requireOneDecimalMark(const protocols::CsvTable& table, std::size_t column)
                                    placeOfCell(table, *row, column),
                                    "a number such as 3,2, as most cells of the column have it; an empty cell, NA or NaN for a "
                                    "missing value",
-                                   "correct this cell"});
+                                   "correct this cell; where commas separate the columns, write every number with a point"});
 }
 
 double answerNumberAt(const protocols::CsvTable& table, std::size_t row, std::size_t column)

@@ -333,7 +333,9 @@ private:
             fail("the rating " + cell(row, *columns.value) + " is outside the scale", place,
                  protocols::shortest(scale.min) + " to " + protocols::shortest(scale.max) +
                      (isScaleNamed ? "" : ", because no scale is named"),
-                 isScaleNamed ? "" : "correct the cell, or name the scale by --scale LOW,HIGH or by --protocol");
+                 isScaleNamed ? ""
+                              : "correct the cell, or name the scale: --scale LOW,HIGH is one for all questions, --protocol has "
+                                "one for each");
         m_hasOtherScale = true;
         return {number};
     }

@@ -77,7 +77,7 @@ int makeNew(const making::NewStudy& request, StageTimes& stages)
     if (made.balanceWithEvenSlots)
         std::printf("what few swaps change:\n%s", describePrice(made.balance, *made.balanceWithEvenSlots).c_str());
     const std::string word = protocols::shellWord(request.study.string());
-    std::printf("next: `vis2hap study sheets %s --out DIR` writes the labels of the fabric pieces and the card of the scale\n",
+    std::printf("next: `vis2hap study sheets %s --out DIR` writes the labels of the fabric pieces and the cards of the scales\n",
                 word.c_str());
     std::printf("next: `vis2hap study preregister %s` registers the plan before the first answer\n", word.c_str());
     return 0;
@@ -249,7 +249,8 @@ void addStudy(CLI::App& app, Action& action)
     });
 
     auto* sheetsCommand = study->add_subcommand(
-        "sheets", "write pages to print: labels of the fabric pieces, preparation and session sheets, the card of the scale");
+        "sheets",
+        "write pages to print: labels of the fabric pieces, preparation and session sheets, a card for each rating scale");
     auto out = std::make_shared<std::string>();
     sheetsCommand->add_option("STUDY", *folder, "the study")->required();
     sheetsCommand->add_option("--out", *out, "folder to write the pages to")->required();

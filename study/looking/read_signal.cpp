@@ -11,6 +11,7 @@
 #include "rendering/composition/friction_image.h"
 #include "rendering/fabrics/sample_places.h"
 #include "rendering/images/image_io.h"
+#include "rendering/images/image_tiff.h"
 #include "rendering/images/true_map.h"
 #include "study/looking/open_study.h"
 #include "study/looking/place_in_dataset.h"
@@ -125,7 +126,8 @@ cv::Mat decoded(const fs::path& file, const ReadingOptions& options)
 {
     const std::string kind = endingOf(file);
     const bool isForeign = kind == ".jpg" || kind == ".jpeg" || kind == ".bmp" || kind == ".webp";
-    return isForeign && options.decode ? options.decode(file) : rendering::readImage(file);
+    if (isForeign && options.decode) return options.decode(file);
+    return kind == ".tif" || kind == ".tiff" ? rendering::readColourTiff(file) : rendering::readImage(file);
 }
 
 std::optional<double> pitchOf(const cv::Mat& image, const std::optional<PlaceInDataset>& place, const ReadingOptions& options)

@@ -11,6 +11,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <charconv>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -128,8 +129,13 @@ int main(int argc, char** argv)
     sockaddr_in place{};
     place.sin_family = AF_INET;
     const std::string text = argv[2], address = text.find(':') == text.npos ? "127.0.0.1" : text.substr(0, text.find(':'));
-    place.sin_port = htons(static_cast<std::uint16_t>(std::atoi(text.substr(text.find(':') + 1).c_str())));
-    if (::inet_pton(AF_INET, address.c_str(), &place.sin_addr) != 1) return std::fputs("unknown address\n", stderr), 2;
+    const std::string port = text.substr(text.find(':') + 1);
+    int number = -1;
+    const auto read = std::from_chars(port.data(), port.data() + port.size(), number);
+    if (read.ptr != port.data() + port.size() || number < 0 || number > 65535) return std::fputs("unknown port\n", stderr), 2;
+    place.sin_port = htons(static_cast<std::uint16_t>(number));
+    if (::inet_pton(AF_INET, address.c_str(), &place.sin_addr) != 1)
+        return std::fputs("an address has four numbers, such as 192.168.0.7\n", stderr), 2;
     ::setsockopt(server, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
     socklen_t size = sizeof place;
     if (::bind(server, reinterpret_cast<sockaddr*>(&place), size) != 0 || ::listen(server, 1) != 0) return std::perror("port"), 3;

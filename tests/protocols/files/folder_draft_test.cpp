@@ -163,6 +163,10 @@ private Q_SLOTS:
         QCOMPARE(modeAfterWriting("first.csv"), fs::perms(0700));
         fs::permissions(given, fs::perms(0755));
         QCOMPARE(modeAfterWriting("second.csv"), fs::perms(0755));
+        fs::remove_all(given);
+        fs::create_directories(given);
+        fs::permissions(given, fs::perms(0770));
+        QCOMPARE(modeAfterWriting("third.csv"), fs::perms(0770));  // a group shares it on purpose
     }
 
     void nothingOfAnotherKindIsReplaced()

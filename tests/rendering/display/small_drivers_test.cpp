@@ -125,6 +125,20 @@ private Q_SLOTS:
         process.waitForFinished();
     }
 
+    void aWrongPortIsRefused_data() { languages(); }
+    void aWrongPortIsRefused()
+    {
+        QFETCH(QString, language);
+        QStringList driver = words(language);
+        if (driver.isEmpty()) QSKIP(qPrintable("no compiler or interpreter for " + language));
+        const QString program = driver.takeFirst();
+        for (const char* port : {"abc", "99999", "7126x"}) {
+            QProcess process;
+            process.start(program, driver + QStringList{felt(), port});
+            QVERIFY2(process.waitForFinished(10000) && process.exitCode() != 0, port);
+        }
+    }
+
     void hostileRequestsGetAReply_data() { languages(); }
     void hostileRequestsGetAReply()
     {

@@ -9,6 +9,7 @@
 
 #include "rendering/fabrics/dataset_check.h"
 #include "tests/rendering/fabric_files.h"
+#include "tests/support/colour_tiff.h"
 
 using namespace fabric_files;
 using namespace rendering;
@@ -35,34 +36,6 @@ const char* const labviewText =
     "X_Value\tfx_N\tfy_N\tfz_N\tdx_um\tComment\r\n0.0\t3\t4\t-10\t1\r\n0.5\t-6\t8\t-10\t1\r\n\r\nChannels\t4\r\nDelta_X\t0.5\r\n"
     "***End_of_Header***\r\nX_Value\tfx_N\tfy_N\tfz_N\tdx_um\tComment\r\n0.0\t0\t1\t5\t1\r\n0.5\t0\t1\t5\t1\r\n1."
     "0\t0\t1\t5\t1\r\n";
-
-/// 16 x 16 pixels of RGB (200, 100, 50), uncompressed, in one strip.
-std::string tiffOfOneColour(int photometric, int orientation)
-{
-    std::string bytes("II*\0\x08\0\0\0", 8);
-    const auto number = [&bytes](unsigned value, int length) {
-        for (int i = 0; i < length; ++i) bytes += static_cast<char>(value >> (8 * i) & 255);
-    };
-    constexpr unsigned entries[][3] = {{256, 3, 16}, {257, 3, 16}, {258, 3, 8}, {259, 3, 1},  {262, 3, 0},
-                                       {273, 4, 0},  {274, 3, 0},  {277, 3, 3}, {278, 3, 16}, {279, 4, 768}};
-    constexpr unsigned count = std::size(entries), pixels = 8 + 2 + 12 * count + 4 + 6;
-    number(count, 2);
-    for (const auto& [tag, type, value] : entries) {
-        number(tag, 2);
-        number(type, 2);
-        number(tag == 258 ? 3 : 1, 4);
-        number(tag == 258   ? pixels - 6
-               : tag == 262 ? static_cast<unsigned>(photometric)
-               : tag == 274 ? static_cast<unsigned>(orientation)
-               : tag == 273 ? pixels
-                            : value,
-               4);
-    }
-    number(0, 4);
-    for (int i = 0; i < 3; ++i) number(8, 2);
-    for (int i = 0; i < 256; ++i) bytes += "\xC8\x64\x32";
-    return bytes;
-}
 
 }  // namespace
 
@@ -118,14 +91,14 @@ private Q_SLOTS:
 
     void tiffsAreReadWithoutADecoder()
     {
-        write(m_in / "A_1.tif", tiffOfOneColour(2, 1));
+        write(m_in / "A_1.tif", tests::support::tiffOfOneColour(2, 1));
         import(ImportKind::Photos, {m_in});
         const cv::Mat read = readPhotograph(readDataset(m_out), FabricId("F01"), 0);
         QCOMPARE(read.size(), cv::Size(16, 16));
         QVERIFY(read.at<cv::Vec3b>(15, 15) == cv::Vec3b(200, 100, 50));
-        write(m_in / "A_1.tif", tiffOfOneColour(6, 1));  // YCbCr
+        write(m_in / "A_1.tif", tests::support::tiffOfOneColour(6, 1));  // YCbCr
         QVERIFY(contains(refusalOf([&] { import(ImportKind::Photos, {m_in}); }), "neither grey nor RGB"));
-        write(m_in / "A_1.tif", tiffOfOneColour(2, 6));  // lies on its side
+        write(m_in / "A_1.tif", tests::support::tiffOfOneColour(2, 6));  // lies on its side
         QVERIFY(contains(refusalOf([&] { import(ImportKind::Photos, {m_in}); }), "upright"));
         writeTiff(m_in / "A_1.tif", cv::Mat(16, 16, CV_32FC1, cv::Scalar(0.5)));
         QVERIFY(contains(refusalOf([&] { import(ImportKind::Photos, {m_in}); }), "8 or 16 bits"));

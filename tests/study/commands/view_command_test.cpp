@@ -9,6 +9,7 @@
 
 #include "rendering/images/image_io.h"
 #include "tests/rendering/fabric_files.h"
+#include "tests/support/colour_tiff.h"
 #include "tests/support/program.h"
 #include "tests/support/study_builder.h"
 
@@ -46,6 +47,17 @@ private Q_SLOTS:
     }
 
     /// Qt fills the missing part with grey and reports a success.
+    void aColourTiffIsShown()
+    {
+        QFile file(m_folder.filePath("colours.tif"));
+        const std::string bytes = tests::support::tiffOfOneColour(2, 1);
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes.data(), qint64(bytes.size())) == qint64(bytes.size()));
+        file.close();
+        const auto ended = runProgram({"view", file.fileName(), "--out", m_folder.filePath("colours.png")});
+        QVERIFY2(ended.exitCode == 0, qPrintable(ended.err));
+        QVERIFY(QFile::exists(m_folder.filePath("colours.png")));
+    }
+
     void aTruncatedPhotographIsRefused_data()
     {
         QTest::addColumn<QString>("format");

@@ -16,7 +16,6 @@
 #include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
-#include "protocols/records/balance.h"
 #include "protocols/records/key_json.h"
 #include "protocols/records/sealed_stimulus.h"
 
@@ -36,13 +35,6 @@ struct NewSeals {
 
 using BlindedLists = std::vector<std::vector<protocols::BlindedTrial>>;
 
-/// The older design was drawn from the public seed itself.
-std::string plannedBalanceOf(const StudyFacts& facts)
-{
-    const auto protocol = protocols::keptProtocolFromJson(facts.protocolJson, "the study's protocol", facts.programVersion);
-    return jsonOf(balanceOf(protocols::drawDesign(protocol, facts.designSeed), protocol)).dump();
-}
-
 protocols::SealedCode newlySealed(const protocols::FileCode& image, const NewSeals& seals)
 {
     const auto fresh = seals.codes.find(image);
@@ -53,14 +45,14 @@ protocols::SealedCode newlySealed(const protocols::FileCode& image, const NewSea
     return protocols::sealed(fresh->second, seals.stationKey);
 }
 
-StudyFacts upgradedFacts(const OlderStudy& study, const NewSeals& seals)
+StudyFacts upgradedFacts(const OlderStudy& study, const OlderKey& key, const NewSeals& seals)
 {
     StudyFacts facts = study.facts;
     facts.keySha256 = seals.keySha256;
     facts.stationKeySha256 = seals.stationKeySha256;
     facts.hasPassphrase = false;
     facts.stamps.emplace_back(noPassphraseStamp);
-    facts.plannedBalance = plannedBalanceOf(study.facts);
+    facts.plannedBalance = balanceOfLists(study, key);
     facts.madeWith = "{}";
     for (const auto& [name, image] : study.familiarisation) facts.familiarisation.push_back({name, newlySealed(image, seals)});
     return facts;
@@ -165,7 +157,7 @@ void recordUpgrade(const SqliteConnection& made, const OlderStudy& study, const 
 
 /// Makes `file` in one transaction, every row with its number and its times. `faults`: what was wrong with the older study.
 void makeUpgradedDatabase(const std::filesystem::path& file, const SqliteConnection& older, const OlderStudy& study,
-                          const NewSeals& seals, const std::vector<std::string>& faults)
+                          const OlderKey& key, const NewSeals& seals, const std::vector<std::string>& faults)
 {
     const BlindedLists lists = upgradedLists(study, seals);
     const SqliteConnection made(file, SqliteConnection::Mode::Create);
@@ -174,7 +166,7 @@ void makeUpgradedDatabase(const std::filesystem::path& file, const SqliteConnect
     {
         Transaction transaction(made);
         makeSchema(made);
-        insertFixedRows(made, upgradedFacts(study, seals), lists, seals.hashes);
+        insertFixedRows(made, upgradedFacts(study, key, seals), lists, seals.hashes);
         for (const char* table : {"participants", "participant_facts", "protocol_versions", "erasures"})
             copyOlderRows(older, made, QLatin1String(table), study.version);
         OlderStudy renamed = study;
@@ -251,10 +243,8 @@ fs::path backUp(const StudyFolder& folder)
     return place;
 }
 
-using KeyEntries = std::map<protocols::FileCode, protocols::AllocationKey::Entry>;
-
 /// The entries of the older key. Empty for a bare database, which has neither keys nor stimuli.
-std::optional<KeyEntries> olderKeyOf(const StudyFolder& folder, const OlderStudy& study)
+OlderKey olderKeyOf(const StudyFolder& folder, const OlderStudy& study)
 {
     const fs::path file = folder.allocationKey();
     const auto text = protocols::readIfPossible(file);
@@ -267,7 +257,7 @@ std::optional<KeyEntries> olderKeyOf(const StudyFolder& folder, const OlderStudy
     return protocols::olderKeyEntriesFromJson(*text, file.string());
 }
 
-NewSeals newSealsOf(const OlderStudy& study, const std::optional<KeyEntries>& key, const protocols::SecretKey& secret)
+NewSeals newSealsOf(const OlderStudy& study, const OlderKey& key, const protocols::SecretKey& secret)
 {
     std::set<protocols::FileCode> known;
     for (const auto& [code, hash] : study.stimuli) known.insert(code);
@@ -326,7 +316,7 @@ void prepareAnew(const StudyFolder& folder)
     sealStimuli(folder, study, seals, faults);
     if (key) writeNewKeys(folder, *key, secret, seals);
     const fs::path made = folder.upgrade() / "study.db";
-    makeUpgradedDatabase(made, older, study, seals, faults);
+    makeUpgradedDatabase(made, older, study, key, seals, faults);
     fs::permissions(made, fs::perms::owner_read | fs::perms::owner_write);
     protocols::syncTree(folder.upgrade());
 }

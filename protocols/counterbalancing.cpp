@@ -87,14 +87,8 @@ Lists drawLists(const Protocol& protocol, int phase, const StudySize& size, std:
     Random orderDraws = Random::stream(seed, purpose + "/orders");
     Random trayDraws = Random::stream(seed, purpose + "/trays");
     Lists lists = listsOf(asked, phase, size, orderDraws, trayDraws);
-    Random catchDraws = Random::stream(seed, purpose + "/catch trials");
-    ExtraPieces extraPieces(asked, size, Random::stream(seed, purpose + "/pieces"));
-    AnchorDraws anchorDraws(asked, size, protocol.breakAfterPresentations, Random::stream(seed, purpose + "/anchors"));
-    for (auto& list : lists) {
-        const auto pieces = extraPieces.next();
-        if (asked.catchTrials > 0) list = withCatchTrials(list, pieces.caught, catchDraws);
-        if (asked.anchors.presentations() > 0) list = anchorDraws.with(list, pieces);
-    }
+    ExtraTrials extraTrials(asked, size, protocol.breakAfterPresentations, Random::stream(seed, purpose + "/extra trials"));
+    for (auto& list : lists) list = extraTrials.with(list);
     const auto rule = trayRuleOf(asked.task);
     if (const auto* foils = std::get_if<TrueAmongFoils>(&rule)) layTrays(lists, asked, foils->pieces, size, trayDraws);
     return lists;

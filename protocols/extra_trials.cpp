@@ -2,124 +2,74 @@
 
 #include <algorithm>
 #include <numeric>
-#include <set>
 #include <tuple>
+#include <utility>
 
 namespace protocols {
 
 namespace {
 
-std::vector<int> shuffledNumbers(int count, Random& random)
-{
-    std::vector<int> numbers(static_cast<std::size_t>(count));
-    std::iota(numbers.begin(), numbers.end(), 0);
-    random.shuffle(numbers);
-    return numbers;
-}
+constexpr int noPiece = -1;
 
 std::size_t placeOf(int fabric) { return static_cast<std::size_t>(fabric); }
 
-}  // namespace
-
+/// What is known of the tray while these draws are made: its one piece, or the true fabric where foils come later.
 int pieceOf(const DesignTrial& trial) { return trial.alternatives.empty() ? trial.fabric : trial.alternatives.front(); }
 
-ExtraPieces::ExtraPieces(const Phase& phase, const StudySize& size, Random random)
-    : m_phase(phase), m_size(size), m_random(random), m_repeated(placeOf(size.fabrics)), m_mismatched(placeOf(size.fabrics))
+bool isOfCondition(const DesignTrial& trial) { return trial.label >= 0 && trial.anchor == AnchorKind::None; }
+
+/// [piece]: where the presentations of the conditions lie that can come again.
+std::vector<std::vector<std::size_t>> originalsIn(const std::vector<DesignTrial>& list, int fabrics)
 {
+    std::vector<std::vector<std::size_t>> originals(placeOf(fabrics));
+    for (std::size_t at = 0; at < list.size(); ++at)
+        if (isOfCondition(list[at])) originals[placeOf(pieceOf(list[at]))].push_back(at);
+    return originals;
 }
 
-std::vector<int> ExtraPieces::nextPieces(int count)
+/// Whether each presentation finds a place of its own that is no earlier than its first possible one.
+bool fits(std::vector<std::size_t> earliest, const std::vector<std::size_t>& places, std::size_t firstPlace = 0)
 {
-    std::vector<int> pieces;
-    for (int round = 0; round < count / m_size.fabrics; ++round)
-        for (int fabric = 0; fabric < m_size.fabrics; ++fabric) pieces.push_back(fabric);
-    std::set<int> surplus;  // no piece gets two of these
-    while (static_cast<int>(surplus.size()) < count % m_size.fabrics) {
-        if (m_left.empty()) {
-            m_left = shuffledNumbers(m_size.fabrics, m_random);
-            std::ranges::stable_partition(m_left, [&](int fabric) { return surplus.contains(fabric); });
-        }
-        surplus.insert(m_left.back());
-        m_left.pop_back();
-    }
-    pieces.insert(pieces.end(), surplus.begin(), surplus.end());
-    m_random.shuffle(pieces);
-    return pieces;
+    if (earliest.size() > places.size() - firstPlace) return false;
+    std::ranges::sort(earliest);
+    const auto ends = static_cast<std::ptrdiff_t>(earliest.size());
+    return std::equal(earliest.begin(), earliest.end(), places.end() - ends, std::less_equal<>());
 }
 
-std::vector<int> ExtraPieces::take(std::vector<int>& pieces, int count, int mostOfEach, std::vector<int>& uses) const
+void insertAt(std::vector<DesignTrial>& list, const std::vector<std::size_t>& places, const DesignTrial& trial)
 {
-    std::vector<int> taken, own(uses.size());
-    const auto usesOf = [&](int piece) {
-        return std::tuple(own[placeOf(piece)] >= mostOfEach, own[placeOf(piece)], uses[placeOf(piece)]);
-    };
-    for (; count > 0; --count) {
-        const auto least = std::ranges::min_element(pieces, {}, usesOf);
-        taken.push_back(*least);
-        ++own[placeOf(*least)];
-        ++uses[placeOf(*least)];
-        pieces.erase(least);
-    }
-    return taken;
+    for (const std::size_t at : places) list.insert(list.begin() + static_cast<std::ptrdiff_t>(at), trial);
 }
 
-ExtraPieces::Dealt ExtraPieces::next()
+/// Where trials lie after others were inserted.
+void moveBehind(std::vector<std::size_t>& places, const std::vector<std::size_t>& inserted)
 {
-    auto pieces = nextPieces(m_phase.catchTrials + m_phase.anchors.presentations());
-    Dealt dealt;
-    // A piece has as many presentations that can come again as there are labels.
-    dealt.repeated = take(pieces, m_phase.anchors.repeated, m_size.labels, m_repeated);
-    dealt.mismatched = take(pieces, m_phase.anchors.mismatched, static_cast<int>(pieces.size()), m_mismatched);
-    dealt.caught = std::move(pieces);
-    for (auto* list : {&dealt.repeated, &dealt.mismatched}) m_random.shuffle(*list);
-    return dealt;
+    for (std::size_t& at : places)
+        for (const std::size_t other : inserted) at += other <= at;
 }
 
-std::vector<DesignTrial> withCatchTrials(const std::vector<DesignTrial>& trials, std::vector<int> pieces, Random& random)
-{
-    constexpr int tries = 50;
-    std::vector<DesignTrial> all = trials;
-    const bool hasTrays = !trials.front().alternatives.empty();
-    const std::size_t count = pieces.size();
-    // From the end, so that earlier places keep their numbers.
-    for (std::size_t stretch = count; stretch > 0; --stretch) {
-        const std::size_t begin = trials.size() * (stretch - 1) / count, end = trials.size() * stretch / count;
-        std::size_t place = 0;
-        const auto isNextTo = [&](int piece) {
-            return pieceOf(trials[place - 1]) == piece || (place < trials.size() && pieceOf(trials[place]) == piece);
-        };
-        for (int attempt = 0; attempt < tries; ++attempt) {
-            place = std::max<std::size_t>(1, begin + random.below(std::max<std::size_t>(1, end - begin)));
-            std::swap(pieces[random.below(stretch)], pieces[stretch - 1]);
-            if (!isNextTo(pieces[stretch - 1])) break;
-        }
-        const int piece = pieces[stretch - 1];
-        all.insert(all.begin() + static_cast<std::ptrdiff_t>(place),
-                   {trials.front().phase, catchTrialLabel, piece, hasTrays ? Tray{piece} : Tray{}});
-    }
-    return all;
-}
+}  // namespace
 
-std::size_t AnchorDraws::Uses::renderingOf(const DesignTrial& trial) const
+std::size_t ExtraTrials::Repeats::renderingOf(const DesignTrial& trial) const
 {
     return static_cast<std::size_t>(trial.label) * ofFabric.size() + static_cast<std::size_t>(trial.fabric);
 }
 
-std::size_t AnchorDraws::Uses::of(const DesignTrial& trial) const
+std::size_t ExtraTrials::Repeats::of(const DesignTrial& trial) const
 {
     constexpr std::size_t weight = 1000;
     return (ofLabel[static_cast<std::size_t>(trial.label)] * weight + ofFabric[static_cast<std::size_t>(trial.fabric)]) * weight +
            ofRendering[renderingOf(trial)];
 }
 
-void AnchorDraws::Uses::add(const DesignTrial& trial)
+void ExtraTrials::Repeats::add(const DesignTrial& trial)
 {
     ++ofLabel[static_cast<std::size_t>(trial.label)];
     ++ofFabric[static_cast<std::size_t>(trial.fabric)];
     ++ofRendering[renderingOf(trial)];
 }
 
-std::size_t AnchorDraws::Uses::unevenness() const
+std::size_t ExtraTrials::Repeats::unevenness() const
 {
     std::size_t sum = 0;
     for (const auto* counts : {&ofLabel, &ofFabric})
@@ -127,45 +77,283 @@ std::size_t AnchorDraws::Uses::unevenness() const
     return sum;
 }
 
-AnchorDraws::AnchorDraws(const Phase& phase, const StudySize& size, int blockLength, Random random)
-    : m_phase(phase),
-      m_size(size),
-      m_blockLength(static_cast<std::size_t>(std::max(1, blockLength))),
-      m_random(random),
-      m_images(placeOf(size.fabrics)),
-      m_pairs(placeOf(size.fabrics) * placeOf(size.fabrics))
+ExtraTrials::ExtraTrials(const Phase& phase, const StudySize& size, int blockLength, Random random)
+    : m_phase(phase), m_size(size), m_blockLength(static_cast<std::size_t>(std::max(1, blockLength))), m_random(random)
 {
-    const auto labels = static_cast<std::size_t>(size.labels), fabrics = static_cast<std::size_t>(size.fabrics);
-    m_uses = {std::vector<std::size_t>(labels), std::vector<std::size_t>(fabrics), std::vector<std::size_t>(labels * fabrics)};
+    const auto labels = static_cast<std::size_t>(size.labels), fabrics = placeOf(size.fabrics);
+    const std::vector<std::size_t> ofEach(fabrics);
+    m_uses = {ofEach, ofEach, ofEach, ofEach, std::vector<std::size_t>(fabrics * fabrics), {}};
+    m_uses.repeats = {std::vector<std::size_t>(labels), ofEach, std::vector<std::size_t>(labels * fabrics)};
 }
 
-std::vector<DesignTrial> AnchorDraws::with(const std::vector<DesignTrial>& trials, const ExtraPieces::Dealt& pieces)
+std::vector<DesignTrial> ExtraTrials::with(const std::vector<DesignTrial>& trials)
 {
-    std::vector<DesignTrial> list = trials;
-    addMismatched(list, pieces.mismatched);
-    addRepeated(list, pieces.repeated);
-    return list;
+    if (m_phase.catchTrials + m_phase.anchors.presentations() == 0) return trials;
+    const std::size_t others = trials.size() + placeOf(m_phase.catchTrials + m_phase.anchors.mismatched);
+    std::optional<Draft> best;
+    for (std::size_t gap = std::max<std::size_t>(2, std::min(m_blockLength + 1, others / 2)); gap >= 2 && !best;
+         gap = gap * 3 / 4)
+        best = bestOfSeveral(trials, gap);
+    // Two presentations are enough for one other in between, if all repetitions come last and any piece may come again.
+    for (std::size_t gap = 2; !best; --gap) best = drawn(trials, gap, stretchesOf(trials.size(), others), true);
+    m_uses = std::move(best->uses);
+    return std::move(best->list);
+}
+
+/// The first draw without fault. Only a few draws insist on the pieces with the fewest uses. Stretches stay while they can: early
+/// repetitions have few originals, and other stretches would move more of them to the end.
+std::optional<ExtraTrials::Draft> ExtraTrials::bestOfSeveral(const std::vector<DesignTrial>& trials, std::size_t gap)
+{
+    constexpr int rounds = 4, draws = 12, drawsForFewestUses = 6;
+    const auto faults = [](const Draft& draft) { return std::pair(draft.cost, draft.exchanged); };
+    std::optional<Draft> best;
+    for (int round = 0; round < rounds; ++round) {
+        const Stretches stretches = stretchesOf(trials.size(), gap);
+        for (int draw = 0; draw < draws; ++draw) {
+            auto next = drawn(trials, gap, stretches);
+            if (next && (!best || faults(*next) < faults(*best))) best = std::move(next);
+            if (best && best->cost == 0 && (best->exchanged == 0 || draw + 1 >= drawsForFewestUses)) return best;
+        }
+    }
+    return best;
+}
+
+std::optional<ExtraTrials::Draft> ExtraTrials::drawn(const std::vector<DesignTrial>& trials, std::size_t gap,
+                                                     const Stretches& stretches, bool isLastResort)
+{
+    Draft draft = withoutPieces(trials, gap, stretches);
+    if (!dealPieces(draft, isLastResort)) return std::nullopt;
+    repeat(draft);
+    layOthers(draft);
+    for (std::size_t at = 1; at < draft.list.size(); ++at)
+        if (!isOfCondition(draft.list[at])) draft.cost += costAt(draft.list, at);
+    return draft;
+}
+
+/// Each kind is inserted into a list that holds the kinds before.
+ExtraTrials::Stretches ExtraTrials::stretchesOf(std::size_t trials, std::size_t firstRepetition)
+{
+    const auto& anchors = m_phase.anchors;
+    const std::size_t withCaught = trials + placeOf(m_phase.catchTrials),
+                      withMismatched = withCaught + placeOf(anchors.mismatched);
+    Stretches stretches;
+    stretches.caught = drawStretches(1, withCaught, m_phase.catchTrials);
+    stretches.mismatched = drawStretches(1, withMismatched, anchors.mismatched);
+    stretches.repeated = drawStretches(firstRepetition, withMismatched + placeOf(anchors.repeated), anchors.repeated);
+    return stretches;
+}
+
+/// Equal stretches of a circle from `begin` to `end`, so that all places are equally likely. The one that would go beyond the end
+/// is cut there, and one of its parts is drawn.
+std::vector<ExtraTrials::Stretch> ExtraTrials::drawStretches(std::size_t begin, std::size_t end, int count)
+{
+    std::vector<Stretch> stretches;
+    if (count == 0) return stretches;
+    const std::size_t room = end - begin, turn = m_random.below(room);
+    for (std::size_t k = 0; k < placeOf(count); ++k) {
+        const std::size_t from = turn + room * k / placeOf(count), to = turn + room * (k + 1) / placeOf(count);
+        const std::size_t place = from + m_random.below(to - from);
+        Stretch stretch{from, std::min(to, room)};
+        if (place >= room) stretch = {std::max(from, room) - room, to - room};
+        stretches.push_back({begin + stretch.begin, begin + stretch.end});
+    }
+    std::ranges::sort(stretches, {}, &Stretch::begin);
+    return stretches;
+}
+
+ExtraTrials::Draft ExtraTrials::withoutPieces(const std::vector<DesignTrial>& trials, std::size_t gap, const Stretches& stretches)
+{
+    const int phase = trials.front().phase;
+    Draft draft{
+        trials, drawPlaces(stretches.caught), drawPlaces(stretches.mismatched), drawPlaces(stretches.repeated), gap, {}, {}, 0, 0,
+        m_uses};
+    insertAt(draft.list, draft.caught, {phase, catchTrialLabel, noPiece, {}});
+    insertAt(draft.list, draft.mismatched, {phase, mismatchedLabel, noPiece, {}, {}, AnchorKind::Mismatched});
+    insertAt(draft.list, draft.repeated, {phase, noPiece, noPiece, {}, {}, AnchorKind::Repeated});
+    moveBehind(draft.caught, draft.mismatched);
+    for (auto* places : {&draft.caught, &draft.mismatched}) moveBehind(*places, draft.repeated);
+    return draft;
+}
+
+ExtraTrials::Places ExtraTrials::drawPlaces(const std::vector<Stretch>& stretches)
+{
+    Places places;
+    for (const Stretch& stretch : stretches) places.push_back(stretch.begin + m_random.below(stretch.end - stretch.begin));
+    return places;
+}
+
+std::vector<int> ExtraTrials::shuffledFabrics()
+{
+    std::vector<int> fabrics(placeOf(m_size.fabrics));
+    std::iota(fabrics.begin(), fabrics.end(), 0);
+    m_random.shuffle(fabrics);
+    return fabrics;
+}
+
+/// False where the repetitions find no originals for their places.
+bool ExtraTrials::dealPieces(Draft& draft, bool isLastResort)
+{
+    const int count = m_phase.catchTrials + m_phase.anchors.presentations(), rounds = count / m_size.fabrics;
+    draft.left.assign(placeOf(m_size.fabrics), rounds);
+    draft.again.assign(placeOf(m_size.fabrics), 0);
+    auto pieces = shuffledFabrics();
+    std::ranges::stable_sort(pieces, {}, [&](int piece) { return m_uses.surplus[placeOf(piece)]; });
+    pieces.resize(placeOf(count % m_size.fabrics));
+    for (const int piece : pieces) ++draft.left[placeOf(piece)];
+    dealRepetitions(draft, rounds, isLastResort);
+    if (std::accumulate(draft.again.begin(), draft.again.end(), 0) < m_phase.anchors.repeated) return false;
+    for (std::size_t piece = 0; piece < draft.left.size(); ++piece) {
+        draft.uses.surplus[piece] += draft.left[piece] > rounds;
+        draft.uses.repeated[piece] += static_cast<std::size_t>(draft.again[piece]);
+        draft.left[piece] -= draft.again[piece];
+    }
+    return true;
+}
+
+/// Takes the least repeated of the pieces that are due. Where the originals of these come too late for the places, others take
+/// the place of those that would lie there once more, and as the last resort of any.
+void ExtraTrials::dealRepetitions(Draft& draft, int rounds, bool isLastResort)
+{
+    const auto originals = originalsIn(draft.list, m_size.fabrics);
+    Places earliest;
+    const auto takes = [&](int piece) {
+        const auto copy = placeOf(draft.again[placeOf(piece)]);
+        if (earliest.size() == draft.repeated.size() || copy >= originals[placeOf(piece)].size()) return false;
+        earliest.push_back(originals[placeOf(piece)][copy] + draft.gap);
+        const bool isTaken = fits(earliest, draft.repeated);
+        if (isTaken)
+            ++draft.again[placeOf(piece)];
+        else
+            earliest.pop_back();
+        return isTaken;
+    };
+    auto pieces = shuffledFabrics();
+    std::ranges::stable_sort(pieces, {}, [&](int piece) { return m_uses.repeated[placeOf(piece)]; });
+    for (int round = 0; round <= rounds; ++round)
+        for (const int piece : pieces)
+            if (draft.left[placeOf(piece)] > round) takes(piece);
+    std::ranges::stable_sort(pieces, {}, [&](int piece) { return m_uses.surplus[placeOf(piece)]; });
+    const auto takesFrom = [&](int piece, const auto& mayGive) {
+        const auto giver = std::find_if(pieces.rbegin(), pieces.rend(), mayGive);
+        if (giver == pieces.rend() || !takes(piece)) return false;
+        ++draft.left[placeOf(piece)];
+        --draft.left[placeOf(*giver)];
+        ++draft.exchanged;
+        return true;
+    };
+    for (const int piece : pieces)
+        if (draft.left[placeOf(piece)] == rounds && draft.again[placeOf(piece)] == rounds)
+            takesFrom(piece,
+                      [&](int other) { return draft.left[placeOf(other)] > rounds && draft.again[placeOf(other)] <= rounds; });
+    if (!isLastResort) return;
+    const auto isDue = [&](int piece) { return draft.left[placeOf(piece)] > draft.again[placeOf(piece)]; };
+    for (const int piece : pieces)
+        while (!isDue(piece) && takesFrom(piece, isDue)) {
+        }
+}
+
+/// The draw with the least cost of neighbours, then the evenest.
+void ExtraTrials::repeat(Draft& draft)
+{
+    constexpr int draws = 50;
+    if (draft.repeated.empty()) return;
+    const auto rankOf = [](const Draft& drawn) { return std::pair(drawn.cost, drawn.uses.repeats.unevenness()); };
+    std::optional<Draft> best;
+    for (int draw = 0; draw < draws; ++draw) {
+        auto next = tryRepeats(draft);
+        if (next && (!best || rankOf(*next) < rankOf(*best))) best = std::move(next);
+    }
+    if (best) draft = std::move(*best);
+    draft.cost = 0;
+}
+
+/// Each place takes the original that stands best beside its neighbours, then the least repeated one, equal ones by a draw. What
+/// is left can always be placed.
+std::optional<ExtraTrials::Draft> ExtraTrials::tryRepeats(const Draft& draft)
+{
+    Draft next = draft;
+    auto originals = originalsIn(draft.list, m_size.fabrics);
+    auto due = draft.again;
+    const auto restFits = [&](std::size_t firstPlace) {
+        Places earliest;
+        for (std::size_t piece = 0; piece < due.size(); ++piece)
+            for (std::size_t copy = 0; copy < placeOf(due[piece]); ++copy) earliest.push_back(originals[piece][copy] + draft.gap);
+        return fits(std::move(earliest), draft.repeated, firstPlace);
+    };
+    for (std::size_t k = 0; k < draft.repeated.size(); ++k) {
+        const std::size_t at = draft.repeated[k];
+        std::vector<std::tuple<std::size_t, std::size_t, std::uint64_t, std::size_t>> candidates;
+        for (std::size_t piece = 0; piece < due.size(); ++piece) {
+            if (due[piece] == 0) continue;
+            for (const std::size_t original : originals[piece]) {
+                if (original + draft.gap > at) break;
+                next.list[at] = draft.list[original];
+                candidates.emplace_back(costAt(next.list, at), next.uses.repeats.of(draft.list[original]), m_random.next(),
+                                        original);
+            }
+        }
+        std::ranges::sort(candidates);
+        bool isPlaced = false;
+        for (const auto& [cost, uses, draw, original] : candidates) {
+            const auto piece = placeOf(pieceOf(draft.list[original]));
+            const auto before = originals[piece];
+            std::erase(originals[piece], original);
+            --due[piece];
+            isPlaced = restFits(k + 1);
+            if (isPlaced) {
+                next.list[at] = draft.list[original];
+                next.list[at].anchor = AnchorKind::Repeated;
+                next.uses.repeats.add(draft.list[original]);
+                next.cost += cost;
+                break;
+            }
+            originals[piece] = before;
+            ++due[piece];
+        }
+        if (!isPlaced) return std::nullopt;
+    }
+    return next;
+}
+
+/// Of the pieces that are left, those that this participant, then the study (`uses`), has least.
+std::vector<int> ExtraTrials::take(std::vector<int>& left, int count, std::vector<std::size_t>& uses)
+{
+    std::vector<int> taken, own(left.size());
+    for (; count > 0; --count) {
+        const auto pieces = shuffledFabrics();
+        const int least = *std::ranges::min_element(pieces, {}, [&](int piece) {
+            return std::tuple(left[placeOf(piece)] == 0, own[placeOf(piece)], uses[placeOf(piece)]);
+        });
+        taken.push_back(least);
+        --left[placeOf(least)];
+        ++own[placeOf(least)];
+        ++uses[placeOf(least)];
+    }
+    return taken;
 }
 
 /// An image beside each piece: another fabric, and none a second time before all were felt. The evenest of several draws.
-std::vector<int> AnchorDraws::drawImages(const std::vector<int>& pieces)
+std::vector<int> ExtraTrials::drawImages(const std::vector<int>& pieces, const Uses& uses)
 {
     constexpr int draws = 20;
     const auto fabrics = placeOf(m_size.fabrics);
     std::vector<int> best;
     std::size_t least = 0;
     for (int draw = 0; draw < draws; ++draw) {
-        auto images = m_images, pairs = m_pairs, shown = std::vector<std::size_t>(fabrics);
+        auto images = uses.images, pairs = uses.pairs, shown = std::vector<std::size_t>(fabrics);
         std::vector<int> drawn(pieces.size());
-        for (const int at : shuffledNumbers(static_cast<int>(pieces.size()), m_random)) {
-            const int piece = pieces[placeOf(at)];
-            const auto numbers = shuffledNumbers(m_size.fabrics, m_random);
+        std::vector<std::size_t> turns(pieces.size());
+        std::iota(turns.begin(), turns.end(), std::size_t{0});
+        m_random.shuffle(turns);
+        for (const std::size_t at : turns) {
+            const int piece = pieces[at];
+            const auto numbers = shuffledFabrics();
             const auto usesOf = [&](int image) {
                 return std::tuple(image == piece, shown[placeOf(image)], images[placeOf(image)],
                                   pairs[placeOf(image) * fabrics + placeOf(piece)]);
             };
             const int image = *std::ranges::min_element(numbers, {}, usesOf);
-            drawn[placeOf(at)] = image;
+            drawn[at] = image;
             ++shown[placeOf(image)];
             ++images[placeOf(image)];
             ++pairs[placeOf(image) * fabrics + placeOf(piece)];
@@ -182,129 +370,63 @@ std::vector<int> AnchorDraws::drawImages(const std::vector<int>& pieces)
     return best;
 }
 
-void AnchorDraws::addMismatched(std::vector<DesignTrial>& list, const std::vector<int>& pieces)
+/// Mismatched presentations and catch trials, at their places.
+void ExtraTrials::layOthers(Draft& draft)
 {
-    constexpr int tries = 20;
-    const std::size_t length = list.size();
-    const std::size_t stretches = pieces.size();
-    const auto images = drawImages(pieces);
-    // From the end, so that earlier places keep their numbers.
-    for (std::size_t stretch = stretches; stretch > 0; --stretch) {
-        const int image = images[stretch - 1], piece = pieces[stretch - 1];
-        ++m_images[placeOf(image)];
-        ++m_pairs[placeOf(image) * placeOf(m_size.fabrics) + placeOf(piece)];
-        const DesignTrial trial{list.front().phase, mismatchedLabel, image, {piece}, {}, AnchorKind::Mismatched};
-        const std::size_t begin = length * (stretch - 1) / stretches, end = length * stretch / stretches;
-        std::size_t place = 1;
-        for (int attempt = 0; attempt < tries; ++attempt) {
-            place = std::max<std::size_t>(1, begin + 1 + m_random.below(std::max<std::size_t>(1, end - begin)));
-            if (mayStandBeside(trial, list, place)) break;
+    auto pieces = take(draft.left, static_cast<int>(draft.mismatched.size()), draft.uses.mismatched);
+    m_random.shuffle(pieces);
+    const auto images = drawImages(pieces, m_uses);
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+        DesignTrial& trial = draft.list[draft.mismatched[k]];
+        trial.fabric = images[k];
+        trial.alternatives = {pieces[k]};
+        ++draft.uses.images[placeOf(images[k])];
+        ++draft.uses.pairs[placeOf(images[k]) * draft.uses.images.size() + placeOf(pieces[k])];
+    }
+    std::vector<int> rest;
+    for (const int piece : shuffledFabrics()) rest.insert(rest.end(), placeOf(draft.left[placeOf(piece)]), piece);
+    m_random.shuffle(rest);
+    const bool hasTrays = !draft.list.front().alternatives.empty();
+    for (std::size_t k = 0; k < rest.size(); ++k) {
+        DesignTrial& trial = draft.list[draft.caught[k]];
+        trial.fabric = rest[k];
+        if (hasTrays) trial.alternatives = {rest[k]};
+    }
+    exchangeNeighbours(draft, draft.mismatched);
+    exchangeNeighbours(draft, draft.caught);
+}
+
+/// Exchanges presentations of one kind, as long as one stands better beside its neighbours and no other worse.
+void ExtraTrials::exchangeNeighbours(Draft& draft, const Places& places) const
+{
+    auto& list = draft.list;
+    for (const std::size_t at : places)
+        for (const std::size_t other : places) {
+            const std::size_t before = costAt(list, at) + costAt(list, other);
+            if (costAt(list, at) == 0) break;
+            std::swap(list[at], list[other]);
+            if (costAt(list, at) + costAt(list, other) >= before) std::swap(list[at], list[other]);
         }
-        list.insert(list.begin() + static_cast<std::ptrdiff_t>(std::min(place, list.size())), trial);
-    }
 }
 
-void AnchorDraws::addRepeated(std::vector<DesignTrial>& list, const std::vector<int>& pieces)
+std::size_t ExtraTrials::costOf(const DesignTrial& trial, const DesignTrial& neighbour) const
 {
-    if (pieces.empty()) return;
-    m_repeats = pieces.size();
-    std::vector<int> left(placeOf(m_size.fabrics));
-    for (const int piece : pieces) ++left[placeOf(piece)];
-    std::optional<Drawn> drawn;
-    for (std::size_t gap = std::min(m_blockLength + 1, list.size() / 2); gap >= 2 && !drawn; gap = gap * 3 / 4)
-        for (const Rule rule : {Rule::Spread, Rule::Neighbours, Rule::Places})
-            if (!drawn) drawn = evenest(list, left, gap, rule);
-    if (!drawn) {
-        // All of them at the end, in the order of the list.
-        drawn = Drawn{list, m_uses, left};
-        for (const DesignTrial& trial : list) {
-            if (trial.label < 0 || drawn->left[placeOf(pieceOf(trial))] == 0) continue;
-            drawn->list.push_back(repetitionOf(trial));
-            drawn->add(trial);
-        }
-    }
-    list = std::move(drawn->list);
-    m_uses = std::move(drawn->uses);
-}
-
-/// The evenest of several draws.
-std::optional<AnchorDraws::Drawn> AnchorDraws::evenest(const std::vector<DesignTrial>& list, const std::vector<int>& left,
-                                                       std::size_t gap, Rule rule)
-{
-    constexpr int draws = 100;
-    std::optional<Drawn> best;
-    for (int draw = 0; draw < draws; ++draw) {
-        auto drawn = tryRepeats(list, left, gap, rule);
-        if (drawn && (!best || drawn->uses.unevenness() < best->uses.unevenness())) best = std::move(drawn);
-    }
-    return best;
-}
-
-/// In ascending order, from 0 to `room` - 1.
-std::vector<std::size_t> AnchorDraws::drawPlaces(std::size_t room, Rule rule)
-{
-    std::vector<std::size_t> places;
-    for (std::size_t k = 0; k < m_repeats; ++k) {
-        const std::size_t begin = room * k / m_repeats, end = room * (k + 1) / m_repeats;
-        const bool isFree = rule == Rule::Neighbours;
-        places.push_back(isFree ? m_random.below(room) : begin + m_random.below(std::max<std::size_t>(1, end - begin)));
-    }
-    std::ranges::sort(places);
-    return places;
-}
-
-std::optional<AnchorDraws::Drawn> AnchorDraws::tryRepeats(const std::vector<DesignTrial>& list, const std::vector<int>& left,
-                                                          std::size_t gap, Rule rule)
-{
-    const std::vector<std::size_t> places = drawPlaces(list.size() + 1 - gap, rule);
-    Drawn drawn{list, m_uses, left};
-    std::vector<bool> used(list.size());
-    for (std::size_t k = 0; k < places.size(); ++k) {
-        const std::size_t at = gap + places[k] + k;
-        const auto original = originalFor(drawn, used, at, gap, rule);
-        if (!original) return std::nullopt;
-        used[*original] = true;
-        drawn.add(drawn.list[*original]);
-        const DesignTrial repetition = repetitionOf(drawn.list[*original]);
-        drawn.list.insert(drawn.list.begin() + static_cast<std::ptrdiff_t>(at), repetition);
-        used.insert(used.begin() + static_cast<std::ptrdiff_t>(at), true);
-    }
-    return drawn;
-}
-
-/// The least repeated rendering that may come again at `at`; equal ones by a draw.
-std::optional<std::size_t> AnchorDraws::originalFor(const Drawn& drawn, const std::vector<bool>& used, std::size_t at,
-                                                    std::size_t gap, Rule rule)
-{
-    const auto& list = drawn.list;
-    std::vector<std::size_t> best;
-    for (std::size_t i = 0; i + gap <= at; ++i) {
-        if (used[i] || list[i].label < 0 || drawn.left[placeOf(pieceOf(list[i]))] == 0) continue;
-        if (rule != Rule::Places && !mayStandBeside(list[i], list, at)) continue;
-        const std::size_t uses = drawn.uses.of(list[i]), least = best.empty() ? uses : drawn.uses.of(list[best.front()]);
-        if (least < uses) continue;
-        if (uses < least) best.clear();
-        best.push_back(i);
-    }
-    if (best.empty()) return std::nullopt;
-    return best[m_random.below(best.size())];
-}
-
-bool AnchorDraws::mayStandBeside(const DesignTrial& trial, const std::vector<DesignTrial>& list, std::size_t at) const
-{
+    // An operator sees that a piece comes twice in a row.
+    constexpr std::size_t costOfPiece = 8;
+    const int piece = pieceOf(trial), other = pieceOf(neighbour);
+    if (piece == noPiece || other == noPiece) return 0;
+    if (piece == other) return m_size.fabrics > 2 ? costOfPiece : 0;
     const bool isAlone = std::holds_alternative<TrueAlone>(trayRuleOf(m_phase.task));
-    const auto collides = [&](const DesignTrial& neighbour) {
-        if (trial.label == neighbour.label || pieceOf(trial) == pieceOf(neighbour)) return true;
-        return isAlone && (trial.fabric == pieceOf(neighbour) || pieceOf(trial) == neighbour.fabric);
-    };
-    return !(at > 0 && collides(list[at - 1])) && !(at < list.size() && collides(list[at]));
+    const bool showsOther = isAlone && (trial.fabric == other || piece == neighbour.fabric);
+    const bool isSameLabel = trial.label >= 0 && trial.label == neighbour.label;
+    return (m_size.fabrics > 3 && showsOther ? 1u : 0u) + (m_size.labels > 2 && isSameLabel ? 1u : 0u);
 }
 
-DesignTrial AnchorDraws::repetitionOf(const DesignTrial& trial)
+/// Two neighbours count. The last presentation would find its place easily with one, so that the second before it counts, too.
+std::size_t ExtraTrials::costAt(const std::vector<DesignTrial>& list, std::size_t at) const
 {
-    DesignTrial repetition = trial;
-    repetition.anchor = AnchorKind::Repeated;
-    return repetition;
+    const std::size_t other = at + 1 < list.size() ? at + 1 : at - std::min<std::size_t>(at, 2);
+    return (at > 0 ? costOf(list[at - 1], list[at]) : 0) + (other != at ? costOf(list[at], list[other]) : 0);
 }
 
 }  // namespace protocols

@@ -11,57 +11,35 @@
 
 namespace protocols {
 
-/// What is known of the tray while these draws are made: its one piece, or the true fabric where foils come later.
-int pieceOf(const DesignTrial& trial);
-
-/// Deals the pieces of additional presentations (catch trials, anchors) to each participant. Where the tray holds one piece,
-/// each then lies there equally often, or once more, whatever the kind of presentation. The pieces that lie once more change from
-/// participant to participant. So the number of a piece's trays does not tell one kind from another. Where there are fewer
-/// additional presentations than fabrics, a piece may have none, and shows this.
-class ExtraPieces {
-public:
-    ExtraPieces(const Phase& phase, const StudySize& size, Random random);
-
-    struct Dealt {
-        std::vector<int> repeated, mismatched, caught;
-    };
-    /// Of the next participant.
-    Dealt next();
-
-private:
-    std::vector<int> nextPieces(int count);
-    /// Those that this participant, then the study (`uses`), has least.
-    std::vector<int> take(std::vector<int>& pieces, int count, int mostOfEach, std::vector<int>& uses) const;
-
-    Phase m_phase;
-    StudySize m_size;
-    Random m_random;
-    std::vector<int> m_left;                    ///< pieces that are left of the round of those that lie once more
-    std::vector<int> m_repeated, m_mismatched;  ///< [fabric]: over the study
-};
-
-/// Inserts a catch trial with each of the pieces into one participant's list of one phase. Each of equal stretches gets one at a
-/// random place. A catch trial is never first, and its piece is not that before or after it where this can be. Lists without
-/// trays get catch trials without trays.
-std::vector<DesignTrial> withCatchTrials(const std::vector<DesignTrial>& trials, std::vector<int> pieces, Random& random);
-
-/// Draws the anchors of one phase, participant by participant. They are nearly even over the study: images of mismatched
-/// presentations, conditions of repeated ones, and the pieces of both.
-class AnchorDraws {
+/// Puts the additional presentations of one phase between those of the conditions, participant by participant. The others keep
+/// their order. Lists without trays get catch trials and repetitions without trays, too: trays.h lays them.
+///
+/// Pieces. Where the tray holds one piece, each lies there equally often, or once more, whatever the kind of presentation. (If
+/// nearly every presentation is repeated, a piece that lies there more often than others has more repetitions.) The pieces that
+/// lie once more change from participant to participant, evenly where the places allow it. So the number of a piece's trays does
+/// not tell one kind from another. Where there are fewer additional presentations than fabrics, a piece may have none, and shows
+/// this. Images of mismatched presentations, conditions of repeated ones, and the pieces of both are nearly even over the study.
+///
+/// Places are drawn before the pieces: one in each of equal stretches, whose ends are drawn, too. So each place is about equally
+/// likely, except that the first places of repetitions have few originals and are rarer. No additional presentation is first. At
+/// least `blockLength` others lie between a presentation and its repetition, or half of the list where it is shorter. So a break
+/// lies between them where the list has one. Pieces are exchanged for this. Where no exchange helps, the distance is smaller, and
+/// one other always lies between. With three fabrics or more, neighbours have other pieces, and with three labels or more other
+/// labels, where that is possible.
+///
+/// One thing shows: the list never repeats a piece immediately. So an additional presentation hardly ever lies between two trays
+/// with the same true piece, only where two additional ones meet.
+class ExtraTrials {
 public:
     /// `blockLength`: presentations between two breaks.
-    AnchorDraws(const Phase& phase, const StudySize& size, int blockLength, Random random);
+    ExtraTrials(const Phase& phase, const StudySize& size, int blockLength, Random random);
 
-    /// One participant's list with anchors; the others keep their order. Each of equal stretches of the list gets one mismatched
-    /// presentation, and none is first. At least `blockLength` others lie between a presentation and its repetition, or half of
-    /// the list where it is shorter, and always one. So a break lies between them where the list has one. Neighbours have other
-    /// labels and fabrics where that is possible, as in the list itself. A repeated presentation keeps its tray; in choice phases
-    /// the lists have no trays yet, and each presentation gets its own (trays.h).
-    std::vector<DesignTrial> with(const std::vector<DesignTrial>& trials, const ExtraPieces::Dealt& pieces);
+    /// The next participant's list with catch trials and anchors.
+    std::vector<DesignTrial> with(const std::vector<DesignTrial>& trials);
 
 private:
     /// How often each label, fabric and rendering was repeated over the study.
-    struct Uses {
+    struct Repeats {
         std::vector<std::size_t> ofLabel, ofFabric, ofRendering;
 
         std::size_t renderingOf(const DesignTrial& trial) const;
@@ -71,44 +49,57 @@ private:
         /// The lower, the more even.
         std::size_t unevenness() const;
     };
-    struct Drawn {
+    /// What was drawn for the participants so far.
+    struct Uses {
+        std::vector<std::size_t> surplus;               ///< [piece]: participants who got it once more than others
+        std::vector<std::size_t> repeated, mismatched;  ///< [piece]
+        std::vector<std::size_t> images;                ///< [fabric]: mismatched presentations of its image
+        std::vector<std::size_t> pairs;                 ///< [fabric of the image][piece]: the same of each pair
+        Repeats repeats;
+    };
+    using Places = std::vector<std::size_t>;  ///< ascending
+    /// Places of the list, of which one is drawn.
+    struct Stretch {
+        std::size_t begin = 0, end = 0;
+    };
+    struct Stretches {
+        std::vector<Stretch> caught, mismatched, repeated;
+    };
+    /// One participant's list while it is drawn. A presentation that has no piece yet has the fabric -1.
+    struct Draft {
         std::vector<DesignTrial> list;
+        Places caught, mismatched, repeated;
+        std::size_t gap = 0;        ///< least distance of a repetition
+        std::vector<int> left;      ///< [piece]: additional presentations that are due, later those without repetitions
+        std::vector<int> again;     ///< [piece]: repetitions
+        std::size_t exchanged = 0;  ///< pieces that are no longer those with the fewest uses
+        std::size_t cost = 0;       ///< of neighbours that are alike
         Uses uses;
-        std::vector<int> left;  ///< [piece]: repetitions that are still due
-
-        void add(const DesignTrial& repeated)
-        {
-            uses.add(repeated);
-            --left[static_cast<std::size_t>(pieceOf(repeated))];
-        }
     };
 
-    /// What a draw of the repetitions insists on.
-    enum class Rule {
-        Spread,      ///< one repetition in each stretch, and neighbours differ
-        Neighbours,  ///< repetitions anywhere, and neighbours differ
-        Places,      ///< one repetition in each stretch
-    };
-
-    std::vector<int> drawImages(const std::vector<int>& pieces);
-    void addMismatched(std::vector<DesignTrial>& list, const std::vector<int>& pieces);
-    void addRepeated(std::vector<DesignTrial>& list, const std::vector<int>& pieces);
-    std::optional<Drawn> evenest(const std::vector<DesignTrial>& list, const std::vector<int>& left, std::size_t gap, Rule rule);
-    std::optional<Drawn> tryRepeats(const std::vector<DesignTrial>& list, const std::vector<int>& left, std::size_t gap,
-                                    Rule rule);
-    std::vector<std::size_t> drawPlaces(std::size_t room, Rule rule);
-    std::optional<std::size_t> originalFor(const Drawn& drawn, const std::vector<bool>& used, std::size_t at, std::size_t gap,
-                                           Rule rule);
-    bool mayStandBeside(const DesignTrial& trial, const std::vector<DesignTrial>& list, std::size_t at) const;
-    static DesignTrial repetitionOf(const DesignTrial& trial);
+    std::optional<Draft> bestOfSeveral(const std::vector<DesignTrial>& trials, std::size_t gap);
+    std::optional<Draft> drawn(const std::vector<DesignTrial>& trials, std::size_t gap, const Stretches& stretches,
+                               bool isLastResort = false);
+    Stretches stretchesOf(std::size_t trials, std::size_t firstRepetition);
+    std::vector<Stretch> drawStretches(std::size_t begin, std::size_t end, int count);
+    Draft withoutPieces(const std::vector<DesignTrial>& trials, std::size_t gap, const Stretches& stretches);
+    Places drawPlaces(const std::vector<Stretch>& stretches);
+    bool dealPieces(Draft& draft, bool isLastResort);
+    void dealRepetitions(Draft& draft, int rounds, bool isLastResort);
+    void repeat(Draft& draft);
+    std::optional<Draft> tryRepeats(const Draft& draft);
+    std::vector<int> take(std::vector<int>& left, int count, std::vector<std::size_t>& uses);
+    std::vector<int> drawImages(const std::vector<int>& pieces, const Uses& uses);
+    void layOthers(Draft& draft);
+    void exchangeNeighbours(Draft& draft, const Places& places) const;
+    std::vector<int> shuffledFabrics();
+    std::size_t costOf(const DesignTrial& trial, const DesignTrial& neighbour) const;
+    std::size_t costAt(const std::vector<DesignTrial>& list, std::size_t at) const;
 
     Phase m_phase;
     StudySize m_size;
     std::size_t m_blockLength;
     Random m_random;
-    std::size_t m_repeats = 0;          ///< of the present participant
-    std::vector<std::size_t> m_images;  ///< [fabric]: mismatched presentations of its image over the study
-    std::vector<std::size_t> m_pairs;   ///< [fabric of the image][piece]: the same of each pair
     Uses m_uses;
 };
 

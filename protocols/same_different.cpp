@@ -26,24 +26,44 @@ std::vector<int> shuffledRange(int count, Random& random)
     return numbers;
 }
 
+/// Two fabrics and an odd number of labels, or three fabrics and one label. If each piece lay there equally often, halves of one
+/// participant would be impossible: one tray that is left cannot be given another of the same few fabrics.
+bool hasLeftOverTray(const StudySize& size)
+{
+    return (size.fabrics == 2 && size.labels % 2 == 1) || (size.fabrics == 3 && size.labels == 1);
+}
+
 /// Which presentations are "same". The parity of the sum of three shuffled numbers halves every margin at once.
 class Halves {
 public:
     Halves(const StudySize& size, Random& random)
         : m_people(shuffledRange(size.participants, random)),
           m_labels(shuffledRange(size.labels, random)),
-          m_fabrics(shuffledRange(size.fabrics, random))
+          m_fabrics(shuffledRange(size.fabrics, random)),
+          m_isRotated(hasLeftOverTray(size) && size.fabrics == 3)
     {
-        // One tray that is left cannot be given another of the same few fabrics. All fabrics of a participant then go together.
-        if ((size.fabrics == 2 && size.labels % 2 == 1) || (size.fabrics == 3 && size.labels == 1))
-            std::ranges::fill(m_fabrics, 0);
+        // An odd number of presentations has one "same" more, or one less.
+        if (size.participants % 2 == 1 && size.labels % 2 == 1 && size.fabrics % 2 == 1)
+            m_turn = static_cast<int>(random.below(2));
     }
 
     bool isSame(std::size_t participant, int label, int fabric) const
     {
-        return (m_people[participant] + m_labels[static_cast<std::size_t>(label)] + m_fabrics[static_cast<std::size_t>(fabric)]) %
+        if (m_isRotated) {
+            const int rank = rankOf(participant, fabric);
+            return rank == 0 || (rank == 1 && (m_people[participant] + m_turn) % 2 == 0);
+        }
+        return (m_people[participant] + m_labels[static_cast<std::size_t>(label)] + m_fabrics[static_cast<std::size_t>(fabric)] +
+                m_turn) %
                    2 ==
                0;
+    }
+
+    /// Where a tray is left over: 0 for the fabric that lies there once more, and the last for the one that lies there once less.
+    int rankOf(std::size_t participant, int fabric) const
+    {
+        const int kinds = static_cast<int>(m_fabrics.size());
+        return (m_people[participant] + m_fabrics[static_cast<std::size_t>(fabric)]) % kinds;
     }
 
     /// The labels that a fabric has where it is the same, or where it is not.
@@ -57,7 +77,50 @@ public:
 
 private:
     std::vector<int> m_people, m_labels, m_fabrics;
+    bool m_isRotated = false;
+    int m_turn = 0;
 };
+
+/// The pieces on the trays. One that is left over lies there in place of another.
+Orders laidPieces(Orders pieces, const StudySize& size, const Halves& halves, Random& random)
+{
+    if (!hasLeftOverTray(size)) return pieces;
+    for (std::size_t participant = 0; participant < pieces.size(); ++participant) {
+        auto& own = pieces[participant];
+        int more = 0;
+        Places less;
+        for (int fabric = 0; fabric < size.fabrics; ++fabric)
+            if (halves.rankOf(participant, fabric) == 0) more = fabric;
+        for (std::size_t at = 0; at < own.size(); ++at)
+            if (halves.rankOf(participant, own[at].fabric) == size.fabrics - 1) less.push_back(at);
+        own[less[random.below(less.size())]].fabric = more;
+    }
+    return pieces;
+}
+
+/// What a participant sees beside the trays that are not the same, where the piece of one is left over.
+void showTheOnlyOthers(std::vector<Rendering>& order, const std::vector<Rendering>& pieces, const Places& places,
+                       const std::vector<bool>& same, int fabrics)
+{
+    std::vector<int> left(static_cast<std::size_t>(fabrics), static_cast<int>(order.size()) / fabrics);
+    for (std::size_t at = 0; at < order.size(); ++at)
+        if (same[at]) --left[static_cast<std::size_t>(order[at].fabric)];
+    for (const std::size_t at : places) {
+        // Of two that may be shown, the one that no other tray may show.
+        const auto mayShow = [&](std::size_t tray, int fabric) {
+            return pieces[tray].fabric != fabric && left[static_cast<std::size_t>(fabric)] > 0;
+        };
+        int best = 0, fewest = static_cast<int>(places.size()) + 1;
+        for (int fabric = 0; fabric < fabrics; ++fabric) {
+            const auto trays = static_cast<int>(std::ranges::count_if(places, [&](auto tray) { return mayShow(tray, fabric); }));
+            if (!mayShow(at, fabric) || trays >= fewest) continue;
+            best = fabric;
+            fewest = trays;
+        }
+        order[at].fabric = best;
+        --left[static_cast<std::size_t>(best)];
+    }
+}
 
 /// [participant][position]: a random half of the trays of each piece.
 std::vector<std::vector<bool>> drawSame(const Orders& pieces, const StudySize& size, const Halves& halves, Random& random)
@@ -305,15 +368,19 @@ void drawLabels(Orders& orders, const std::vector<std::vector<bool>>& same, cons
 
 }  // namespace
 
-SameDifferentOrders drawSameDifferent(const Orders& pieces, const StudySize& size, Random& random)
+SameDifferentOrders drawSameDifferent(const Orders& drawnPieces, const StudySize& size, Random& random)
 {
     const Halves halves(size, random);
+    const Orders pieces = laidPieces(drawnPieces, size, halves, random);
     const auto same = drawSame(pieces, size, halves, random);
     // From here on, nothing changes what lies on a tray or which trays are the same.
     Orders orders = pieces;
     const auto others = placesOfOthers(same);
     for (std::size_t participant = 0; participant < pieces.size(); ++participant)
-        exchangeOthers(orders[participant], pieces[participant], others[participant], size.fabrics, random);
+        if (hasLeftOverTray(size))
+            showTheOnlyOthers(orders[participant], pieces[participant], others[participant], same[participant], size.fabrics);
+        else
+            exchangeOthers(orders[participant], pieces[participant], others[participant], size.fabrics, random);
     drawLabels(orders, same, size, halves, random);
     const std::int64_t count = std::int64_t{size.participants} * size.labels * size.fabrics;
     ShownSearch search(pieces, same, size, others, std::move(orders));

@@ -175,19 +175,19 @@ public:
           m_slots(static_cast<std::size_t>(alternatives)),
           m_trays(std::move(trays)),
           m_trueSlots(static_cast<std::size_t>(size.labels + 1) * m_slots),
-          m_foilSlots(m_trays.size() * m_fabrics * m_slots)
+          m_pieceSlots(m_trays.size() * m_fabrics * m_slots)
     {
-        std::vector<std::int64_t> trueOf(static_cast<std::size_t>(size.labels + 1)), foils(m_trays.size() * m_fabrics);
+        std::vector<std::int64_t> trueOf(static_cast<std::size_t>(size.labels + 1)), pieces(m_trays.size() * m_fabrics);
         for (std::size_t participant = 0; participant < m_trays.size(); ++participant)
             for (std::size_t at = 0; at < m_trays[participant].size(); ++at) {
                 const Rendering& shown = m_orders[participant][at];
                 ++trueOf[rowOf(shown)];
                 for (const int fabric : m_trays[participant][at])
-                    foils[participant * m_fabrics + static_cast<std::size_t>(fabric)] += fabric != shown.fabric;
+                    pieces[participant * m_fabrics + static_cast<std::size_t>(fabric)] += countsSlot(shown, fabric);
                 count(participant, at, true);
             }
         for (const std::int64_t presentations : trueOf) m_excess -= trueWeight * leastSquares(presentations, alternatives);
-        for (const std::int64_t times : foils) m_excess -= leastSquares(times, alternatives);
+        for (const std::int64_t times : pieces) m_excess -= leastSquares(times, alternatives);
     }
 
     std::int64_t excess() const { return m_excess; }
@@ -208,6 +208,13 @@ public:
 
 private:
     static constexpr std::int64_t trueWeight = 4;
+
+    /// With two slots, a move takes each true piece and its foil together. There even slots of foils alone reveal less, except
+    /// beside additional presentations, whose true slots are no longer halves.
+    bool countsSlot(const Rendering& shown, int fabric) const
+    {
+        return m_slots > 2 || fabric != shown.fabric || isAdditional(shown);
+    }
 
     std::size_t rowOf(const Rendering& shown) const
     {
@@ -246,10 +253,11 @@ private:
         for (std::size_t slot = 0; slot < m_slots; ++slot) {
             const auto fabric = static_cast<std::size_t>(tray[slot]);
             const bool isTrue = tray[slot] == shown.fabric;
-            SquaredCounts& counts = isTrue ? m_trueSlots : m_foilSlots;
-            const std::size_t row = isTrue ? rowOf(shown) : participant * m_fabrics + fabric;
-            const std::int64_t change = adding ? counts.add(row * m_slots + slot) : counts.remove(row * m_slots + slot);
-            m_excess += (isTrue ? trueWeight : 1) * change;
+            const auto change = [&](SquaredCounts& counts, std::size_t row) {
+                return adding ? counts.add(row * m_slots + slot) : counts.remove(row * m_slots + slot);
+            };
+            if (isTrue) m_excess += trueWeight * change(m_trueSlots, rowOf(shown));
+            if (countsSlot(shown, tray[slot])) m_excess += change(m_pieceSlots, participant * m_fabrics + fabric);
         }
     }
 
@@ -258,8 +266,8 @@ private:
     std::size_t m_fabrics;
     std::size_t m_slots;
     Trays m_trays;
-    SquaredCounts m_trueSlots;  ///< [label, last the additional ones][slot], over the study
-    SquaredCounts m_foilSlots;  ///< [participant][foil][slot]
+    SquaredCounts m_trueSlots;   ///< [label, last the additional ones][slot], over the study
+    SquaredCounts m_pieceSlots;  ///< [participant][piece][slot], see countsSlot()
     std::int64_t m_excess = 0;
     PlacePair m_pair;
     std::size_t m_slot = 0;
@@ -357,6 +365,7 @@ void layOut(Trays& trays, const Orders& orders, const StudySize& size, int alter
         for (const bool additional : {false, true})
             for (Places list : places[participant]) {
                 std::erase_if(list, [&](std::size_t at) { return isAdditional(orders[participant][at]) != additional; });
+                if (list.empty()) continue;
                 const std::vector<std::size_t> slots = evenSlots(list.size(), own, study, random);
                 for (std::size_t i = 0; i < list.size(); ++i) {
                     Tray& tray = trays[participant][list[i]];

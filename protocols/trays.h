@@ -15,10 +15,12 @@ using Tray = std::vector<int>;
 /// [participant][position] for the given running orders, in which each rendering stands once per participant. Presentations with
 /// the label `additionalLabel` come beside these. Foil sets are equally frequent per true fabric and do not repeat within
 /// participant x true fabric; each fabric lies on the tray equally often per participant. True slots are equally frequent per
-/// participant x fabric and per label, slots of each foil per participant. Additional presentations share in all of this, so that
-/// no tray and no count of trays tells which they are. A participant can notice that a fabric also lay on the tray before
-/// or after, how often it appears, and its slot. All this is as frequent for foils as for true fabrics, so it does not reveal
-/// the true slot. Where this is impossible, a bounded search comes as close as it can.
+/// participant x fabric and per label. Slots of each piece are equally frequent per participant, over true pieces and foils
+/// together, so that a piece does not lie oftener in its slot where it is the true one. Where the trays of a piece are no
+/// multiple of the slots, this shows a little. Additional presentations share in all of this, so that no tray and no count of
+/// trays tells which they are. A participant can notice that a fabric also lay on the tray before or after, how often it appears,
+/// and its slot. All this is as frequent for foils as for true fabrics, so it does not reveal the true slot. Where this is
+/// impossible, a bounded search comes as close as it can.
 ///
 /// With FewSwaps a fabric of two trays in a row keeps its slot, and trays in a row share more fabrics. True slots are then drawn
 /// at random and only as even as chance makes them. Foil sets stay as even.

@@ -14,6 +14,9 @@ using nlohmann::ordered_json;
 constexpr const char* notCounted = "nobody gave the owner's passphrase: hits cannot be counted";
 constexpr const char* answersAreEvidence =
     "The answers of the participants are no part of any attack: they are evidence that no seal can hide.";
+constexpr const char* redrawnWithPresentDraws =
+    "Designs were redrawn from the public seed with the draws of this version only. A study that versions up to 0.6.0 made was "
+    "drawn by theirs from that seed itself: whoever has such a version can draw it again, upgraded or not.";
 constexpr const char* memoryTells =
     "Whoever reads the memory of the running program finds the image on display and the station key. The program marks itself as "
     "not "
@@ -116,7 +119,7 @@ ordered_json jsonOf(const LeakReport& report)
           {"pieces_right", report.hasTruth ? ordered_json(station.hits) : ordered_json()}}},
         {"verdicts",
          {{"operator", verdictOfOperator(report)}, {"station_key", verdictOfStation(report)}, {"owner", verdictOfOwner(report)}}},
-        {"notes", {answersAreEvidence, memoryTells}},
+        {"notes", {answersAreEvidence, redrawnWithPresentDraws, memoryTells}},
         {"why", why}};
 }
 
@@ -139,7 +142,7 @@ std::string textOf(const LeakReport& report)
         text += "other users of this computer: can read " + std::to_string(report.modes.size()) + " files and folders\n";
     text += "with the station key too: " + verdictOfStation(report) + "\n";
     text += std::string("with the owner's passphrase: ") + verdictOfOwner(report) + "\n";
-    return text + answersAreEvidence + "\n" + memoryTells + "\n";
+    return text + answersAreEvidence + "\n" + redrawnWithPresentDraws + "\n" + memoryTells + "\n";
 }
 
 }  // namespace study::leaks

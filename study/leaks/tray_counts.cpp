@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "protocols/random.h"
 #include "study/leaks/questions.h"
@@ -35,7 +36,13 @@ class TrayList {
 public:
     TrayList(const SeenStudy& study, const TrialNumbers& numbers)
     {
-        for (const std::size_t number : numbers) m_sets.push_back(setOf(study.trials[number]));
+        for (const std::size_t number : numbers) {
+            const SeenTrial& trial = study.trials[number];
+            m_sets.push_back(setOf(trial));
+            auto& slots = m_slots.emplace_back();
+            for (std::size_t slot = 0; slot < trial.tray.size(); ++slot) slots.emplace_back(trial.tray[slot], slot);
+            for (const auto& lies : slots) ++m_inSlots[lies];
+        }
     }
 
     std::size_t size() const { return m_sets.size(); }
@@ -69,6 +76,23 @@ public:
             if (sharedWith(at, other) > 0) return steps;
         return 0;
     }
+    /// Trays with this piece in this slot, for each slot.
+    std::vector<long> inItsSlot(std::size_t at) const
+    {
+        std::vector<long> counts;
+        for (const auto& lies : m_slots[at]) counts.push_back(m_inSlots.at(lies));
+        return counts;
+    }
+    /// The pieces that lie most often in the slot that they have here; with the sign -1, least often. None where all do.
+    std::string oftenInItsSlot(std::size_t at, long sign) const
+    {
+        const auto counts = inItsSlot(at);
+        const auto [fewest, most] = std::ranges::minmax(counts);
+        std::string pieces;
+        for (std::size_t slot = 0; fewest < most && slot < counts.size(); ++slot)
+            if (counts[slot] == (sign > 0 ? most : fewest)) pieces += (pieces.empty() ? "" : " ") + m_slots[at][slot].first;
+        return pieces;
+    }
     bool isBetweenEqual(std::size_t at) const { return at > 0 && at + 1 < size() && m_sets[at - 1] == m_sets[at + 1]; }
 
 private:
@@ -79,7 +103,11 @@ private:
         return counts;
     }
 
+    using PieceInSlot = std::pair<std::string, std::size_t>;
+
     std::vector<PieceSet> m_sets;
+    std::vector<std::vector<PieceInSlot>> m_slots;
+    std::map<PieceInSlot, long> m_inSlots;  ///< trays
 };
 
 struct TrayCount {
@@ -101,6 +129,10 @@ const std::vector<TrayCount>& kindsOfCounts()
         {"trays since a piece lay there", [](auto& list, auto at) { return list.away(at, -1); }},
         {"trays until a piece comes again", [](auto& list, auto at) { return list.away(at, 1); }},
         {"between two equal trays", [](auto& list, auto at) { return long{list.isBetweenEqual(at)}; }},
+        {"trays with a piece in its slot, most", [](auto& list, auto at) { return std::ranges::max(list.inItsSlot(at)); }},
+        {"trays with a piece in its slot, fewest", [](auto& list, auto at) { return std::ranges::min(list.inItsSlot(at)); }},
+        {"place in the list", [](auto&, auto at) { return static_cast<long>(at) + 1; }},
+        {"trials from the end", [](auto& list, auto at) { return static_cast<long>(list.size() - at); }},
     };
     return counts;
 }
@@ -161,14 +193,21 @@ void nameLikeliest(const TrialNumbers& list, const Feature& feature, const Likel
 
 std::vector<Feature> trayCounts(const SeenStudy& study)
 {
+    const auto& kinds = kindsOfCounts();
     std::vector<Feature> features;
-    for (const TrayCount& count : kindsOfCounts())
+    for (const TrayCount& count : kinds)
         features.push_back({std::string("trays: ") + count.name, std::vector<std::string>(study.trials.size())});
+    for (const char* often : {"most", "least"})
+        features.push_back(
+            {std::string("trays: piece ") + often + " often in its slot", std::vector<std::string>(study.trials.size())});
     for (const TrialNumbers& numbers : listsIn(study)) {
         const TrayList list(study, numbers);
-        for (std::size_t kind = 0; kind < features.size(); ++kind)
-            for (std::size_t at = 0; at < numbers.size(); ++at)
-                features[kind].values[numbers[at]] = std::to_string(kindsOfCounts()[kind].of(list, at));
+        for (std::size_t at = 0; at < numbers.size(); ++at) {
+            for (std::size_t kind = 0; kind < kinds.size(); ++kind)
+                features[kind].values[numbers[at]] = std::to_string(kinds[kind].of(list, at));
+            features[kinds.size()].values[numbers[at]] = list.oftenInItsSlot(at, 1);
+            features[kinds.size() + 1].values[numbers[at]] = list.oftenInItsSlot(at, -1);
+        }
     }
     return features;
 }

@@ -1,5 +1,5 @@
-// What can be counted on the trays of one participant: how often pieces and sets of pieces lie there, and what lies before and
-// after. And guessers of anchors by these counts.
+// What can be counted on the trays of one participant: how often pieces and sets of pieces lie there, and in which slot, what
+// lies before and after, and where the tray stands in the list. And guessers of anchors by these counts.
 #pragma once
 
 #include <vector>

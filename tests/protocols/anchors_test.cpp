@@ -1,5 +1,6 @@
 // Anchor trials: what a protocol may ask for, where they stand in the running orders, and how the key recognises them.
 #include <QTest>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -205,6 +206,82 @@ private Q_SLOTS:
                 }
                 QCOMPARE(originals.size(), 3u + 5u);
             }
+    }
+
+    /// With one condition a piece has one original, which must stand early enough for its repetition.
+    void aRepetitionKeepsItsDistanceWithFewConditions_data()
+    {
+        QTest::addColumn<int>("fabrics");
+        QTest::addColumn<QString>("conditions");
+        QTest::addColumn<int>("caught");
+        QTest::addColumn<int>("repeated");
+        QTest::newRow("one condition") << 8 << R"("h")" << 0 << 3;
+        QTest::newRow("one condition and a catch trial") << 6 << R"("h")" << 1 << 1;
+        QTest::newRow("two conditions") << 6 << R"("h", "f")" << 1 << 2;
+    }
+
+    void aRepetitionKeepsItsDistanceWithFewConditions()
+    {
+        QFETCH(int, fabrics);
+        QFETCH(QString, conditions);
+        QFETCH(int, caught);
+        QFETCH(int, repeated);
+        const QString json = QStringLiteral(R"({"schema": "vis2hap.protocol/1", "name": "a", "participants": 8, "fabrics": %1,
+            "conditions": [%2], "phases": [{"questions": ["Q1"], "alternatives": 3, "catch_trials": %3,
+            "anchors": {"repeated": %4}}]})")
+                                 .arg(fabrics)
+                                 .arg(conditions)
+                                 .arg(caught)
+                                 .arg(repeated);
+        const Protocol protocol = protocolFromJson(json.toStdString(), "test");
+        const auto distance =
+            static_cast<std::size_t>(std::min(protocol.breakAfterPresentations + 1, (protocol.presentations() - repeated) / 2));
+        for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6})
+            for (const auto& list : drawDesign(protocol, seed).participants) {
+                std::map<int, int> pieces;
+                for (std::size_t at = 0; at < list.size(); ++at) {
+                    if (list[at].label < 0 || list[at].anchor != AnchorKind::None) ++pieces[list[at].fabric];
+                    if (list[at].anchor == AnchorKind::Repeated) QVERIFY(at - originalOf(list, at) >= distance);
+                }
+                QVERIFY2(spreadOf(pieces, fabrics) <= 1, "pieces of additional presentations");
+            }
+    }
+
+    /// Formerly the last trial was a repetition in 53 to 91 % of the lists, and the second a catch trial in 65 %.
+    void eachPlaceIsEquallyLikely_data()
+    {
+        QTest::addColumn<QString>("phase");
+        QTest::addColumn<QString>("conditions");
+        QTest::newRow("one condition") << R"("alternatives": 3, "catch_trials": 2, "anchors": {"repeated": 2})"
+                                       << R"("h")";
+        QTest::newRow("two conditions") << R"("scale": {"min": 0, "max": 10}, "catch_trials": 4, "anchors": {"repeated": 2})"
+                                        << R"("h", "f")";
+        QTest::newRow("three conditions") << R"("alternatives": 2, "catch_trials": 3, "anchors": {"repeated": 3})"
+                                          << R"("v_grey", "h", "f")";
+    }
+
+    void eachPlaceIsEquallyLikely()
+    {
+        QFETCH(QString, phase);
+        QFETCH(QString, conditions);
+        const QString json = QStringLiteral(R"({"schema": "vis2hap.protocol/1", "name": "a", "participants": 8, "fabrics": 6,
+            "conditions": [%1], "break_after": 10, "phases": [{"questions": ["Q1"], %2}]})")
+                                 .arg(conditions, phase);
+        const Protocol protocol = protocolFromJson(json.toStdString(), "test");
+        const Phase& asked = protocol.phases.front();
+        const int length = protocol.presentations(), others = length - asked.anchors.repeated, gap = std::min(11, others / 2);
+        int last = 0, second = 0, lists = 0;
+        for (std::uint64_t seed = 1; seed <= 20; ++seed)
+            for (const auto& list : drawDesign(protocol, seed).participants) {
+                last += list.back().anchor == AnchorKind::Repeated;
+                second += list[1].label == catchTrialLabel;
+                ++lists;
+            }
+        const auto isNear = [&](int count, double share) {
+            return std::abs(count - share * lists) < 4 * std::sqrt(share * (1 - share) * lists);
+        };
+        QVERIFY2(isNear(last, static_cast<double>(asked.anchors.repeated) / (length - gap)), qPrintable(QString::number(last)));
+        QVERIFY2(isNear(second, static_cast<double>(asked.catchTrials) / (others - 1)), qPrintable(QString::number(second)));
     }
 
     void anotherFabricLiesOnTheTrayOfAMismatch()

@@ -172,6 +172,29 @@ std::vector<std::string> foundByCounts(const std::vector<Design>& all, const Pro
     return found;
 }
 
+/// Choices among three, with catch trials and repetitions.
+Protocol choices(int fabrics, const std::string& conditions, int caught, int repeated)
+{
+    return fromJson(R"({"questions": ["Q1"], "alternatives": 3, "catch_trials": )" + std::to_string(caught) +
+                        R"(, "anchors": {"repeated": )" + std::to_string(repeated) + "}}",
+                    8, fabrics, conditions);
+}
+
+/// Whether "the piece that lies most often in the slot that it has here" is the true one. Equal ones share the guess.
+double truthByItsSlot(const std::vector<DesignTrial>& list, const DesignTrial& trial)
+{
+    std::vector<std::pair<long, bool>> guesses;
+    for (std::size_t slot = 0; slot < trial.alternatives.size(); ++slot) {
+        const int piece = trial.alternatives[slot];
+        const auto lies = [&](const DesignTrial& other) { return other.alternatives[slot] == piece; };
+        guesses.emplace_back(std::ranges::count_if(list, lies), piece == trial.fabric);
+    }
+    const long most = std::ranges::max(guesses).first;
+    const auto isGuessed = [&](const auto& guess) { return guess.first == most; };
+    return static_cast<double>(std::ranges::count(guesses, std::pair(most, true))) /
+           static_cast<double>(std::ranges::count_if(guesses, isGuessed));
+}
+
 bool names(const std::vector<std::string>& found, const std::string& guesser)
 {
     return std::ranges::find(found, guesser) != found.end();
@@ -314,7 +337,8 @@ private Q_SLOTS:
             }
         QVERIFY(again.isAtChance("the same pieces lay there a block earlier"));
         QVERIFY(rare.isAtChance("holds a piece that lies there once less"));
-        QCOMPARE(foundByCounts(all, protocol), std::vector<std::string>());
+        // 10 or 11 trays of a piece cannot be even over three slots, which tells true pieces a little.
+        for (const auto& found : foundByCounts(all, protocol)) QVERIFY2(!found.starts_with("anchor"), found.c_str());
     }
 
     void repetitionsWithTheirOldFoilsAreSeenThrough()
@@ -329,6 +353,64 @@ private Q_SLOTS:
                                          })->alternatives;
                 }
         QVERIFY(names(foundByCounts(all, repeatedChoices()), "anchor by trays: earlier trays with the same pieces"));
+    }
+
+    /// Formerly slots were even without the true pieces of catch trials and repetitions: this guess found 60 % of them.
+    void noSlotNamesTheTruePieceOfAnAdditionalPresentation_data()
+    {
+        QTest::addColumn<int>("fabrics");
+        QTest::addColumn<QString>("conditions");
+        QTest::addColumn<int>("caught");
+        QTest::addColumn<int>("repeated");
+        QTest::addColumn<double>("most");
+        QTest::newRow("as many as fabrics") << 7 << R"("v_grey", "f", "h")" << 4 << 3 << 0.42;
+        QTest::newRow("fewer than fabrics") << 9 << R"("v_grey", "f", "h")" << 0 << 5 << 0.42;
+        QTest::newRow("slots that do not go into the conditions") << 6 << R"("v_grey", "f", "h", "h&f")" << 0 << 0 << 0.36;
+        QTest::newRow("one condition") << 8 << R"("h")" << 0 << 0 << 0.42;
+    }
+
+    void noSlotNamesTheTruePieceOfAnAdditionalPresentation()
+    {
+        QFETCH(int, fabrics);
+        QFETCH(QString, conditions);
+        QFETCH(int, caught);
+        QFETCH(int, repeated);
+        QFETCH(double, most);
+        const Protocol protocol = choices(fabrics, conditions.toStdString(), caught, repeated);
+        std::map<bool, Share> shares;  // of additional presentations, and of the others
+        for (const Design& design : designsOf(protocol, 2 * designs()))
+            for (const auto& list : design.participants)
+                for (const DesignTrial& trial : list) {
+                    Share& share = shares[trial.label < 0 || trial.anchor != AnchorKind::None];
+                    share.hits += truthByItsSlot(list, trial);
+                    ++share.trials;
+                }
+        for (const auto& [isAdditional, share] : shares) {
+            isAtChance(share, 0);
+            QVERIFY2(share.rate() < most, qPrintable(QString("%1 %").arg(100 * share.rate())));
+        }
+    }
+
+    void truePiecesThatStayInTheirSlotAreSeenThrough()
+    {
+        const Protocol protocol = choices(6, R"("v_grey", "f", "h")", 0, 0);
+        auto all = designsOf(protocol, 2);
+        for (Design& design : all)
+            for (auto& list : design.participants)
+                for (DesignTrial& trial : list) {
+                    auto& tray = trial.alternatives;
+                    std::swap(*std::ranges::find(tray, trial.fabric), tray[static_cast<std::size_t>(trial.fabric % 3)]);
+                }
+        QVERIFY(names(foundByCounts(all, protocol), "true piece by trays: piece most often in its slot"));
+    }
+
+    void repetitionsAtTheEndAreSeenThrough()
+    {
+        auto all = designsOf(repeatedChoices(), 2);
+        for (Design& design : all)
+            for (auto& list : design.participants)
+                std::ranges::stable_partition(list, [](const DesignTrial& trial) { return trial.anchor == AnchorKind::None; });
+        QVERIFY(names(foundByCounts(all, repeatedChoices()), "anchor by trays: trials from the end"));
     }
 
     void additionalPresentationsLieEvenlyOnTheTraysOfRatings()

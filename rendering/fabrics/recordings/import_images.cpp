@@ -134,6 +134,7 @@ std::vector<std::string> importPhotos(const ImportRequest& request, ImportStage&
         countSample(counts, fabric, slot.index, picture);
     }
     std::vector<std::string> lines = linesFor(counts, dataset, "photograph", "scale unknown");
+    if (auto line = picturesLeftOut(request.from, photographEndings()); !line.empty()) lines.push_back(std::move(line));
     if (dataset.cameraMmPerPixel) {
         lines.push_back("the data set no longer states the scale of the camera (" +
                         protocols::shortest(*dataset.cameraMmPerPixel) +

@@ -1,6 +1,8 @@
 #include "rendering/fabrics/recordings/import_sources.h"
 
 #include <algorithm>
+#include <set>
+#include <system_error>
 #include <tuple>
 
 #include "protocols/files/errors.h"
@@ -65,6 +67,28 @@ std::string lowerCase(std::string text)
     for (char& c : text)
         if (c >= 'A' && c <= 'Z') c = char(c + 32);
     return text;
+}
+
+std::string picturesLeftOut(std::span<const fs::path> from, std::span<const std::string_view> endings)
+{
+    constexpr std::string_view otherPictures[] = {".arw",  ".avif", ".cr2", ".cr3", ".dng", ".gif", ".heic",
+                                                  ".heif", ".jp2",  ".nef", ".orf", ".raf", ".webp"};
+    std::set<std::string> kinds;
+    std::size_t count = 0;
+    for (const fs::path& source : from) {
+        std::error_code problem;
+        for (const auto& entry :
+             fs::recursive_directory_iterator(source, fs::directory_options::skip_permission_denied, problem)) {
+            const bool isHidden = entry.path().filename().string().starts_with('.');
+            if (isHidden || hasEnding(entry.path(), endings) || !hasEnding(entry.path(), otherPictures)) continue;
+            kinds.insert(lowerCase(entry.path().extension().string()));
+            ++count;
+        }
+    }
+    if (count == 0) return {};
+    const std::vector<std::string> names(kinds.begin(), kinds.end());
+    return std::to_string(count) + (count == 1 ? " picture was" : " pictures were") + " left out (" +
+           listed(std::vector<std::string_view>(names.begin(), names.end())) + "); convert to PNG what belongs to the data set";
 }
 
 std::vector<SourceFile> sourceFiles(std::span<const fs::path> from, std::span<const std::string_view> endings,

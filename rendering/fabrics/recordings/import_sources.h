@@ -25,6 +25,10 @@ enum class FabricNaming {
 std::vector<SourceFile> sourceFiles(std::span<const std::filesystem::path> from, std::span<const std::string_view> endings,
                                     FabricNaming naming);
 
+/// A line about pictures of other formats in the folders (HEIC, WebP, raw files of cameras), which sourceFiles() leaves out;
+/// empty if there are none.
+std::string picturesLeftOut(std::span<const std::filesystem::path> from, std::span<const std::string_view> endings);
+
 std::string lowerCase(std::string text);
 
 }  // namespace rendering::fabrics

@@ -104,6 +104,17 @@ private Q_SLOTS:
         QVERIFY(contains(refusalOf([&] { import(ImportKind::Photos, {m_in}); }), "8 or 16 bits"));
     }
 
+    void picturesOfOtherFormatsAreNamed()
+    {
+        write(m_in / "A_1.tif", tests::support::tiffOfOneColour(2, 1));
+        write(m_in / "B_1.HEIC", "not read");
+        write(m_in / "sub" / "C_1.webp", "not read");
+        write(m_in / "list.txt", "not a picture");
+        const auto lines = import(ImportKind::Photos, {m_in});
+        QCOMPARE(lines.back(),
+                 std::string("2 pictures were left out (.heic, .webp); convert to PNG what belongs to the data set"));
+    }
+
     void webpIsNotOffered()
     {
         const std::string refusal = refusalOf([&] { import(ImportKind::Photos, {m_in}); });

@@ -168,7 +168,7 @@ bool hasEqualElements(const json& list)
 void checkUniqueness(json& schema, const json& document, SchemaFaultList& faults)
 {
     for (auto& [key, rule] : schema["properties"].items())
-        if (rule.erase("uniqueItems") > 0 && document.is_object() && document.contains(key) && document[key].is_array() &&
+        if (rule.erase("uniqueItems") > 0 && document.contains(key) && document[key].is_array() &&
             hasEqualElements(document[key]))
             faults.add({key, key + ": " + inBrief(document[key]) + ", expected " + expectationAt(schema, {key})});
 }
@@ -193,6 +193,10 @@ json withShortTexts(const json& value)
 SchemaFaults schemaFaultsOf(const json& document, ProtocolEdition edition)
 {
     SchemaFaultList faults;
+    if (!document.is_object()) {
+        faults.add({"", "the protocol: " + inBrief(document) + ", expected an object with the fields of a protocol"});
+        return faults.take();
+    }
     const std::size_t values = checkLengths(document, "", faults);
     if (values > mostValues)
         faults.add({"", "the protocol: " + std::to_string(values) + " values, expected at most " + std::to_string(mostValues)});

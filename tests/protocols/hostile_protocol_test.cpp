@@ -63,6 +63,12 @@ class HostileProtocolTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void whatIsNoObjectIsNamed()
+    {
+        QCOMPARE(faultsIn("[1, 2]"), QStringList{"the protocol: a list of 2, expected an object with the fields of a protocol"});
+        QCOMPARE(faultsIn("7"), QStringList{"the protocol: 7, expected an object with the fields of a protocol"});
+    }
+
     void anIdThatWouldBreakATableIsRefusedByName_data()
     {
         QTest::addColumn<QStringList>("ids");

@@ -61,8 +61,9 @@ std::string anchoredCsv()
                     const int answer = again && mixed % 3 == 0 ? 2 : mixed % 4 == 0 ? 3 : (f + mixed / 8) % 3;
                     add(row("Q1"), again ? R"("[""F1"",""F2"",""F5""]")" : R"("[""F1"",""F2"",""F3""]")", answer, anchor);
                     add(row("Five"), R"("[""F1"",""F2"",""F3"",""F4"",""F5""]")", answer, anchor);
-                    csv += row("Q2") + ",[],,," + std::to_string((mixed * 7 + 11 * c + 5 * again) % 100 / 10.0) + "," + anchor +
-                           "\n";
+                    const int shift = again ? 5 + (p * p + 3 * c) % 7 : 0;  // differences that are all equal have no test in R
+                    const int tenths = (mixed * 7 + 11 * c * (p + 2) + shift) % 100;
+                    csv += row("Q2") + ",[],,," + std::to_string(tenths / 10.0) + "," + anchor + "\n";
                 }
             }
     return csv;

@@ -16,10 +16,7 @@ namespace {
 using Json = nlohmann::json;
 using namespace std::chrono_literals;
 
-constexpr auto patience = 4000ms;  ///< of an operator who waits for a presentation
-constexpr auto storing = 1500ms;   ///< until an answer goes into the queue, and of a sign of life
-constexpr auto rest = 2000ms;      ///< after a lost connection, until an operator's step tries again
-constexpr auto leaving = 1000ms;
+constexpr auto rest = 2000ms;  ///< after a lost connection, until an operator's step tries again
 constexpr auto nearlyNothing = 0ms;
 constexpr std::size_t keptImages = 4;
 constexpr int mostSlots = 100'000;  ///< more than any protocol has participants
@@ -83,7 +80,8 @@ auto reading(const std::string& address, const Read& read)
 
 }  // namespace
 
-StationStore::StationStore(const StudyFolder& folder) : m_folder(folder), m_lock(folder), m_note(noteOf(folder)), m_queue(folder)
+StationStore::StationStore(const StudyFolder& folder, ServerPatience patience)
+    : m_folder(folder), m_patience(patience), m_lock(folder), m_note(noteOf(folder)), m_queue(folder)
 {
     connectNow();
     sendWaiting();
@@ -93,7 +91,7 @@ StationStore::~StationStore()
 {
     if (!m_link) return;
     try {
-        m_link->call("leave", {}, leaving);
+        m_link->call("leave", {}, m_patience.answer);
     } catch (const std::exception&) {
         // The server frees the participant when it has heard nothing for a while.
     }
@@ -108,7 +106,7 @@ void StationStore::connectNow()
 {
     m_attempt.reset();
     auto link = std::make_unique<ServerLink>(serverAddressFrom(m_note.address));
-    const ServerReply joined = link->call("join_study", joining(), patience);
+    const ServerReply joined = link->call("join_study", joining(), m_patience.presentation);
     m_link = std::move(link);
     m_fault.clear();
     takeStudy(joined.json);
@@ -149,7 +147,7 @@ Json StationStore::asked(const char* function, const QVariantList& arguments) co
 {
     if (!m_link) throw away();
     try {
-        return m_link->call(function, arguments, patience).json;
+        return m_link->call(function, arguments, m_patience.presentation).json;
     } catch (const ServerAway& fault) {
         loseLink(fault.what());
         throw;
@@ -306,7 +304,7 @@ protocols::BlindedTrial StationStore::dueTrial(int, protocols::TrialNumber numbe
 {
     requireLink();
     try {
-        const ServerReply reply = m_link->callForImage("presentation", {number.value}, patience);
+        const ServerReply reply = m_link->callForImage("presentation", {number.value}, m_patience.presentation);
         return reading(m_note.address, [&] {
             protocols::BlindedTrial trial = trialIn(reply.json);
             if (m_givesTickets || m_images.size() >= keptImages) m_images.clear();  // only the last ticket holds
@@ -326,7 +324,7 @@ ReleasedImage StationStore::image(const protocols::SealedCode& code)
     if (code.value.starts_with(familiarisationPrefix)) {
         requireLink();
         const int position = std::stoi(code.value.substr(std::string(familiarisationPrefix).size()));
-        const ServerReply reply = m_link->callForImage("familiarisation_image", {position}, patience);
+        const ServerReply reply = m_link->callForImage("familiarisation_image", {position}, m_patience.presentation);
         return m_images[code] = {reply.image, reply.key};
     }
     const auto trial = std::ranges::find(m_trials, code, &protocols::BlindedTrial::sealedCode);
@@ -338,7 +336,7 @@ ReleasedImage StationStore::image(const protocols::SealedCode& code)
 
 std::int64_t StationStore::send(const AnswerQueue::Entry& entry)
 {
-    const ServerReply reply = m_link->call("store", {toQt(entry.json)}, storing);
+    const ServerReply reply = m_link->call("store", {toQt(entry.json)}, m_patience.answer);
     m_head = reading(m_note.address, [&] { return headIn(reply.json); });
     return reading(m_note.address, [&] { return reply.json.at("event").get<std::int64_t>(); });
 }
@@ -418,7 +416,7 @@ void StationStore::refresh()
         if (m_link) {
             const auto now = std::chrono::steady_clock::now();
             if (isReady(m_alive)) (void)m_alive.get();
-            if (m_alive.valid() && now - m_signAt > storing)
+            if (m_alive.valid() && now - m_signAt > m_patience.answer)
                 throw ServerAway({"the server does not answer", m_note.address, "", "check the network and the server"});
             if (m_alive.valid()) return;
             m_signAt = now;

@@ -17,11 +17,17 @@
 
 namespace database {
 
+/// How long a step waits for a server before it counts as away.
+struct ServerPatience {
+    std::chrono::milliseconds presentation{4000};  ///< of an operator who waits for the next one
+    std::chrono::milliseconds answer{1500};        ///< until it goes into the queue; also of signs of life and of leaving
+};
+
 class StationStore final : public SessionStore {
 public:
     /// Joins the study of the folder's note and sends what waits there. Throws ServerAway, and badInput for a login without the
     /// right.
-    explicit StationStore(const StudyFolder& folder);
+    explicit StationStore(const StudyFolder& folder, ServerPatience patience = {});
     ~StationStore() override;
     StationStore(const StationStore&) = delete;
     StationStore& operator=(const StationStore&) = delete;
@@ -79,6 +85,7 @@ private:
     void setAside(const AnswerQueue::Entry& first, const std::string& why);
 
     StudyFolder m_folder;
+    ServerPatience m_patience;
     WriteLock m_lock;
     ServerNote m_note;
     AnswerQueue m_queue;

@@ -266,7 +266,7 @@ void StationsTest::aSilentNetworkStopsNobodyForLong()
     const StudyFolder owner = studyOnServer("silent");
     CutNetwork network(m_server->port());
     const StudyFolder place = station("silent", "left", network.port());
-    ServerSession session(place, "P01");
+    ServerSession session(place, "P01", database::ParticipantKind::Human, false, {});
     session.stepUntil("Presenting");
     network.silence();
     QElapsedTimer timer;
@@ -291,7 +291,7 @@ void StationsTest::aSilentNetworkIsNoticedWithoutAnAnswer()
     const StudyFolder owner = studyOnServer("unanswered");
     CutNetwork network(m_server->port());
     const StudyFolder place = station("unanswered", "left", network.port());
-    ServerSession session(place, "P01");
+    ServerSession session(place, "P01", database::ParticipantKind::Human, false, {});
     session.stepUntil("Presenting");
     network.silence();
     session.store.refresh();

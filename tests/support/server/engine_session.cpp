@@ -7,6 +7,7 @@
 #include "study/session/station_images.h"
 #include "study/session/stimuli.h"
 #include "tests/support/raw_sqlite.h"
+#include "tests/support/server/server_session.h"
 
 namespace tests::support {
 
@@ -47,7 +48,7 @@ EngineSession::EngineSession(const database::StudyFolder& folder, const std::str
                              const study::session::OperatedBy& operatedBy)
 {
     if (database::readServerNote(folder.folder)) {
-        auto station = std::make_unique<database::StationStore>(folder);
+        auto station = std::make_unique<database::StationStore>(folder, unhurried);
         images = std::make_unique<study::session::StationImages>(*station);
         store = std::move(station);
     } else {

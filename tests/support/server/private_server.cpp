@@ -61,7 +61,9 @@ PrivateServer::PrivateServer() : m_port(freePort())
     run("initdb", {"-D", data(), "-E", "UTF8", "--locale=C.UTF-8", "-A", "trust", "-U", "owner", "--no-sync"});
     QFile settings(data() + "/postgresql.conf");
     if (!settings.open(QIODevice::Append)) throw std::runtime_error("the server's settings cannot be written");
-    settings.write(QString("listen_addresses = '127.0.0.1'\nport = %1\nunix_socket_directories = ''\nmax_connections = 200\n")
+    // Tests kill processes, never the computer: what the server wrote stays without a sync, and no busy disk holds up a test.
+    settings.write(QString("listen_addresses = '127.0.0.1'\nport = %1\nunix_socket_directories = ''\nmax_connections = 200\n"
+                           "fsync = off\nfull_page_writes = off\n")
                        .arg(m_port)
                        .toUtf8());
     settings.close();

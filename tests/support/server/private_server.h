@@ -25,7 +25,7 @@ public:
     /// What the server has written into its log.
     QByteArray log() const;
 
-    /// Kills all processes of the server at once, as a power cut does.
+    /// Kills all processes of the server at once.
     void kill();
     void start();
     void stop();

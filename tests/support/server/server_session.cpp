@@ -3,8 +3,8 @@
 namespace tests::support {
 
 ServerSession::ServerSession(const database::StudyFolder& folder, const std::string& participant, database::ParticipantKind kind,
-                             bool isFetching)
-    : store(folder), images(store)
+                             bool isFetching, database::ServerPatience patience)
+    : store(folder, patience), images(store)
 {
     display.isFetching = isFetching;
     driver = std::make_unique<study::session::Driver>(store, protocols::ParticipantId(participant), kind, images, display, clock);

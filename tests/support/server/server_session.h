@@ -7,10 +7,14 @@
 
 namespace tests::support {
 
+/// Of tests without a silent network: a busy computer must not look like one.
+inline constexpr database::ServerPatience unhurried{std::chrono::seconds(60), std::chrono::seconds(60)};
+
 struct ServerSession : SessionHands {
     /// `folder`: of a station, or of the study's owner. `isFetching`: the display turns tickets into images.
     ServerSession(const database::StudyFolder& folder, const std::string& participant,
-                  database::ParticipantKind kind = database::ParticipantKind::Human, bool isFetching = false);
+                  database::ParticipantKind kind = database::ParticipantKind::Human, bool isFetching = false,
+                  database::ServerPatience patience = unhurried);
     ~ServerSession() { driver.reset(); }
 
     database::StationStore store;

@@ -1,7 +1,7 @@
 #include "protocols/files/strict_json.h"
 
 #include <algorithm>
-#include <deque>
+#include <forward_list>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -163,16 +163,22 @@ std::size_t beginOf(std::string_view text, const std::vector<std::string>& steps
 /// The keys of an object so far. Those without escapes are not copied: an object may have millions of them.
 class KeysSoFar {
 public:
+    KeysSoFar() = default;
+    KeysSoFar(KeysSoFar&&) = default;
+    KeysSoFar& operator=(KeysSoFar&&) = default;
+    KeysSoFar(const KeysSoFar&) = delete;  // the keys of a copy would lie in the original
+    KeysSoFar& operator=(const KeysSoFar&) = delete;
+
     /// False where the object has the key already. `quoted`: the key with its quotes; its text must outlive this value.
     bool add(std::string_view quoted)
     {
         if (quoted.find('\\') == std::string_view::npos) return m_keys.insert(quoted.substr(1, quoted.size() - 2)).second;
-        return m_keys.insert(m_decoded.emplace_back(Cursor(quoted).readString())).second;
+        return m_keys.insert(m_decoded.emplace_front(Cursor(quoted).readString())).second;
     }
 
 private:
-    std::deque<std::string> m_decoded;  // its texts keep their places
-    std::set<std::string_view> m_keys;  // not hashed: a text could be made of keys with one hash
+    std::forward_list<std::string> m_decoded;  // its texts keep their places
+    std::set<std::string_view> m_keys;         // not hashed: a text could be made of keys with one hash
 };
 
 /// The keys that occur twice in their object. Finding a place takes a walk through the text, so only the first ones have it.

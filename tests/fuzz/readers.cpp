@@ -199,7 +199,10 @@ std::vector<Reader> textReaders()
     const auto key = protocols::SecretKey::ofHex(std::string(64, '7'), "key");
     const std::string content(400, 'x');
     return {
-        {"json", {smallProtocol, smallScript, R"({"a/b":[1,-0.5e3,"\u00e4\\",null,true]})"}, readJson},
+        {"json",
+         {smallProtocol, smallScript, R"({"a/b":[1,-0.5e3,"\u00e4\\",null,true]})",
+          R"({"\u0061":{"\u0062":[{"\u0063":{"d":1}}]},"e":2})"},
+         readJson},
         {"csv", {recordText("t_s,a,b", 3, ','), "a;b\n\"1,5\";2\n", "\"a\"\"b\",c\r\n\"x\ny\",NA\r\n"}, readTable},
         {"id", {"P01", "P 01", "\xE5\x8F\x82", "../victim", "a\xE2\x80\xAE"}, readId},
         {"protocol",

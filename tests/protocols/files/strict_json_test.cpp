@@ -199,6 +199,21 @@ private Q_SLOTS:
         QVERIFY2(brief.contains("'" + QString(99, 'x') + "...' (line 1, column 5107)"), qPrintable(brief));
     }
 
+    /// Before, the escaped keys of an object were lost when objects within it opened.
+    void escapedKeysAroundOtherObjectsAreCompared()
+    {
+        const std::string before = R"({"\u0061":1,"\u0062":1,"c":)";
+        std::string single = "0", doubled = "0";
+        for (int depth = 1; depth <= 60; ++depth) {
+            single = before + single + R"(,"d":2})";
+            doubled = before + doubled + R"(,"\u0061":2})";
+        }
+        QCOMPARE(errorOf([&] { parseStrictJson(single, "p.json"); }), QString());
+        const QString error = errorOf([&] { parseStrictJson(doubled, "p.json"); });
+        QCOMPARE(error.count("'a'"), 10);
+        QVERIFY2(error.contains(" and 50 more; expected"), qPrintable(error));
+    }
+
     /// Before, each key was compared with all before it: 50,000 took 3.2 s.
     void manyDifferentKeysAreReadInTheirOrder()
     {

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <nlohmann/json.hpp>
 
+#include "database/server/server_replies.h"
 #include "database/sqlite_connection.h"
 
 namespace database {
@@ -201,9 +202,12 @@ nlohmann::json ServerConnection::call(const char* function, const QVariantList& 
         QStringLiteral("SELECT CAST(@schema@.%1(%2) AS text)").arg(QLatin1String(function), places.join(QStringLiteral(", "))),
         arguments);
     const std::string text = fromQt(result);  // empty where the function returns nothing
-    auto reply = text.empty() ? nlohmann::json() : nlohmann::json::parse(text);
+    auto reply = text.empty() ? nlohmann::json() : replyFrom(text, m_address.text);
     if (const auto* refusal = refusalIn(reply)) {
-        const auto part = [&](const char* name) { return toQt(refusal->value(name, std::string())); };
+        const auto part = [&](const char* name) {
+            const auto found = refusal->find(name);
+            return found != refusal->end() && found->is_string() ? toQt(found->get<std::string>()) : QString();
+        };
         fail(part("code"), {part("message"), part("detail"), part("hint")});
     }
     return reply;

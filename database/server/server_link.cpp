@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "database/server/server_connection.h"
+#include "database/server/server_replies.h"
 #include "database/sqlite_connection.h"
 
 namespace database {
@@ -48,7 +49,7 @@ ServerReply replyOf(const ServerConnection& server, const char* function, const 
         arguments);
     if (!row.next()) return {};
     const std::string first = fromQt(row.value(0));
-    return {first.starts_with('{') ? nlohmann::json::parse(first) : nlohmann::json(first),
+    return {first.starts_with('{') ? replyFrom(first, server.address().text) : nlohmann::json(first),
             row.value(1).toByteArray().toStdString(), fromQt(row.value(2))};
 }
 

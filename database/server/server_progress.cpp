@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "database/server/server_connection.h"
-#include "database/stored_texts.h"
+#include "database/server/server_replies.h"
 
 namespace database {
 
@@ -12,56 +12,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto progressPatience = 4000ms;
-
-void countPlace(ServerProgress& progress, const PlaceSeen& place)
-{
-    progress.answers += place.answers;
-    switch (place.state) {
-        case SlotState::Free:
-            ++progress.free;
-            break;
-        case SlotState::Started:
-            ++progress.started;
-            break;
-        case SlotState::Finished:
-            ++progress.finished;
-            break;
-        case SlotState::Withdrawn:
-            ++progress.withdrawn;
-            break;
-    }
-}
-
-ServerProgress progressIn(const nlohmann::json& seen)
-{
-    ServerProgress progress;
-    for (const auto& one : seen.at("places")) {
-        PlaceSeen place{one.at("slot").get<int>(), stateNamed(one.at("state").get<std::string>()),
-                        one.at("participant").get<std::string>(), ParticipantKind::Human, one.at("answers").get<int>()};
-        if (place.state != SlotState::Free) place.kind = kindNamed(one.at("kind").get<std::string>());
-        countPlace(progress, place);
-        progress.places.push_back(place);
-    }
-    for (const auto& one : seen.at("stations"))
-        progress.stations.push_back({one.at("station").get<std::string>(), one.at("login").get<std::string>(),
-                                     one.at("participant").is_null() ? "" : one.at("participant").get<std::string>(),
-                                     one.at("live").get<bool>(), one.at("queue_length").get<int>(),
-                                     one.at("last_seen_seconds").get<int>(), one.value("program", std::string())});
-    progress.head =
-        textOf(LogHead{seen.at("head").at("sequence").get<std::int64_t>(), seen.at("head").at("hash").get<std::string>()});
-    return progress;
-}
-
-/// A reply of another form comes from another version of this program.
-ServerProgress progressFrom(const nlohmann::json& reply, const std::string& address)
-{
-    try {
-        return progressIn(reply);
-    } catch (const nlohmann::json::exception& fault) {
-        throw protocols::workFailed({"the server's reply cannot be read: " + std::string(fault.what()), address, "",
-                                     "use the version of this program that moved the study there"});
-    }
-}
 
 }  // namespace
 

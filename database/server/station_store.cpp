@@ -5,6 +5,7 @@
 
 #include "database/server/entry_json.h"
 #include "database/server/server_connection.h"
+#include "database/server/server_replies.h"
 #include "database/stored_texts.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
@@ -19,8 +20,6 @@ using namespace std::chrono_literals;
 constexpr auto rest = 2000ms;  ///< after a lost connection, until an operator's step tries again
 constexpr auto nearlyNothing = 0ms;
 constexpr std::size_t keptImages = 4;
-constexpr int mostSlots = 100'000;  ///< more than any protocol has participants
-constexpr const char* familiarisationPrefix = "familiarisation:";
 constexpr const char* joinAgain = "VH205";  ///< this connection has no claim on the participant: the server began anew
 
 /// Whether the server may take the same entry later: it is busy, or the study is being moved.
@@ -31,51 +30,6 @@ ServerNote noteOf(const StudyFolder& folder)
     if (auto note = readServerNote(folder.folder)) return *note;
     throw protocols::badInput({"this folder belongs to no study on a server", folder.folder.string(), "a folder with server.json",
                                "join the study with vis2hap study join ADDRESS"});
-}
-
-std::string textIn(const Json& object, const char* field)
-{
-    const auto found = object.find(field);
-    return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
-std::vector<std::string> textsIn(const Json& object, const char* field)
-{
-    const Json& list = object.at(field);
-    return list.is_string() ? textsOf(list.get<std::string>()) : list.get<std::vector<std::string>>();
-}
-
-LogHead headIn(const Json& reply)
-{
-    const Json& head = reply.at("head");
-    return {head.at("sequence").get<std::int64_t>(), head.at("hash").get<std::string>()};
-}
-
-protocols::BlindedTrial trialIn(const Json& json)
-{
-    protocols::BlindedTrial trial;
-    trial.number = {json.at("number").get<int>()};
-    trial.phase = json.at("phase").get<int>();
-    trial.presentationCode = protocols::PresentationCode(json.at("presentation_code").get<std::string>());
-    trial.instruction = protocols::InstructionId(textIn(json, "instruction"));
-    trial.aim = protocols::speedAimNamed(textIn(json, "aim"));
-    if (const auto deadline = json.find("deadline_ms"); deadline != json.end() && deadline->is_number())
-        trial.deadlineMs = deadline->get<int>();
-    if (json.contains("alternatives")) trial.alternatives = fabricsOf(textIn(json, "alternatives"));
-    trial.sealedCode = protocols::SealedCode(textIn(json, "sealed_code"));
-    return trial;
-}
-
-/// Runs what reads a reply of the server; a reply of another form comes from another version of this program.
-template <class Read>
-auto reading(const std::string& address, const Read& read)
-{
-    try {
-        return read();
-    } catch (const Json::exception& fault) {
-        throw protocols::workFailed({"the server's reply cannot be read: " + std::string(fault.what()), address, "",
-                                     "use the version of this program that moved the study there"});
-    }
 }
 
 }  // namespace
@@ -112,31 +66,14 @@ void StationStore::connectNow()
     takeStudy(joined.json);
 }
 
-void StationStore::takeStudy(const Json& joined)
+void StationStore::takeStudy(const Json& reply)
 {
-    reading(m_note.address, [&] {
-        m_facts.name = joined.at("name").get<std::string>();
-        m_facts.protocolJson = joined.at("protocol_json").get<std::string>();
-        m_facts.protocolSha256 = joined.at("protocol_sha256").get<std::string>();
-        m_facts.hasPassphrase = joined.at("has_passphrase").get<bool>();
-        m_facts.datasetProcedural = joined.at("dataset_procedural").get<bool>();
-        m_facts.stamps = textsIn(joined, "stamps");
-        m_facts.createdAt = joined.at("created_at").get<std::string>();
-        m_facts.programVersion = joined.at("made_with_program").get<std::string>();
-        m_facts.fabrics.clear();
-        for (const Json& fabric : joined.at("fabrics")) {
-            m_facts.fabrics.emplace_back(fabric.at("id").get<std::string>());
-            m_facts.fabricNames[m_facts.fabrics.back()] = fabric.at("name").get<std::string>();
-        }
-        m_facts.familiarisation.clear();
-        for (const Json& item : joined.at("familiarisation"))
-            m_facts.familiarisation.push_back(
-                {item.at("name").get<std::string>(),
-                 protocols::SealedCode(familiarisationPrefix + std::to_string(item.at("position").get<int>()))});
-        m_versions = {{joined.at("protocol_version").get<int>(), m_facts.protocolJson, m_facts.protocolSha256, {}, {}, {}}};
-        m_head = headIn(joined);
-        m_givesTickets = joined.at("images_to") == "display";
-    });
+    StudyReply joined = studyReplyFrom(reply, m_note.address);
+    joined.facts.swatches = std::move(m_facts.swatches);  // of the participant at work here
+    m_facts = std::move(joined.facts);
+    m_versions = {joined.protocol};
+    m_head = joined.head;
+    m_givesTickets = joined.givesTickets;
     m_isClaimed = false;
     // A station's own folder follows the study; that of the owner is compared with it before each session.
     if (!m_note.isOwner && protocols::readIfPossible(m_folder.protocol()) != m_facts.protocolJson)
@@ -188,48 +125,29 @@ Json StationStore::overview() const
 
 std::vector<Slot> StationStore::slots() const
 {
-    const Json known = overview();
-    return reading(m_note.address, [&] {
-        std::vector<Slot> slots;
-        for (const Json& place : known.at("places")) {
-            if (textIn(place, "state") == "withdrawn") continue;
-            Slot slot{place.at("slot").get<int>(), stateNamed(textIn(place, "state")), {}, ParticipantKind::Human};
-            if (slot.state != SlotState::Free) {
-                slot.participant = protocols::ParticipantId(textIn(place, "participant"));
-                slot.kind = kindNamed(textIn(place, "kind"));
-            }
-            slots.push_back(slot);
-        }
-        return slots;
-    });
+    std::vector<Slot> slots;
+    for (const PlaceSeen& place : placesFrom(overview(), m_note.address))
+        if (place.state != SlotState::Withdrawn)
+            slots.push_back({place.slot, place.state, protocols::ParticipantId(place.participant), place.kind});
+    return slots;
 }
 
 std::vector<Enrolment> StationStore::enrolments() const
 {
-    const Json known = overview();
-    return reading(m_note.address, [&] {
-        std::vector<Enrolment> enrolments;
-        for (const Json& place : known.at("places")) {
-            if (textIn(place, "state") == "free") continue;
-            const std::string participant = textIn(place, "participant");
-            enrolments.push_back({protocols::ParticipantId(participant), place.at("slot").get<int>(),
-                                  kindNamed(textIn(place, "kind")), stateNamed(textIn(place, "state")),
-                                  participant == m_participant ? m_protocolVersion : m_versions.back().version});
-        }
-        return enrolments;
-    });
+    std::vector<Enrolment> enrolments;
+    for (const PlaceSeen& place : placesFrom(overview(), m_note.address))
+        if (place.state != SlotState::Free)
+            enrolments.push_back({protocols::ParticipantId(place.participant), place.slot, place.kind, place.state,
+                                  place.participant == m_participant ? m_protocolVersion : m_versions.back().version});
+    return enrolments;
 }
 
 std::map<protocols::ParticipantId, int> StationStore::answerCounts() const
 {
-    const Json known = overview();
-    return reading(m_note.address, [&] {
-        std::map<protocols::ParticipantId, int> counts;
-        for (const Json& place : known.at("places"))
-            if (textIn(place, "state") != "free")
-                counts[protocols::ParticipantId(textIn(place, "participant"))] = place.at("answers").get<int>();
-        return counts;
-    });
+    std::map<protocols::ParticipantId, int> counts;
+    for (const PlaceSeen& place : placesFrom(overview(), m_note.address))
+        if (place.state != SlotState::Free) counts[protocols::ParticipantId(place.participant)] = place.answers;
+    return counts;
 }
 
 protocols::ParticipantId StationStore::nextParticipantId() const
@@ -250,36 +168,24 @@ void StationStore::claim(const std::string& participant, const std::string& kind
     takeClaim(claimed);
 }
 
-void StationStore::takeClaim(const Json& claimed)
+void StationStore::takeClaim(const Json& reply)
 {
-    reading(m_note.address, [&] {
-        m_slot = claimed.at("slot").get<int>();
-        if (m_slot < 1 || m_slot > mostSlots)
-            throw protocols::workFailed({"the server gave slot " + std::to_string(m_slot), m_note.address, "a slot of the study",
-                                         "ask the owner of the study to run vis2hap verify"});
-        m_slotState = stateNamed(textIn(claimed, "state"));
-        m_protocolVersion = claimed.at("protocol_version").get<int>();
-        if (m_protocolVersion != m_versions.back().version && m_versions.front().version != m_protocolVersion)
-            m_versions.insert(m_versions.begin(),
-                              {m_protocolVersion, claimed.at("protocol_json").get<std::string>(), {}, {}, {}, {}});
-        const Json& swatches = claimed.at("swatches");
-        m_facts.swatches.clear();
-        if (!swatches.empty()) m_facts.swatches.resize(static_cast<std::size_t>(m_slot));
-        for (const auto& [fabric, code] : swatches.items())
-            m_facts.swatches.back()[protocols::FabricId(fabric)] = code.get<std::string>();
-        m_trials.clear();
-        for (const Json& trial : claimed.at("trials")) m_trials.push_back(trialIn(trial));
-        std::vector<EventRecord> events;
-        for (const Json& event : claimed.at("events"))
-            events.push_back({event.at("sequence").get<std::int64_t>(), protocols::ParticipantId(m_participant),
-                              event.at("sitting").get<int>(), event.at("kind").get<std::string>(),
-                              event.at("payload").get<std::string>(), event.at("at_ns").get<std::int64_t>(),
-                              event.at("wall_time").get<std::string>()});
-        // Entries that wait belong to the log, though the server does not know them yet.
-        if (m_queue.size() == 0 || m_events.size() < events.size()) m_events = std::move(events);
-        m_isClaimed = true;
-        m_head = headIn(claimed);
-    });
+    ClaimReply place = claimReplyFrom(reply, m_note.address, m_participant);
+    m_slot = place.slot;
+    m_slotState = place.state;
+    m_protocolVersion = place.protocolVersion;
+    if (m_protocolVersion != m_versions.back().version && m_versions.front().version != m_protocolVersion)
+        m_versions.insert(m_versions.begin(), {m_protocolVersion, place.olderProtocol, {}, {}, {}, {}});
+    m_facts.swatches.clear();
+    if (!place.swatches.empty()) {
+        m_facts.swatches.resize(static_cast<std::size_t>(m_slot));
+        m_facts.swatches.back() = std::move(place.swatches);
+    }
+    m_trials = std::move(place.trials);
+    // Entries that wait belong to the log, though the server does not know them yet.
+    if (m_queue.size() == 0 || m_events.size() < place.events.size()) m_events = std::move(place.events);
+    m_isClaimed = true;
+    m_head = place.head;
 }
 
 Slot StationStore::enrol(const protocols::ParticipantId& participant, ParticipantKind kind)
@@ -305,13 +211,11 @@ protocols::BlindedTrial StationStore::dueTrial(int, protocols::TrialNumber numbe
     requireLink();
     try {
         const ServerReply reply = m_link->callForImage("presentation", {number.value}, m_patience.presentation);
-        return reading(m_note.address, [&] {
-            protocols::BlindedTrial trial = trialIn(reply.json);
-            if (m_givesTickets || m_images.size() >= keptImages) m_images.clear();  // only the last ticket holds
-            m_images[trial.sealedCode] = {reply.image, reply.key};
-            m_trials.at(static_cast<std::size_t>(number.value) - 1) = trial;
-            return trial;
-        });
+        protocols::BlindedTrial trial = trialFrom(reply.json, m_note.address);
+        if (m_givesTickets || m_images.size() >= keptImages) m_images.clear();  // only the last ticket holds
+        m_images[trial.sealedCode] = {reply.image, reply.key};
+        m_trials.at(static_cast<std::size_t>(number.value) - 1) = trial;
+        return trial;
     } catch (const ServerAway& fault) {
         loseLink(fault.what());
         throw;
@@ -321,10 +225,9 @@ protocols::BlindedTrial StationStore::dueTrial(int, protocols::TrialNumber numbe
 ReleasedImage StationStore::image(const protocols::SealedCode& code)
 {
     if (const auto known = m_images.find(code); known != m_images.end()) return known->second;
-    if (code.value.starts_with(familiarisationPrefix)) {
+    if (const auto position = familiarisationPosition(code)) {
         requireLink();
-        const int position = std::stoi(code.value.substr(std::string(familiarisationPrefix).size()));
-        const ServerReply reply = m_link->callForImage("familiarisation_image", {position}, m_patience.presentation);
+        const ServerReply reply = m_link->callForImage("familiarisation_image", {*position}, m_patience.presentation);
         return m_images[code] = {reply.image, reply.key};
     }
     const auto trial = std::ranges::find(m_trials, code, &protocols::BlindedTrial::sealedCode);
@@ -337,8 +240,8 @@ ReleasedImage StationStore::image(const protocols::SealedCode& code)
 std::int64_t StationStore::send(const AnswerQueue::Entry& entry)
 {
     const ServerReply reply = m_link->call("store", {toQt(entry.json)}, m_patience.answer);
-    m_head = reading(m_note.address, [&] { return headIn(reply.json); });
-    return reading(m_note.address, [&] { return reply.json.at("event").get<std::int64_t>(); });
+    m_head = headFrom(reply.json, m_note.address);
+    return entryNumberFrom(reply.json, m_note.address);
 }
 
 void StationStore::append(const Append& entry)

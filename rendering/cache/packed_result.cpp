@@ -5,6 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 
+#include "protocols/files/errors.h"
+#include "protocols/files/strict_json.h"
+
 namespace rendering::cache {
 
 namespace {
@@ -46,7 +49,7 @@ std::optional<PackedResult> unpacked(std::string_view bytes)
     const auto end = bytes.find('\n');
     if (end == std::string_view::npos) return std::nullopt;
     try {
-        const auto head = nlohmann::json::parse(bytes.substr(0, end));
+        const auto head = protocols::parseStrictJson(bytes.substr(0, end), "a kept result");
         bytes.remove_prefix(end + 1);
         PackedResult result{head.at("facts").dump(), {}};
         for (const auto& shape : head.at("arrays")) {
@@ -56,6 +59,8 @@ std::optional<PackedResult> unpacked(std::string_view bytes)
         }
         return result;
     } catch (const nlohmann::json::exception&) {
+        return std::nullopt;
+    } catch (const protocols::Error&) {
         return std::nullopt;
     }
 }

@@ -33,6 +33,7 @@
 #include "rendering/signals/spectrogram_file.h"
 #include "rendering/signals/tactile/calibration.h"
 #include "study/players/script.h"
+#include "tests/fuzz/foreign_readers.h"
 #include "tests/fuzz/lab_readers.h"
 #include "tests/fuzz/model_readers.h"
 #include "tests/fuzz/number_readers.h"
@@ -313,8 +314,9 @@ std::vector<Reader> recordReaders(const fs::path& folder)
 std::vector<Reader> allReaders(const fs::path& folder)
 {
     std::vector<Reader> readers = textReaders();
-    for (auto& more : {imageReaders(folder), labReaders(folder), modelReaders(folder), recordReaders(folder),
-                       numberReaders(folder), pageReaders(), settingsReaders(folder), shardReaders(folder), studyReaders(folder)})
+    for (auto& more :
+         {foreignReaders(folder), imageReaders(folder), labReaders(folder), modelReaders(folder), recordReaders(folder),
+          numberReaders(folder), pageReaders(), settingsReaders(folder), shardReaders(folder), studyReaders(folder)})
         readers.insert(readers.end(), more.begin(), more.end());
     return readers;
 }

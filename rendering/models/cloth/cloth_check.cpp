@@ -6,6 +6,7 @@
 #include <opencv2/core.hpp>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/random.h"
 #include "rendering/fabrics/drawn/drawn_patch.h"
@@ -202,7 +203,7 @@ ClothCheck readClothCheck(const std::filesystem::path& file)
     };
     ClothCheck check;
     try {
-        const auto json = nlohmann::json::parse(protocols::readWholeFile(file));
+        const auto json = protocols::parseStrictJson(protocols::readWholeFile(file), file.string());
         if (json.at("schema") != checkSchema) throw refused("another schema");
         check.seed = json.at("seed").get<std::uint64_t>();
         check.pictures = json.at("pictures").get<int>();

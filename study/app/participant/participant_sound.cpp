@@ -1,10 +1,7 @@
 #include "study/app/participant/participant_sound.h"
 
-#include <nlohmann/json.hpp>
 #include <utility>
 
-#include "protocols/files/errors.h"
-#include "protocols/files/safe_text.h"
 #include "study/app/language/below.h"
 
 namespace study::app {
@@ -109,17 +106,15 @@ std::string ParticipantSound::someKey() const
 
 void ParticipantSound::hear(const std::string& line)
 {
-    const auto said = nlohmann::json::parse(line, nullptr, false);
-    if (!said.is_object()) return;
-    const auto text = [&](const char* key) {
-        return said.contains(key) && said.at(key).is_string()
-                   ? QString::fromStdString(protocols::printable(said.at(key).get<std::string>()))
-                   : QString();
+    const auto said = participant::saidBySound(line);
+    if (!said) return;
+    const auto take = [](QString& shown, const std::optional<std::string>& text) {
+        if (text) shown = QString::fromStdString(*text);
     };
-    if (said.contains("ready")) m_state.device = text("ready");
-    if (said.contains("voice")) m_state.voice = text("voice");
-    if (said.contains("no_voice")) m_state.noVoice = text("no_voice");
-    if (said.contains("fault")) m_state.fault = text("fault");
+    take(m_state.device, said->ready);
+    take(m_state.voice, said->voice);
+    take(m_state.noVoice, said->noVoice);
+    take(m_state.fault, said->fault);
     Q_EMIT stateChanged();
 }
 

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <nlohmann/json.hpp>
 
+#include "protocols/files/safe_text.h"
 #include "protocols/files/strict_json.h"
 
 namespace study::participant {
@@ -76,6 +77,18 @@ LineToSound lineToSound(std::string_view text)
     PlayPrompts play;
     for (const auto& prompt : line.at("play")) play.prompts.push_back(promptIn(prompt));
     return play;
+}
+
+std::optional<SaidBySound> saidBySound(std::string_view line)
+{
+    const auto said = nlohmann::json::parse(line, nullptr, false);
+    if (!said.is_object()) return std::nullopt;
+    const auto text = [&](const char* key) -> std::optional<std::string> {
+        const auto found = said.find(key);
+        if (found == said.end()) return std::nullopt;
+        return found->is_string() ? protocols::printable(found->get<std::string>()) : std::string();
+    };
+    return SaidBySound{text("ready"), text("voice"), text("no_voice"), text("fault")};
 }
 
 }  // namespace study::participant

@@ -1,6 +1,7 @@
-// The lines from the app to vis2hap-sound, one JSON object a line.
+// The lines between the app and vis2hap-sound, one JSON object a line.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -38,5 +39,16 @@ using LineToSound = std::variant<NoiseLevel, SpeechLanguage, PlayPrompts>;
 std::string lineOf(const LineToSound& line);
 /// Throws badInput for anything that lineOf() does not write, and for more than 40 prompts.
 LineToSound lineToSound(std::string_view text);
+
+/// What vis2hap-sound says in a line, without control characters. A field that the line does not name is absent.
+struct SaidBySound {
+    std::optional<std::string> ready;    ///< the device that plays
+    std::optional<std::string> voice;    ///< of the engine that speaks
+    std::optional<std::string> noVoice;  ///< why no engine speaks
+    std::optional<std::string> fault;
+    bool operator==(const SaidBySound&) const = default;
+};
+/// nullopt for a line that is no message.
+std::optional<SaidBySound> saidBySound(std::string_view line);
 
 }  // namespace study::participant

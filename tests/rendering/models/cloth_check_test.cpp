@@ -104,7 +104,7 @@ private Q_SLOTS:
         protocols::writeWholeFile(file, "{\"schema\":\"vis2hap.cloth_check/1\"}");
         QVERIFY(refusalOf([&] { readClothCheck(file); }).contains("check.json"));
         protocols::writeWholeFile(file, "[");
-        QVERIFY(refusalOf([&] { readClothCheck(file); }).contains("is no check of cloth"));
+        QVERIFY(refusalOf([&] { readClothCheck(file); }).contains("line 1, column 2: malformed JSON"));
         QVERIFY(refusalOf([&] { fitClothCheck(1, 5, 1); }).contains("too few"));
     }
 };

@@ -1,0 +1,227 @@
+#include "database/server/server_replies.h"
+
+#include <charconv>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "database/stored_texts.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/strict_json.h"
+
+namespace database {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::string_view familiarisationPrefix = "familiarisation:";
+constexpr int mostSlots = 100'000;  ///< more than any protocol has participants
+
+protocols::Error unreadable(const std::string& what, const std::string& where)
+{
+    return protocols::workFailed(
+        {"the server's reply cannot be read: " + what, where, "", "use the version of this program that moved the study there"});
+}
+
+template <class Read>
+auto reading(const std::string& where, const Read& read)
+{
+    try {
+        return read();
+    } catch (const Json::exception& fault) {
+        throw unreadable(fault.what(), where);
+    }
+}
+
+std::string replyText(const Json& object, const char* field)
+{
+    const auto found = object.find(field);
+    return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+std::vector<std::string> replyTexts(const Json& object, const char* field)
+{
+    const Json& list = object.at(field);
+    return list.is_string() ? textsOf(list.get<std::string>()) : list.get<std::vector<std::string>>();
+}
+
+LogHead headIn(const Json& reply)
+{
+    const Json& head = reply.at("head");
+    return {head.at("sequence").get<std::int64_t>(), head.at("hash").get<std::string>()};
+}
+
+protocols::BlindedTrial trialIn(const Json& json)
+{
+    protocols::BlindedTrial trial;
+    trial.number = {json.at("number").get<int>()};
+    trial.phase = json.at("phase").get<int>();
+    trial.presentationCode = protocols::PresentationCode(json.at("presentation_code").get<std::string>());
+    trial.instruction = protocols::InstructionId(replyText(json, "instruction"));
+    trial.aim = protocols::speedAimNamed(replyText(json, "aim"));
+    if (const auto deadline = json.find("deadline_ms"); deadline != json.end() && deadline->is_number())
+        trial.deadlineMs = deadline->get<int>();
+    if (json.contains("alternatives")) trial.alternatives = fabricsOf(replyText(json, "alternatives"));
+    trial.sealedCode = protocols::SealedCode(replyText(json, "sealed_code"));
+    return trial;
+}
+
+std::vector<PlaceSeen> placesIn(const Json& reply)
+{
+    std::vector<PlaceSeen> places;
+    for (const Json& one : reply.at("places")) {
+        PlaceSeen place{one.at("slot").get<int>(),
+                        stateNamed(one.at("state").get<std::string>()),
+                        {},
+                        ParticipantKind::Human,
+                        one.at("answers").get<int>()};
+        if (place.state != SlotState::Free) {
+            place.participant = one.at("participant").get<std::string>();
+            place.kind = kindNamed(one.at("kind").get<std::string>());
+        }
+        places.push_back(std::move(place));
+    }
+    return places;
+}
+
+/// Returns its answers.
+int countPlace(ServerProgress& progress, const PlaceSeen& place)
+{
+    switch (place.state) {
+        case SlotState::Free:
+            ++progress.free;
+            break;
+        case SlotState::Started:
+            ++progress.started;
+            break;
+        case SlotState::Finished:
+            ++progress.finished;
+            break;
+        case SlotState::Withdrawn:
+            ++progress.withdrawn;
+            break;
+    }
+    return place.answers;
+}
+
+}  // namespace
+
+protocols::SealedCode familiarisationCode(int position)
+{
+    return protocols::SealedCode(std::string(familiarisationPrefix) + std::to_string(position));
+}
+
+std::optional<int> familiarisationPosition(const protocols::SealedCode& code)
+{
+    const std::string_view text = code.value;
+    if (!text.starts_with(familiarisationPrefix)) return std::nullopt;
+    int position = 0;
+    const char* end = text.data() + text.size();
+    const auto read = std::from_chars(text.data() + familiarisationPrefix.size(), end, position);
+    return read.ec == std::errc() && read.ptr == end ? std::optional(position) : std::nullopt;
+}
+
+nlohmann::json replyFrom(std::string_view text, const std::string& where)
+{
+    try {
+        return protocols::parseStrictJson(text, "the reply");
+    } catch (const protocols::Error& fault) {
+        throw unreadable(fault.what(), where);
+    }
+}
+
+StudyReply studyReplyFrom(const Json& reply, const std::string& where)
+{
+    return reading(where, [&] {
+        StudyReply joined;
+        StudyFacts& facts = joined.facts;
+        facts.name = reply.at("name").get<std::string>();
+        facts.protocolJson = reply.at("protocol_json").get<std::string>();
+        facts.protocolSha256 = reply.at("protocol_sha256").get<std::string>();
+        facts.hasPassphrase = reply.at("has_passphrase").get<bool>();
+        facts.datasetProcedural = reply.at("dataset_procedural").get<bool>();
+        facts.stamps = replyTexts(reply, "stamps");
+        facts.createdAt = reply.at("created_at").get<std::string>();
+        facts.programVersion = reply.at("made_with_program").get<std::string>();
+        for (const Json& fabric : reply.at("fabrics")) {
+            facts.fabrics.emplace_back(fabric.at("id").get<std::string>());
+            facts.fabricNames[facts.fabrics.back()] = fabric.at("name").get<std::string>();
+        }
+        for (const Json& item : reply.at("familiarisation"))
+            facts.familiarisation.push_back(
+                {item.at("name").get<std::string>(), familiarisationCode(item.at("position").get<int>())});
+        joined.protocol = {reply.at("protocol_version").get<int>(), facts.protocolJson, facts.protocolSha256, {}, {}, {}};
+        joined.head = headIn(reply);
+        joined.givesTickets = reply.at("images_to") == "display";
+        return joined;
+    });
+}
+
+ClaimReply claimReplyFrom(const Json& reply, const std::string& where, const std::string& participant)
+{
+    return reading(where, [&] {
+        ClaimReply place;
+        place.slot = reply.at("slot").get<int>();
+        if (place.slot < 1 || place.slot > mostSlots)
+            throw protocols::workFailed({"the server gave slot " + std::to_string(place.slot), where, "a slot of the study",
+                                         "ask the owner of the study to run vis2hap verify"});
+        place.state = stateNamed(replyText(reply, "state"));
+        place.protocolVersion = reply.at("protocol_version").get<int>();
+        place.olderProtocol = replyText(reply, "protocol_json");
+        for (const auto& [fabric, code] : reply.at("swatches").get<std::map<std::string, std::string>>())
+            place.swatches[protocols::FabricId(fabric)] = code;
+        for (const Json& trial : reply.at("trials")) {
+            place.trials.push_back(trialIn(trial));
+            if (const int number = place.trials.back().number.value; number != static_cast<int>(place.trials.size()))
+                throw unreadable("trial " + std::to_string(number) + " at place " + std::to_string(place.trials.size()), where);
+        }
+        for (const Json& event : reply.at("events"))
+            place.events.push_back({event.at("sequence").get<std::int64_t>(), protocols::ParticipantId(participant),
+                                    event.at("sitting").get<int>(), event.at("kind").get<std::string>(),
+                                    event.at("payload").get<std::string>(), event.at("at_ns").get<std::int64_t>(),
+                                    event.at("wall_time").get<std::string>()});
+        place.head = headIn(reply);
+        return place;
+    });
+}
+
+protocols::BlindedTrial trialFrom(const Json& reply, const std::string& where)
+{
+    return reading(where, [&] { return trialIn(reply); });
+}
+
+LogHead headFrom(const Json& reply, const std::string& where)
+{
+    return reading(where, [&] { return headIn(reply); });
+}
+
+std::int64_t entryNumberFrom(const Json& reply, const std::string& where)
+{
+    return reading(where, [&] { return reply.at("event").get<std::int64_t>(); });
+}
+
+std::vector<PlaceSeen> placesFrom(const Json& reply, const std::string& where)
+{
+    return reading(where, [&] { return placesIn(reply); });
+}
+
+ServerProgress progressFrom(const Json& reply, const std::string& where)
+{
+    return reading(where, [&] {
+        ServerProgress progress;
+        progress.places = placesIn(reply);
+        std::int64_t answers = 0;
+        for (const PlaceSeen& place : progress.places) answers += countPlace(progress, place);
+        if (answers < 0 || answers > std::numeric_limits<int>::max()) throw unreadable("impossible counts of answers", where);
+        progress.answers = static_cast<int>(answers);
+        for (const Json& one : reply.at("stations"))
+            progress.stations.push_back({one.at("station").get<std::string>(), one.at("login").get<std::string>(),
+                                         replyText(one, "participant"), one.at("live").get<bool>(),
+                                         one.at("queue_length").get<int>(), one.at("last_seen_seconds").get<int>(),
+                                         replyText(one, "program")});
+        progress.head = textOf(headIn(reply));
+        return progress;
+    });
+}
+
+}  // namespace database

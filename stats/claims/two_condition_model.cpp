@@ -72,14 +72,28 @@ void poolNegativeVariances(std::array<PairStratum, Count>& strata)
     }
 }
 
+/// Largest difference, as a share of their size, of ratings or means of ratings that are equal but for rounding.
+constexpr double roundingOfRatings = 1e-14;
+
 /// Both tables without the participants and fabrics that lack an answer under a condition everywhere.
 struct Pair {
     CrossedTable a, b;
 
+    /// Those that are equal but for rounding get one value.
     CrossedTable differences() const
     {
         CrossedTable table = a;
-        for (std::size_t cell = 0; cell < table.values.size(); ++cell) table.values[cell] -= b.values[cell];
+        double least = INFINITY, most = -INFINITY, largest = 0;
+        for (std::size_t cell = 0; cell < table.values.size(); ++cell) {
+            table.values[cell] -= b.values[cell];
+            if (std::isnan(table.values[cell])) continue;
+            least = std::min(least, table.values[cell]);
+            most = std::max(most, table.values[cell]);
+            largest = std::max({largest, std::fabs(a.values[cell]), std::fabs(b.values[cell])});
+        }
+        if (most - least <= roundingOfRatings * largest)
+            for (double& value : table.values)
+                if (!std::isnan(value)) value = least;
         return table;
     }
 };
@@ -109,7 +123,7 @@ bool hasEqualRatings(const CrossedTable& table)
 {
     if (table.values.empty()) return true;
     const auto [least, most] = std::ranges::minmax(table.values);
-    return most - least <= 1e-14 * std::max(std::fabs(least), std::fabs(most));
+    return most - least <= roundingOfRatings * std::max(std::fabs(least), std::fabs(most));
 }
 
 /// Sums of the two tables about the means of each, and the differences; divided by a power of 2 so that squares stay in range.

@@ -8,15 +8,39 @@ namespace {
 
 double largestMagnitude(const Moments& moments) { return std::max(std::fabs(moments.smallest), std::fabs(moments.largest)); }
 
-/// True where all differences are the same decimal: their doubles then differ by at most two units in the last
-/// place of the inputs.
-bool isConstantDifference(const Moments& differences, const Moments& x, const Moments& y)
+/// Units in the last place by which equal numbers may differ that were computed, such as means of ratings and their differences.
+constexpr double computedNoise = 32;
+
+/// Whole numbers are exact, whatever their size.
+bool areWhole(std::span<const double> scaled, int exponent)
 {
-    const double noise = 2 * unitInLastPlace(std::max(largestMagnitude(x), largestMagnitude(y)));
-    return isConstant(differences) || differences.largest - differences.smallest <= noise;
+    return std::ranges::all_of(scaled, [exponent](double value) {
+        const double own = std::ldexp(value, exponent);
+        return own == std::floor(own);
+    });
 }
 
-/// The contrast of one sample, or of the differences of pairs.
+/// True where numbers that were computed differ by no more than rounding.
+bool isConstantButForRounding(const Moments& moments, std::span<const double> scaled, int exponent)
+{
+    const double spread = moments.largest - moments.smallest;
+    return isConstant(moments) ||
+           (spread <= computedNoise * unitInLastPlace(largestMagnitude(moments)) && !areWhole(scaled, exponent));
+}
+
+/// True where all differences are the same decimal: their doubles then differ by at most two units in the last place of the
+/// inputs, those of means by some more.
+bool isConstantDifference(const PairedMoments& moments, const ScaledSamples& scaled)
+{
+    const Moments& differences = moments.differences;
+    const double unit = unitInLastPlace(std::max(largestMagnitude(moments.x), largestMagnitude(moments.y)));
+    const double spread = differences.largest - differences.smallest;
+    if (isConstant(differences) || spread <= 2 * unit) return true;
+    const auto whole = [&](std::size_t sample) { return areWhole(scaled.sample(sample), scaled.exponent()); };
+    return spread <= computedNoise * unit && !(whole(0) && whole(1));
+}
+
+/// The contrast of one sample, or of the differences of pairs. `why` is left to the caller where there are two values or more.
 Contrast ofOne(const Moments& moments)
 {
     Contrast contrast;
@@ -31,13 +55,21 @@ Contrast ofOne(const Moments& moments)
     contrast.sd = std::sqrt(moments.variance());
     contrast.se = contrast.sd / std::sqrt(n);
     contrast.df = n - 1;
-    if (isConstant(moments)) contrast.why = "no variation: all values are equal";
     return contrast;
 }
 
-Contrast paired(std::span<const double> x, std::span<const double> y)
+Contrast oneSample(const ScaledSamples& scaled)
 {
-    const PairedMoments moments = pairedMomentsOf(x, y);
+    const Moments moments = momentsOf(scaled.sample(0));
+    Contrast contrast = ofOne(moments);
+    if (contrast.hasSpread && isConstantButForRounding(moments, scaled.sample(0), scaled.exponent()))
+        contrast.why = "no variation: all values are equal";
+    return contrast;
+}
+
+Contrast paired(const ScaledSamples& scaled)
+{
+    const PairedMoments moments = pairedMomentsOf(scaled.sample(0), scaled.sample(1));
     Contrast contrast = ofOne(moments.differences);
     if (!contrast.hasSpread) {
         contrast.why = "needs at least 2 pairs";
@@ -45,7 +77,7 @@ Contrast paired(std::span<const double> x, std::span<const double> y)
     }
     contrast.sdX = std::sqrt(moments.x.variance());
     contrast.sdY = std::sqrt(moments.y.variance());
-    if (isConstantDifference(moments.differences, moments.x, moments.y)) contrast.why = "no variation: all differences are equal";
+    if (isConstantDifference(moments, scaled)) contrast.why = "no variation: all differences are equal";
     return contrast;
 }
 
@@ -96,9 +128,9 @@ Contrast contrastOf(TKind kind, const ScaledSamples& scaled)
 {
     switch (kind) {
         case TKind::OneSample:
-            return ofOne(momentsOf(scaled.sample(0)));
+            return oneSample(scaled);
         case TKind::Paired:
-            return paired(scaled.sample(0), scaled.sample(1));
+            return paired(scaled);
         case TKind::Student:
         case TKind::Welch:
             return twoSamples(kind, scaled.sample(0), scaled.sample(1));

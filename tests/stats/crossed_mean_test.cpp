@@ -182,6 +182,33 @@ private Q_SLOTS:
         QVERIFY2(additive.why.find("no residual variation") != std::string::npos, additive.why.c_str());
     }
 
+    /// Ratings of which each is 0.3 below another one, in decimals and as means of three repetitions.
+    void ratingsAtOneDistanceAreNoEvidence()
+    {
+        stats::Draws draws(5, 1);
+        for (int study = 0; study < 200; ++study)
+            for (const double repetitions : {1.0, 3.0}) {
+                std::vector<double> a, b;
+                for (int cell = 0; cell < 12; ++cell) {
+                    double sumA = 0, sumB = 0;
+                    for (int i = 0; i < static_cast<int>(repetitions); ++i) {
+                        const auto tenths = static_cast<int>(3 + 97 * draws.uniform());
+                        sumA += tenths / 10.0;
+                        sumB += (tenths - 3) / 10.0;
+                    }
+                    a.push_back(sumA / repetitions);
+                    b.push_back(sumB / repetitions);
+                }
+                stats::StudentQuantiles quantiles;
+                for (const Generalisation to : {Generalisation::FabricsLikeThese, Generalisation::TheseFabrics}) {
+                    const CrossedMean mean =
+                        stats::differenceOfRatings({4, 3, a}, {4, 3, b}, to, stats::Degrees::Limited, quantiles);
+                    QVERIFY2(!mean.why.empty() && !mean.se.exists(), mean.se.decimal().c_str());
+                    QVERIFY(near(*mean.estimate, 0.3, 1e-13));
+                }
+            }
+    }
+
     void degreesOfFreedomAreLimited()
     {
         // Both mean squares lie below the residual's, so both variances are zero and 69 answers would count.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <random>
 #include <vector>
 
 #include "stats/kernels/decimal_grid.h"
@@ -117,6 +118,29 @@ private Q_SLOTS:
         std::reverse(rows.begin(), rows.end());
         const auto after = stats::friedmanTest(stats::blockTableOf(rows).table);
         QCOMPARE(*after.q, *before.q);
+    }
+
+    /// R 4.2, t.test(x, y, paired = TRUE): "data are essentially constant". Before, p was as small as 1e-77.
+    void meansWithEqualDifferencesAreNoEvidence()
+    {
+        std::mt19937 draw(1);
+        for (int study = 0; study < 300; ++study) {
+            const int ratings = 1 + static_cast<int>(draw() % 12);
+            std::vector<double> x, y;
+            for (int person = 0; person < 10; ++person) {
+                double sumX = 0, sumY = 0;
+                for (int i = 0; i < ratings; ++i) {
+                    const int tenths = 3 + static_cast<int>(draw() % 97);
+                    sumX += tenths / 10.0;
+                    sumY += (tenths - 3) / 10.0;
+                }
+                x.push_back(sumX / ratings);
+                y.push_back(sumY / ratings);
+            }
+            QCOMPARE(stats::pairedTTest(x, y).why, std::string("no variation: all differences are equal"));
+        }
+        QVERIFY(stats::oneSampleTTest(std::vector<double>{0.1 + 0.2, 0.3, 0.7 - 0.4}).why.starts_with("no variation"));
+        QVERIFY(stats::pairedTTest(std::vector<double>{5.1, 6.2, 7.4}, std::vector<double>{4.8, 5.9, 7.0}).why.empty());
     }
 
     void undefinedTestsSayWhy_data()

@@ -165,18 +165,26 @@ private:
 };
 
 /// State of the search: trays with the true fabric in its slot. A move exchanges the true slots of two presentations of one
-/// fabric, or two foils on one tray. Both keep the true slots per participant x fabric.
+/// fabric, or two foils on one tray. Both keep the true slots per participant x fabric. These must not be evener than the slots
+/// of all trays with the piece: a slot where it lies once more would else hold a foil more often. Where the trays of a piece do
+/// not go into the slots, its numbers are therefore drawn, of all its trays and, in proportion, of the true ones; a piece that
+/// lies there seldom gets any true slots. A third move, which exchanges the true fabric and a foil of one tray, reaches them. It
+/// also helps where true slots cannot be even, as with one presentation.
 class SlotSearch {
 public:
-    SlotSearch(const Orders& orders, const StudySize& size, int alternatives, Trays trays)
+    SlotSearch(const Orders& orders, const StudySize& size, int alternatives, Trays trays, Random& random)
         : m_orders(orders),
           m_places(placesOf(orders, size)),
           m_fabrics(static_cast<std::size_t>(size.fabrics)),
           m_slots(static_cast<std::size_t>(alternatives)),
           m_trays(std::move(trays)),
           m_trueSlots(static_cast<std::size_t>(size.labels + 1) * m_slots),
-          m_pieceSlots(m_trays.size() * m_fabrics * m_slots)
+          m_pieceSlots(m_trays.size() * m_fabrics * m_slots),
+          m_cells(m_trays.size() * m_fabrics * classes),
+          m_slotsOfCell(m_cells.size() * m_slots),
+          m_slotsOfPerson(m_trays.size() * m_slots)
     {
+        if (m_slots > 2) aimAtSlots(random);
         std::vector<std::int64_t> trueOf(static_cast<std::size_t>(size.labels + 1)), pieces(m_trays.size() * m_fabrics);
         for (std::size_t participant = 0; participant < m_trays.size(); ++participant)
             for (std::size_t at = 0; at < m_trays[participant].size(); ++at) {
@@ -186,16 +194,20 @@ public:
                     pieces[participant * m_fabrics + static_cast<std::size_t>(fabric)] += countsSlot(shown, fabric);
                 count(participant, at, true);
             }
-        for (const std::int64_t presentations : trueOf) m_excess -= trueWeight * leastSquares(presentations, alternatives);
-        for (const std::int64_t times : pieces) m_excess -= leastSquares(times, alternatives);
+        for (const std::int64_t presentations : trueOf) m_excess -= m_trueWeight * leastSquares(presentations, alternatives);
+        for (std::size_t piece = 0; piece < pieces.size(); ++piece)
+            if (m_aims.empty() || m_aims[piece] != Aim::Drawn) m_excess -= leastSquares(pieces[piece], alternatives);
     }
 
     std::int64_t excess() const { return m_excess; }
     const Trays& trays() const { return m_trays; }
+    /// Whether the third kind of move is needed.
+    bool hasFreeSlots() const { return m_hasFree; }
 
     std::int64_t applyRandomMove(Random& random)
     {
         m_pair = randomPair(m_orders, m_places, random);
+        if (m_hasFree && random.below(3) == 0) return exchangeTrue(random);
         m_betweenTrays = m_slots == 2 || random.below(2) == 0;
         m_slot = m_betweenTrays ? trueSlot(m_pair.first) : random.below(m_slots);
         m_otherSlot = m_betweenTrays ? trueSlot(m_pair.second) : random.below(m_slots);
@@ -207,7 +219,97 @@ public:
     void undoMove() { swapSlots(); }
 
 private:
-    static constexpr std::int64_t trueWeight = 4;
+    static constexpr std::int64_t cellWeight = 2;
+    static constexpr std::int64_t seldom = 6;  // trays with a piece in each slot; one more then tells little
+    static constexpr std::size_t classes = 2;  // presentations of the conditions, and additional ones
+
+    enum class Aim {
+        Even,
+        Drawn,  ///< numbers of trays and true slots are drawn
+        Open    ///< trays even, true slots any
+    };
+
+    /// The presentations of a fabric to a participant; the additional ones apart.
+    struct Cell {
+        std::int64_t times = 0;
+        bool isFree = false;  ///< the third move may change its true slots
+    };
+
+    std::size_t cellOf(std::size_t participant, const Rendering& shown) const
+    {
+        return (participant * m_fabrics + static_cast<std::size_t>(shown.fabric)) * classes + (isAdditional(shown) ? 1 : 0);
+    }
+
+    std::int64_t least(std::int64_t times) const { return leastSquares(times, static_cast<std::int64_t>(m_slots)); }
+
+    void aimAtSlots(Random& random)
+    {
+        std::vector<std::int64_t> trays(m_trays.size() * m_fabrics);  // with the piece
+        for (std::size_t participant = 0; participant < m_trays.size(); ++participant) {
+            for (const Rendering& shown : m_orders[participant]) ++m_cells[cellOf(participant, shown)].times;
+            for (const Tray& tray : m_trays[participant])
+                for (const int fabric : tray) ++trays[participant * m_fabrics + static_cast<std::size_t>(fabric)];
+        }
+        const auto slots = static_cast<std::int64_t>(m_slots);
+        for (std::size_t at = 0; at < m_cells.size(); ++at) {
+            Cell& cell = m_cells[at];
+            cell.isFree = cell.times > 0 && (cell.times % slots != 0 || trays[at / classes] % slots != 0);
+            m_hasFree = m_hasFree || cell.isFree;
+        }
+        if (!m_hasFree) return;
+        m_trueWeight = 2;
+        for (const auto& list : m_trays) m_excess -= least(static_cast<std::int64_t>(list.size()));
+        m_aims.resize(trays.size());
+        for (std::size_t piece = 0; piece < trays.size(); ++piece) {
+            if (trays[piece] % slots != 0) m_aims[piece] = trays[piece] < seldom * slots ? Aim::Open : Aim::Drawn;
+            if (m_aims[piece] == Aim::Drawn) drawNumbers(piece, trays[piece], random);
+            if (m_aims[piece] != Aim::Even) continue;
+            for (std::size_t kind = 0; kind < classes; ++kind)
+                m_excess -= cellWeight * least(m_cells[piece * classes + kind].times);
+        }
+    }
+
+    /// Of `trays` with the piece, in each slot, and of its true presentations as many as are due: systematic sampling, so that
+    /// their expected number in a slot is in proportion to the trays there.
+    void drawNumbers(std::size_t piece, std::int64_t trays, Random& random)
+    {
+        std::vector<std::size_t> slots(m_slots);
+        for (std::size_t slot = 0; slot < m_slots; ++slot) slots[slot] = slot;
+        random.shuffle(slots);
+        std::array<std::int64_t, classes> start{};
+        for (auto& one : start) one = static_cast<std::int64_t>(random.below(static_cast<std::size_t>(trays)));
+        const auto count = static_cast<std::int64_t>(m_slots);
+        std::int64_t before = 0;
+        for (std::int64_t i = 0; i < count; ++i) {
+            const std::size_t slot = slots[static_cast<std::size_t>(i)];
+            const std::int64_t after = before + trays / count + (i < trays % count ? 1 : 0);
+            m_excess += aimAt(m_pieceSlots, piece * m_slots + slot, after - before);
+            for (std::size_t kind = 0; kind < classes; ++kind) {
+                const std::size_t cell = piece * classes + kind;
+                const auto due = [&](std::int64_t sum) { return (m_cells[cell].times * sum + start[kind]) / trays; };
+                m_excess += cellWeight * aimAt(m_slotsOfCell, cell * m_slots + slot, due(after) - due(before));
+            }
+            before = after;
+        }
+    }
+
+    /// From now on squares are those of the distance from `number`. Returns the change of the sum.
+    static std::int64_t aimAt(SquaredCounts& counts, std::size_t at, std::int64_t number)
+    {
+        std::int64_t change = 0;
+        for (std::int64_t i = 0; i < number; ++i) change += counts.remove(at);
+        return change;
+    }
+
+    std::int64_t exchangeTrue(Random& random)
+    {
+        m_betweenTrays = false;
+        m_slot = trueSlot(m_pair.first);
+        m_otherSlot = random.below(m_slots);
+        const Rendering& shown = m_orders[m_pair.participant][m_pair.first];
+        m_moves = m_slot != m_otherSlot && m_cells[cellOf(m_pair.participant, shown)].isFree;
+        return swapSlots();
+    }
 
     /// With two slots, a move takes each true piece and its foil together. There even slots of foils alone reveal less, except
     /// beside additional presentations, whose true slots are no longer halves.
@@ -256,7 +358,12 @@ private:
             const auto change = [&](SquaredCounts& counts, std::size_t row) {
                 return adding ? counts.add(row * m_slots + slot) : counts.remove(row * m_slots + slot);
             };
-            if (isTrue) m_excess += trueWeight * change(m_trueSlots, rowOf(shown));
+            if (isTrue) m_excess += m_trueWeight * change(m_trueSlots, rowOf(shown));
+            if (isTrue && m_hasFree) {
+                const std::size_t cell = cellOf(participant, shown);
+                if (m_aims[cell / classes] != Aim::Open) m_excess += cellWeight * change(m_slotsOfCell, cell);
+                m_excess += change(m_slotsOfPerson, participant);
+            }
             if (countsSlot(shown, tray[slot])) m_excess += change(m_pieceSlots, participant * m_fabrics + fabric);
         }
     }
@@ -266,8 +373,13 @@ private:
     std::size_t m_fabrics;
     std::size_t m_slots;
     Trays m_trays;
-    SquaredCounts m_trueSlots;   ///< [label, last the additional ones][slot], over the study
-    SquaredCounts m_pieceSlots;  ///< [participant][piece][slot], see countsSlot()
+    SquaredCounts m_trueSlots;                     ///< [label, last the additional ones][slot], over the study
+    SquaredCounts m_pieceSlots;                    ///< [participant][piece][slot], see countsSlot()
+    std::vector<Aim> m_aims;                       ///< [participant][piece]; empty without the third move
+    std::vector<Cell> m_cells;                     ///< [participant][fabric][class]
+    SquaredCounts m_slotsOfCell, m_slotsOfPerson;  ///< true slots: [cell][slot], [participant][slot]
+    bool m_hasFree = false;                        ///< see hasFreeSlots()
+    std::int64_t m_trueWeight = 4;
     std::int64_t m_excess = 0;
     PlacePair m_pair;
     std::size_t m_slot = 0;
@@ -423,8 +535,8 @@ Trays drawTrays(const Orders& orders, const StudySize& size, int alternatives, T
     Trays trays = neighbours.sets();
     if (aim == TrayAim::FewSwaps) return laidOutInPlace(trays, random);
     layOut(trays, orders, size, alternatives, random);
-    SlotSearch slots(orders, size, alternatives, std::move(trays));
-    annealAgain(slots, random, {.moves = moves, .hot = 4});
+    SlotSearch slots(orders, size, alternatives, std::move(trays), random);
+    annealAgain(slots, random, {.moves = slots.hasFreeSlots() ? 3 * moves : moves, .hot = 4});
     return slots.trays();
 }
 

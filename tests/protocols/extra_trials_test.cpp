@@ -159,7 +159,9 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < balance.ranges.size(); ++i) {
             const auto &range = balance.ranges[i], &plainRange = plainBalance.ranges[i];
             QCOMPARE(range.what, plainRange.what);
-            const int slack = range.what.find("foil") == std::string::npos ? 0 : 3;
+            // The trays of a piece do not go into three slots here, so that evener true slots would tell.
+            const bool isOfFabric = range.what.starts_with("true slots per participant and fabric");
+            const int slack = range.what.find("foil") != std::string::npos ? 3 : isOfFabric ? 1 : 0;
             QVERIFY2(range.min >= plainRange.min - slack && range.max <= plainRange.max + slack, range.what.c_str());
         }
     }

@@ -337,8 +337,8 @@ private Q_SLOTS:
             }
         QVERIFY(again.isAtChance("the same pieces lay there a block earlier"));
         QVERIFY(rare.isAtChance("holds a piece that lies there once less"));
-        // 10 or 11 trays of a piece cannot be even over three slots, which tells true pieces a little.
-        for (const auto& found : foundByCounts(all, protocol)) QVERIFY2(!found.starts_with("anchor"), found.c_str());
+        // 10 or 11 trays of a piece cannot be even over three slots: true pieces must not be evener than the others.
+        QCOMPARE(foundByCounts(all, protocol), std::vector<std::string>());
     }
 
     void repetitionsWithTheirOldFoilsAreSeenThrough()
@@ -363,10 +363,12 @@ private Q_SLOTS:
         QTest::addColumn<int>("caught");
         QTest::addColumn<int>("repeated");
         QTest::addColumn<double>("most");
-        QTest::newRow("as many as fabrics") << 7 << R"("v_grey", "f", "h")" << 4 << 3 << 0.42;
-        QTest::newRow("fewer than fabrics") << 9 << R"("v_grey", "f", "h")" << 0 << 5 << 0.42;
+        QTest::newRow("as many as fabrics") << 7 << R"("v_grey", "f", "h")" << 4 << 3 << 0.37;
+        QTest::newRow("fewer than fabrics") << 9 << R"("v_grey", "f", "h")" << 0 << 5 << 0.36;
         QTest::newRow("slots that do not go into the conditions") << 6 << R"("v_grey", "f", "h", "h&f")" << 0 << 0 << 0.36;
-        QTest::newRow("one condition") << 8 << R"("h")" << 0 << 0 << 0.42;
+        QTest::newRow("one condition") << 8 << R"("h")" << 0 << 0 << 0.38;
+        QTest::newRow("one condition, repetitions") << 8 << R"("h")" << 0 << 4 << 0.38;
+        QTest::newRow("one condition, catch trials") << 9 << R"("h")" << 3 << 6 << 0.38;
     }
 
     void noSlotNamesTheTruePieceOfAnAdditionalPresentation()

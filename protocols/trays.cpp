@@ -184,7 +184,7 @@ public:
           m_slotsOfCell(m_cells.size() * m_slots),
           m_slotsOfPerson(m_trays.size() * m_slots)
     {
-        if (m_slots > 2) aimAtSlots(random);
+        aimAtSlots(random);
         std::vector<std::int64_t> trueOf(static_cast<std::size_t>(size.labels + 1)), pieces(m_trays.size() * m_fabrics);
         for (std::size_t participant = 0; participant < m_trays.size(); ++participant)
             for (std::size_t at = 0; at < m_trays[participant].size(); ++at) {
@@ -311,11 +311,11 @@ private:
         return swapSlots();
     }
 
-    /// With two slots, a move takes each true piece and its foil together. There even slots of foils alone reveal less, except
-    /// beside additional presentations, whose true slots are no longer halves.
+    /// With two slots and without the third move, a move takes each true piece and its foil together. There even slots of foils
+    /// alone reveal less, except beside additional presentations, whose true slots are no longer halves.
     bool countsSlot(const Rendering& shown, int fabric) const
     {
-        return m_slots > 2 || fabric != shown.fabric || isAdditional(shown);
+        return m_slots > 2 || m_hasFree || fabric != shown.fabric || isAdditional(shown);
     }
 
     std::size_t rowOf(const Rendering& shown) const

@@ -172,11 +172,11 @@ std::vector<std::string> foundByCounts(const std::vector<Design>& all, const Pro
     return found;
 }
 
-/// Choices among three, with catch trials and repetitions.
-Protocol choices(int fabrics, const std::string& conditions, int caught, int repeated)
+/// Choices with catch trials and repetitions.
+Protocol choices(int fabrics, const std::string& conditions, int caught, int repeated, int alternatives = 3)
 {
-    return fromJson(R"({"questions": ["Q1"], "alternatives": 3, "catch_trials": )" + std::to_string(caught) +
-                        R"(, "anchors": {"repeated": )" + std::to_string(repeated) + "}}",
+    return fromJson(R"({"questions": ["Q1"], "alternatives": )" + std::to_string(alternatives) + R"(, "catch_trials": )" +
+                        std::to_string(caught) + R"(, "anchors": {"repeated": )" + std::to_string(repeated) + "}}",
                     8, fabrics, conditions);
 }
 
@@ -391,6 +391,20 @@ private Q_SLOTS:
             isAtChance(share, 0);
             QVERIFY2(share.rate() < most, qPrintable(QString("%1 %").arg(100 * share.rate())));
         }
+    }
+
+    /// Formerly the other one of two pieces was the true one in 60 %.
+    void noSlotNamesTheTruePieceOfTwo()
+    {
+        Share share;
+        for (const Design& design : designsOf(choices(9, R"("f", "h")", 0, 5, 2), 4 * designs()))
+            for (const auto& list : design.participants)
+                for (const DesignTrial& trial : list) {
+                    if (trial.anchor != AnchorKind::None) continue;
+                    share.hits += truthByItsSlot(list, trial);
+                    ++share.trials;
+                }
+        QVERIFY2(std::abs(share.rate() - 0.5) < 0.04, qPrintable(QString("%1 %").arg(100 * share.rate())));
     }
 
     void truePiecesThatStayInTheirSlotAreSeenThrough()

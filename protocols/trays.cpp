@@ -167,9 +167,9 @@ private:
 /// State of the search: trays with the true fabric in its slot. A move exchanges the true slots of two presentations of one
 /// fabric, or two foils on one tray. Both keep the true slots per participant x fabric. These must not be evener than the slots
 /// of all trays with the piece: a slot where it lies once more would else hold a foil more often. Where the trays of a piece do
-/// not go into the slots, its numbers are therefore drawn, of all its trays and, in proportion, of the true ones; a piece that
-/// lies there seldom gets any true slots. A third move, which exchanges the true fabric and a foil of one tray, reaches them. It
-/// also helps where true slots cannot be even, as with one presentation.
+/// not go into the slots, its numbers are therefore drawn, of all its trays and, in proportion, of the true ones; for a piece
+/// that lies there seldom, any true slots will do. A third move, which exchanges the true fabric and a foil of one tray, reaches
+/// them. It also helps where true slots cannot be even, as with one presentation.
 class SlotSearch {
 public:
     SlotSearch(const Orders& orders, const StudySize& size, int alternatives, Trays trays, Random& random)
@@ -220,7 +220,7 @@ public:
 
 private:
     static constexpr std::int64_t cellWeight = 2;
-    static constexpr std::int64_t seldom = 6;  // trays with a piece in each slot; one more then tells little
+    static constexpr std::int64_t seldom = 6;  // trays with a piece in a slot; for fewer, drawn numbers are too coarse
     static constexpr std::size_t classes = 2;  // presentations of the conditions, and additional ones
 
     enum class Aim {

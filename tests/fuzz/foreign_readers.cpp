@@ -25,19 +25,13 @@
 #include "study/app/drafts/protocol_draft.h"
 #include "study/looking/picture_decoder.h"
 #include "study/participant/sound/sound_lines.h"
+#include "tests/fuzz/inputs.h"
 
 namespace fuzz {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-void write(const fs::path& file, const std::string& bytes) { std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes; }
-
-void expect(bool isSo, const char* fault)
-{
-    if (!isSo) throw std::runtime_error(fault);
-}
 
 /// Runs steps of which each may refuse.
 void refusable(const std::function<void()>& step)
@@ -53,8 +47,8 @@ void useTable(const protocols::ForeignTable& read)
 {
     for (const auto& row : read.table.rows)
         for (const std::string& cell : row) {
-            expect(!protocols::firstByteThatIsNotUtf8(cell), "a cell is not UTF-8");
-            expect(protocols::cellWithoutGuard(protocols::safeCell(cell)) == cell, "a safe cell does not give its text back");
+            require(!protocols::firstByteThatIsNotUtf8(cell), "a cell is not UTF-8");
+            require(protocols::cellWithoutGuard(protocols::safeCell(cell)) == cell, "a safe cell does not give its text back");
         }
 }
 
@@ -130,7 +124,7 @@ std::string pictureWithExif()
 void readResolution(const std::string& bytes)
 {
     const auto stated = rendering::scans::statedResolution(bytes);
-    if (stated) expect(std::isfinite(stated->perInch) && stated->perInch > 0, "an impossible resolution was taken");
+    if (stated) require(std::isfinite(stated->perInch) && stated->perInch > 0, "an impossible resolution was taken");
 }
 
 /// The bytes as pixels of a normal map and of a displacement beside it.
@@ -145,9 +139,9 @@ void readScanPixels(const std::string& bytes)
         for (int channel = 0; channel < 3; ++channel) pixel[channel] = static_cast<unsigned char>(byte());
     for (auto& height : cv::Mat_<float>(displacement)) height = static_cast<float>(byte()) / 255;
     const auto slopes = rendering::scans::slopesOfNormals(normals, "normals.png");
-    expect(cv::checkRange(slopes.x) && cv::checkRange(slopes.y), "a slope is not finite");
+    require(cv::checkRange(slopes.x) && cv::checkRange(slopes.y), "a slope is not finite");
     const double correlation = rendering::scans::heightCorrelation(slopes.x, displacement);
-    expect(std::abs(correlation) <= 1 + 1e-6, "a correlation beyond 1");
+    require(std::abs(correlation) <= 1 + 1e-6, "a correlation beyond 1");
 }
 
 std::string soundPixels()
@@ -163,7 +157,7 @@ void readKept(const std::string& bytes)
     const auto kept = rendering::cache::unpacked(bytes);
     if (!kept) throw protocols::badInput({"no kept result", "", "", ""});
     const auto again = rendering::cache::unpacked(rendering::cache::packed(*kept));
-    expect(again && again->arrays.size() == kept->arrays.size(), "a result is not read as it was written");
+    require(again && again->arrays.size() == kept->arrays.size(), "a result is not read as it was written");
 }
 
 std::string soundKept()
@@ -184,7 +178,7 @@ void readQueue(const fs::path& folder, const std::string& bytes)
 {
     const database::StudyFolder place{folder};
     for (const char* ending : {"", "-wal", "-shm"}) fs::remove(place.queue().string() + ending);
-    write(place.queue(), bytes);
+    put(place.queue(), bytes);
     database::AnswerQueue queue(place);
     for (int taken = 0; taken < 4; ++taken) {
         const auto entry = queue.first();
@@ -192,7 +186,7 @@ void readQueue(const fs::path& folder, const std::string& bytes)
         queue.remove(entry->number);
     }
     queue.put({0, "P01", "human", "{}"});
-    expect(queue.size() > 0, "an entry was put and is not there");
+    require(queue.size() > 0, "an entry was put and is not there");
 }
 
 std::string soundQueue(const fs::path& folder)
@@ -215,15 +209,15 @@ void readReply(const std::string& bytes)
     refusable([&] { (void)database::entryNumberFrom(reply, where); });
     refusable([&] { (void)database::trialFrom(reply, where); });
     refusable([&] { (void)database::placesFrom(reply, where); });
-    refusable([&] { expect(database::progressFrom(reply, where).answers >= 0, "fewer answers than none"); });
+    refusable([&] { require(database::progressFrom(reply, where).answers >= 0, "fewer answers than none"); });
     refusable([&] {
         for (const auto& item : database::studyReplyFrom(reply, where).facts.familiarisation)
-            expect(database::familiarisationPosition(item.sealedCode).has_value(), "an image cannot be asked for");
+            require(database::familiarisationPosition(item.sealedCode).has_value(), "an image cannot be asked for");
     });
     refusable([&] {
         const auto place = database::claimReplyFrom(reply, where, "P01");
         for (std::size_t i = 0; i < place.trials.size(); ++i)
-            expect(place.trials[i].number.value == static_cast<int>(i) + 1, "trials are not in their order");
+            require(place.trials[i].number.value == static_cast<int>(i) + 1, "trials are not in their order");
     });
 }
 
@@ -264,7 +258,7 @@ void readTiles(const fs::path& folder)
     using namespace rendering::scans;
     const std::vector<ScanFiles> fabrics{{"linen", folder, {}, {}, {}}};
     for (const TileWidth& width : tileWidths(fabrics, folder, {}))
-        expect(width.mm >= 1 && width.mm <= 100'000, "an impossible width was taken");
+        require(width.mm >= 1 && width.mm <= 100'000, "an impossible width was taken");
 }
 
 }  // namespace
@@ -292,14 +286,14 @@ std::vector<Reader> foreignReaders(const fs::path& folder)
         {"colour-tiff",
          {colourTiff(8), colourTiff(16)},
          [tiff](const std::string& bytes) {
-             write(tiff, bytes);
-             expect(rendering::readColourTiff(tiff).channels() % 2 == 1, "neither grey nor RGB");
+             put(tiff, bytes);
+             require(rendering::readColourTiff(tiff).channels() % 2 == 1, "neither grey nor RGB");
          }},
         {"picture",
          {},
          [picture](const std::string& bytes) {
-             write(picture, bytes);
-             expect(study::looking::decodeByQt(picture).type() == CV_8UC3, "another kind of picture");
+             put(picture, bytes);
+             require(study::looking::decodeByQt(picture).type() == CV_8UC3, "another kind of picture");
          },
          [] {
              return std::vector<std::string>{pictureBytes("JPG"), pictureBytes("BMP"), pictureBytes("PPM"), pictureWithExif()};
@@ -320,20 +314,20 @@ std::vector<Reader> foreignReaders(const fs::path& folder)
         {"tiles",
          {"name,width_mm\nlinen,268.1\n"},
          [tables](const std::string& bytes) {
-             write(tables / "tiles.csv", bytes);
+             put(tables / "tiles.csv", bytes);
              readTiles(tables);
          }},
         {"scan-json",
          {R"({"tile_mm":268.1})"},
          [stated](const std::string& bytes) {
-             write(stated / "scan.json", bytes);
+             put(stated / "scan.json", bytes);
              readTiles(stated);
          }},
         {"kept-result", {soundKept()}, readKept},
         {"cloth-check",
          {std::string(std::istreambuf_iterator<char>(check), {})},
          [cloth](const std::string& bytes) {
-             write(cloth, bytes);
+             put(cloth, bytes);
              readCloth(cloth);
          }},
         {"answer-queue",
@@ -350,7 +344,7 @@ std::vector<Reader> foreignReaders(const fs::path& folder)
          {R"({"schema":"vis2hap.protocol/1","name":"a","fabrics":["F01","F02"],"phases":[{"questions":["Q1"],"images":"x"},{"scale":{"min":0}}],"prompts":{"wait":"wait.wav"}})"},
          readDraft},
         {"results-file", {R"({"schema":"vis2hap.results/2","study":{"simulated":true}})"}, [results](const std::string& bytes) {
-             write(results, bytes);
+             put(results, bytes);
              (void)reports::isResultsFile(results);
          }}};
 }

@@ -11,19 +11,13 @@
 #include "rendering/response/response_file.h"
 #include "rendering/response/response_table.h"
 #include "study/players/planted_effects.h"
+#include "tests/fuzz/inputs.h"
 
 namespace fuzz {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-void put(const fs::path& file, const std::string& bytes) { std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes; }
-
-void require(bool isSo, const char* fault)
-{
-    if (!isSo) throw std::runtime_error(fault);
-}
 
 const protocols::Protocol& plantedProtocol()
 {

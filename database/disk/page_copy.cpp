@@ -130,8 +130,9 @@ bool PageCopy::agreesWith(const LogState& now, const Touched& touched)
         if (now.frames == known && touched.log && !eachFrame(now, 0, [](std::uint32_t, const char*) {})) return false;
     }
     // The copy takes a commit only where the database under it was the right one: SQLite may have read other bytes.
+    const Moved moved = movedOf(fresh, known);
     const std::size_t lasting = now.frames > 0 ? std::min<std::size_t>(m_pages.size(), now.pages) : m_pages.size();
-    if (!(beganAgain || touched.database ? allAreThere(lasting) : someAreThere(lasting))) return false;
+    if (!(beganAgain || touched.database ? allAreThere(lasting, moved) : someAreThere(lasting, moved))) return false;
     if (now.frames > known) take(std::move(fresh), now.pages);
     m_log = now;
     return true;
@@ -214,33 +215,45 @@ void PageCopy::take(Frames fresh, std::size_t pages)
         if (page < pages) m_pages[page] = std::move(bytes);  // a later commit may have made the database smaller
 }
 
-bool PageCopy::pagesAreThere(std::size_t first, std::size_t count) const
+/// SQLite begins a checkpoint at the end of the commit that makes the log long, so that the database may hold this commit, too.
+PageCopy::Moved PageCopy::movedOf(const Frames& fresh, std::uint32_t known) const
+{
+    Moved moved;
+    const std::size_t count = m_backfilled > known ? std::min<std::size_t>(fresh.size(), m_backfilled - known) : 0;
+    for (const auto& [page, bytes] : std::span(fresh).first(count)) moved[page] = bytes.get();
+    return moved;
+}
+
+bool PageCopy::isThere(std::size_t page, const char* found, const Moved& moved) const
+{
+    const auto place = moved.find(page);
+    if (const char* known = place != moved.end() ? place->second : m_pages[page].get())
+        return std::memcmp(found, known, m_pageBytes) == 0;
+    return std::all_of(found, found + m_pageBytes, [](char byte) { return byte == 0; });
+}
+
+bool PageCopy::pagesAreThere(std::size_t first, std::size_t count, const Moved& moved) const
 {
     std::vector<char> block(count * m_pageBytes);
     if (!m_raw.readDatabase(static_cast<std::int64_t>(first) * m_pageBytes, block)) return false;
-    for (std::size_t i = 0; i < count; ++i) {
-        const char* found = block.data() + i * m_pageBytes;
-        const char* known = m_pages[first + i].get();
-        const bool isThere = known ? std::memcmp(found, known, m_pageBytes) == 0
-                                   : std::all_of(found, found + m_pageBytes, [](char byte) { return byte == 0; });
-        if (!isThere && !isInLogOnly(first + i)) return false;
-    }
+    for (std::size_t i = 0; i < count; ++i)
+        if (!isThere(first + i, block.data() + i * m_pageBytes, moved) && !isInLogOnly(first + i)) return false;
     return true;
 }
 
-bool PageCopy::allAreThere(std::size_t pages) const
+bool PageCopy::allAreThere(std::size_t pages, const Moved& moved) const
 {
     for (std::size_t page = 0; page < pages; page += blockPages)
-        if (!pagesAreThere(page, std::min(blockPages, pages - page))) return false;
+        if (!pagesAreThere(page, std::min(blockPages, pages - page), moved)) return false;
     return true;
 }
 
 /// The first page, which names the tables, and another one each time.
-bool PageCopy::someAreThere(std::size_t pages)
+bool PageCopy::someAreThere(std::size_t pages, const Moved& moved)
 {
     if (pages == 0) return true;
     m_sample = (m_sample + 1) % pages;
-    return pagesAreThere(0, 1) && pagesAreThere(m_sample, 1);
+    return pagesAreThere(0, 1, moved) && pagesAreThere(m_sample, 1, moved);
 }
 
 void PageCopy::give(const protocols::TakeBytes& take) const

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -47,6 +48,7 @@ public:
 private:
     using Page = std::unique_ptr<char[]>;
     using Frames = std::vector<std::pair<std::size_t, Page>>;  ///< each with the place of its page
+    using Moved = std::map<std::size_t, const char*>;          ///< pages of a new commit that the database holds already
     using Checksum = std::array<std::uint32_t, 2>;
 
     void readAll();
@@ -59,9 +61,11 @@ private:
     void take(Frames fresh, std::size_t pages);
     template <class Take>
     bool eachFrame(const LogState& now, std::uint32_t known, const Take& take) const;
-    bool pagesAreThere(std::size_t first, std::size_t count) const;
-    bool allAreThere(std::size_t pages) const;
-    bool someAreThere(std::size_t pages);
+    Moved movedOf(const Frames& fresh, std::uint32_t known) const;
+    bool isThere(std::size_t page, const char* found, const Moved& moved) const;
+    bool pagesAreThere(std::size_t first, std::size_t count, const Moved& moved) const;
+    bool allAreThere(std::size_t pages, const Moved& moved) const;
+    bool someAreThere(std::size_t pages, const Moved& moved);
     /// So that the database file may hold an older page.
     bool isInLogOnly(std::size_t page) const { return page < m_lastFrame.size() && m_lastFrame[page] > m_backfilled; }
     std::int64_t placeOfFrame(std::uint32_t frame) const;

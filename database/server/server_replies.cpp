@@ -185,9 +185,11 @@ ClaimReply claimReplyFrom(const Json& reply, const std::string& where, const std
     });
 }
 
-protocols::BlindedTrial trialFrom(const Json& reply, const std::string& where)
+protocols::BlindedTrial trialFrom(const Json& reply, const std::string& where, protocols::TrialNumber asked)
 {
-    return reading(where, [&] { return trialIn(reply); });
+    protocols::BlindedTrial trial = reading(where, [&] { return trialIn(reply); });
+    if (trial.number == asked) return trial;
+    throw unreadable("trial " + std::to_string(trial.number.value) + " in place of trial " + std::to_string(asked.value), where);
 }
 
 LogHead headFrom(const Json& reply, const std::string& where)

@@ -43,7 +43,8 @@ struct ClaimReply {
 nlohmann::json replyFrom(std::string_view text, const std::string& where);
 StudyReply studyReplyFrom(const nlohmann::json& reply, const std::string& where);
 ClaimReply claimReplyFrom(const nlohmann::json& reply, const std::string& where, const std::string& participant);
-protocols::BlindedTrial trialFrom(const nlohmann::json& reply, const std::string& where);
+/// Reply of presentation(); also refuses another trial than the one that was asked for.
+protocols::BlindedTrial trialFrom(const nlohmann::json& reply, const std::string& where, protocols::TrialNumber asked);
 LogHead headFrom(const nlohmann::json& reply, const std::string& where);
 /// Number of an entry in the log, in the reply of store().
 std::int64_t entryNumberFrom(const nlohmann::json& reply, const std::string& where);

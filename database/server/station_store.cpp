@@ -211,7 +211,7 @@ protocols::BlindedTrial StationStore::dueTrial(int, protocols::TrialNumber numbe
     requireLink();
     try {
         const ServerReply reply = m_link->callForImage("presentation", {number.value}, m_patience.presentation);
-        protocols::BlindedTrial trial = trialFrom(reply.json, m_note.address);
+        protocols::BlindedTrial trial = trialFrom(reply.json, m_note.address, number);
         if (m_givesTickets || m_images.size() >= keptImages) m_images.clear();  // only the last ticket holds
         m_images[trial.sealedCode] = {reply.image, reply.key};
         m_trials.at(static_cast<std::size_t>(number.value) - 1) = trial;

@@ -56,6 +56,7 @@ private Q_SLOTS:
         QCOMPARE(place.trials[1].deadlineMs, 900);
         QVERIFY(place.trials[1].sealedCode.empty());
         QCOMPARE(place.swatches.size(), std::size_t{1});
+        QCOMPARE(trialFrom(claim()["trials"][1], where, {2}).presentationCode, protocols::PresentationCode("A2"));
         const ServerProgress seen = progressFrom(progress(), where);
         QCOMPARE(std::vector<int>({seen.free, seen.started, seen.finished, seen.withdrawn, seen.answers}),
                  std::vector<int>({1, 1, 0, 1, 7}));
@@ -88,6 +89,8 @@ private Q_SLOTS:
         QTest::newRow("swatches") << claimed("/swatches", "K7") << unread;
         QTest::newRow("negative answers") << seen("/places/0/answers", -20) << unread + "impossible counts of answers";
         QTest::newRow("answers") << seen("/places/0/answers", 2147483647) << unread + "impossible counts of answers";
+        QTest::newRow("another trial") << errorOf([&] { trialFrom(claim()["trials"][1], where, {1}); })
+                                       << unread + "trial 2 in place of trial 1";
         QTest::newRow("state") << seen("/places/1/state", "lost") << "the database holds an unknown name";
         QTest::newRow("head") << seen("/head", nullptr) << unread;
     }

@@ -22,9 +22,12 @@ struct StoredLinks {
     std::string places, salt, commitment, previous, own;
 };
 
-std::optional<std::string> textOrNone(const QVariant& value)
+/// The bytes of a column that the query casts to BLOB: Qt would convert a text to UTF-16, and this program back.
+std::string bytesOf(const QVariant& value) { return value.toByteArray().toStdString(); }
+
+std::optional<std::string> bytesOrNone(const QVariant& value)
 {
-    return value.isNull() ? std::nullopt : std::optional(fromQt(value));
+    return value.isNull() ? std::nullopt : std::optional(bytesOf(value));
 }
 
 /// The latest row of a question counts, so rows that follow each other differently from their entries would change answers.
@@ -51,32 +54,31 @@ private:
 void readResponses(const SqliteConnection& sqlite, Log& log, std::vector<std::string>& faults)
 {
     OrderCheck order("responses", faults);
-    QSqlQuery query =
-        sqlite.run(QStringLiteral("SELECT event, %1 FROM responses ORDER BY id").arg(namesOf(ResponseColumns::OfTable)));
+    QSqlQuery query = sqlite.run(QStringLiteral("SELECT event, %1 FROM responses ORDER BY id").arg(bytesOfTable()));
     while (query.next())
         log[order.next(query.value(0).toLongLong())].responses.push_back(rowFrom(query, ResponseColumns::OfTable, 1));
 }
 
-/// The bytes of a column that the query casts to BLOB: Qt would convert a text to UTF-16, and this program back.
-std::string bytesOf(const QVariant& value) { return value.toByteArray().toStdString(); }
-
 void readRest(const SqliteConnection& sqlite, Log& log, std::vector<std::string>& faults)
 {
     OrderCheck order("notes", faults);
-    QSqlQuery row = sqlite.run(QStringLiteral("SELECT event, participant, trial, attempt FROM voids ORDER BY rowid"));
+    QSqlQuery row =
+        sqlite.run(QStringLiteral("SELECT event, CAST(participant AS BLOB), trial, attempt FROM voids ORDER BY rowid"));
     while (row.next())
-        log[row.value(0).toLongLong()].voids.push_back({fromQt(row.value(1)), row.value(2).toInt(), row.value(3).toInt()});
-    row = sqlite.run(QStringLiteral("SELECT event, participant, trial, attempt, question, text, is_flag FROM notes ORDER BY id"));
-    while (row.next())
-        log[order.next(row.value(0).toLongLong())].notes.push_back({fromQt(row.value(1)), row.value(2).toInt(),
-                                                                    row.value(3).toInt(), textOrNone(row.value(4)),
-                                                                    fromQt(row.value(5)), row.value(6).toInt() != 0});
-    OrderCheck orderOfFingers("finger_samples", faults);
+        log[row.value(0).toLongLong()].voids.push_back({bytesOf(row.value(1)), row.value(2).toInt(), row.value(3).toInt()});
     row =
-        sqlite.run(QStringLiteral("SELECT event, participant, trial, attempt, began_at, count, left_out, CAST(samples AS BLOB) "
-                                  "FROM finger_samples ORDER BY id"));
+        sqlite.run(QStringLiteral("SELECT event, CAST(participant AS BLOB), trial, attempt, CAST(question AS BLOB), CAST(text AS "
+                                  "BLOB), is_flag FROM notes ORDER BY id"));
     while (row.next())
-        log[orderOfFingers.next(row.value(0).toLongLong())].finger.push_back({fromQt(row.value(1)),
+        log[order.next(row.value(0).toLongLong())].notes.push_back({bytesOf(row.value(1)), row.value(2).toInt(),
+                                                                    row.value(3).toInt(), bytesOrNone(row.value(4)),
+                                                                    bytesOf(row.value(5)), row.value(6).toInt() != 0});
+    OrderCheck orderOfFingers("finger_samples", faults);
+    row = sqlite.run(QStringLiteral(
+        "SELECT event, CAST(participant AS BLOB), trial, attempt, began_at, count, left_out, CAST(samples AS BLOB) "
+        "FROM finger_samples ORDER BY id"));
+    while (row.next())
+        log[orderOfFingers.next(row.value(0).toLongLong())].finger.push_back({bytesOf(row.value(1)),
                                                                               row.value(2).toInt(),
                                                                               row.value(3).toInt(),
                                                                               row.value(4).toLongLong(),
@@ -84,9 +86,10 @@ void readRest(const SqliteConnection& sqlite, Log& log, std::vector<std::string>
                                                                               row.value(6).toInt(),
                                                                               {},
                                                                               protocols::sha256(bytesOf(row.value(7)))});
-    row = sqlite.run(QStringLiteral("SELECT event, who, why, wall_time FROM unblindings"));
+    row = sqlite.run(
+        QStringLiteral("SELECT event, CAST(who AS BLOB), CAST(why AS BLOB), CAST(wall_time AS BLOB) FROM unblindings"));
     while (row.next())
-        log[row.value(0).toLongLong()].unblinding = {fromQt(row.value(1)), fromQt(row.value(2)), fromQt(row.value(3))};
+        log[row.value(0).toLongLong()].unblinding = {bytesOf(row.value(1)), bytesOf(row.value(2)), bytesOf(row.value(3))};
 }
 
 /// An entry of the log with its rows and its links, ready to be checked.
@@ -244,6 +247,9 @@ void checkEnd(const SqliteConnection& sqlite, const Log& log, std::vector<std::s
     const std::int64_t last = log.empty() ? 0 : log.rbegin()->first;
     if (written != last)
         faults.push_back("the log ends at entry " + std::to_string(last) + ", " + std::to_string(written) + " were written");
+    const auto strange =
+        QStringLiteral("SELECT COUNT(*) - COUNT(DISTINCT name) + TOTAL(name NOT IN ('events', 'acts')) FROM sqlite_sequence");
+    if (sqlite.value(strange).toInt() != 0) faults.emplace_back("study.db: the table sqlite_sequence has unknown rows");
 }
 
 /// The entry that an upgrade from an older schema left.
@@ -342,6 +348,7 @@ std::vector<std::string> faultsOfFile(const std::filesystem::path& file)
     while (row.next())
         faults.push_back("study.db: table " + fromQt(row.value(0)) + ", row " + fromQt(row.value(1)) +
                          " refers to a missing row of " + fromQt(row.value(2)));
+    for (std::string& fault : faultsOfIntegers(sqlite)) faults.push_back(std::move(fault));
     return faults;
 }
 

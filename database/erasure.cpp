@@ -6,6 +6,7 @@
 
 #include "database/disk/payload_fields.h"
 #include "database/event_chain.h"
+#include "database/rescue.h"
 #include "database/schema.h"
 #include "database/stored_texts.h"
 #include "database/study_rows.h"
@@ -144,7 +145,8 @@ ErasureRecord eraseFrom(const SqliteConnection& sqlite, const Erasure& erasure)
         throw protocols::environmentFault({"the data are removed, but another program keeps an older state of the study", folder,
                                            "no open monitor, report or database browser",
                                            "close it and run the command again, which completes the erasure"});
-    const protocols::ByteSearch search = protocols::searchFiles(sqlite.file().parent_path(), {texts.begin(), texts.end()});
+    const protocols::ByteSearch search = protocols::searchFiles(sqlite.file().parent_path(), {texts.begin(), texts.end()},
+                                                              rescueFilesOutside({sqlite.file().parent_path()}));
     record.searchedFiles = search.files;
     record.searchedTexts = texts.size();
     record.found = search.found;

@@ -9,7 +9,7 @@
 
 #include "database/station_key.h"
 #include "database/study_store.h"
-#include "protocols/allocation.h"
+#include "protocols/orders/allocation.h"
 
 namespace database {
 

@@ -10,7 +10,7 @@
 #include "database/event_chain.h"
 #include "database/sqlite_connection.h"
 #include "database/study_store.h"
-#include "protocols/allocation.h"
+#include "protocols/orders/allocation.h"
 
 namespace database {
 

@@ -46,13 +46,27 @@ fs::path freeName(const fs::path& where, const std::string& prefix)
     return where / (prefix + std::to_string(number) + ".db");
 }
 
+/// False where the connection cannot be read, or the file lacks a row of the copy.
+bool wroteWhatIsRead(const SqliteConnection& sqlite, const PageCopy& copy, const fs::path& file)
+{
+    try {
+        sqlite.run(QStringLiteral("VACUUM INTO ?"), {toQt(file.string())});
+        if (holdsAllOf(copy, file)) return true;
+    } catch (const protocols::Error&) {
+        // The copy is written in its place.
+    }
+    std::error_code ignored;
+    for (const char* ending : {"", "-wal", "-shm"}) fs::remove(file.string() + ending, ignored);
+    return false;
+}
+
 bool wroteCopy(const SqliteConnection& sqlite, const PageCopy* copy, const fs::path& file)
 {
     try {
-        if (copy)
-            copy->writeTo(file);
-        else
+        if (!copy)
             sqlite.run(QStringLiteral("VACUUM INTO ?"), {toQt(file.string())});
+        else if (!wroteWhatIsRead(sqlite, *copy, file))
+            copy->writeTo(file);
         ::chmod(file.c_str(), 0600);
         headIn(SqliteConnection(file, SqliteConnection::Mode::Read));
         return true;
@@ -201,10 +215,10 @@ std::filesystem::path keepAside(const SqliteConnection& sqlite, const PageCopy* 
                                        "leave this window open and free space"});
 }
 
-bool holdsAllOf(const PageCopy& copy, const StudyFolder& folder)
+bool holdsAllOf(const PageCopy& copy, const std::filesystem::path& database)
 {
     try {
-        const SqliteConnection present(folder.database(), SqliteConnection::Mode::Read);
+        const SqliteConnection present(database, SqliteConnection::Mode::Read);
         if (!attached(present, copy, "kept")) return false;
         const ReadSnapshot snapshot(present);
         if (fromQt(present.value(QStringLiteral("PRAGMA main.quick_check(1)"))) != "ok") return false;
@@ -228,6 +242,16 @@ std::vector<std::filesystem::path> rescueFiles(const StudyFolder& folder)
         std::error_code unknown;
         return fs::last_write_time(file, unknown);
     });
+    return files;
+}
+
+std::vector<std::filesystem::path> rescueFilesOutside(const StudyFolder& folder)
+{
+    std::vector<fs::path> files;
+    std::error_code none;
+    addRescues(besideOf(folder), prefixBeside(folder), files);
+    const fs::path temporary = fs::temp_directory_path(none);
+    if (!none && !fs::equivalent(temporary, besideOf(folder), none)) addRescues(temporary, prefixBeside(folder), files);
     return files;
 }
 

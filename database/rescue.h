@@ -13,17 +13,21 @@
 namespace database {
 
 /// Writes the open database into a new file "rescue-N.db" in the study folder; where the folder is gone, "NAME-rescue-N.db"
-/// beside its place, or else in the folder for temporary files. `copy`: what it held when every file was in place; null to read
-/// it through the connection, which fails where the files were overwritten. Throws environmentFault where no place takes it.
+/// beside its place, or else in the folder for temporary files. `copy`: what it held when every file was in place. What the
+/// connection reads is taken where that has every row of the copy: another process may have recorded acts since. Without a copy
+/// (null) it is taken as it is, which fails where the files were overwritten. Throws environmentFault where no place takes it.
 std::filesystem::path keepAside(const SqliteConnection& sqlite, const PageCopy* copy, const StudyFolder& folder);
 
-/// Whether the database in the folder is sound to SQLite and has every row of the copy. So it is where another process recorded
+/// Whether the database is sound to SQLite and has every row of the copy. So it is where another process recorded
 /// acts and moved the write-ahead log into the database, which then holds other bytes than the copy. Takes seconds for large
 /// studies.
-bool holdsAllOf(const PageCopy& copy, const StudyFolder& folder);
+bool holdsAllOf(const PageCopy& copy, const std::filesystem::path& database);
 
 /// The rescue files in the study folder and beside it, oldest first.
 std::vector<std::filesystem::path> rescueFiles(const StudyFolder& folder);
+
+/// Those outside of the study folder, and those of studies of this name in the folder for temporary files.
+std::vector<std::filesystem::path> rescueFilesOutside(const StudyFolder& folder);
 
 struct Rescue {
     std::size_t events = 0;         ///< entries of the log that the study gained

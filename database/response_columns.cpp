@@ -1,6 +1,7 @@
 #include "database/response_columns.h"
 
 #include <array>
+#include <string_view>
 #include <variant>
 
 #include "database/sqlite_connection.h"
@@ -67,7 +68,11 @@ QVariant valueOf(const std::optional<T>& value)
     return value ? valueOf(*value) : QVariant();
 }
 
-void read(std::string& value, const QVariant& stored) { value = fromQt(stored); }
+/// Of a column that a query casts to BLOB, the bytes as they are.
+void read(std::string& value, const QVariant& stored)
+{
+    value = stored.typeId() == QMetaType::QByteArray ? stored.toByteArray().toStdString() : fromQt(stored);
+}
 void read(int& value, const QVariant& stored) { value = stored.toInt(); }
 void read(std::int64_t& value, const QVariant& stored) { value = stored.toLongLong(); }
 void read(bool& value, const QVariant& stored) { value = stored.toInt() != 0; }
@@ -116,6 +121,15 @@ QString namesOf(ResponseColumns columns)
 {
     return joined([&](const Column& column) { return isAmong(column, columns); },
                   [](const Column& column) { return QString(column.name); });
+}
+
+QString bytesOfTable()
+{
+    return joined([](const Column&) { return true; },
+                  [](const Column& column) {
+                      const bool isText = std::string_view(column.declaration).starts_with("TEXT");
+                      return QString(isText ? "CAST(%1 AS BLOB)" : "%1").arg(QLatin1String(column.name));
+                  });
 }
 
 QString placeholders()

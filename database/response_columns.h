@@ -46,6 +46,9 @@ QString currentAnswerColumns();
 /// "participant, trial, …" for SELECT and INSERT.
 QString namesOf(ResponseColumns columns);
 
+/// The same of the whole table with texts as their bytes: reading them as text repairs what is no UTF-8.
+QString bytesOfTable();
+
 /// "?, ?, …", one for each column of the table.
 QString placeholders();
 

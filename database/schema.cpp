@@ -197,6 +197,15 @@ Schema schemaOf(const SqliteConnection& sqlite)
     return schema;
 }
 
+/// "LEAST AND MOST" of a column of integers; empty for times, which have all 64 bits.
+QString rangeOf(const QString& column)
+{
+    static const QStringList yesOrNo{QStringLiteral("is_correction"), QStringLiteral("is_flag"), QStringLiteral("answers_too"),
+                                     QStringLiteral("has_passphrase"), QStringLiteral("dataset_procedural")};
+    if (column.endsWith(QLatin1String("_at")) || column.endsWith(QLatin1String("_ns"))) return {};
+    return yesOrNo.contains(column) ? QStringLiteral("0 AND 1") : QStringLiteral("-2147483648 AND 2147483647");
+}
+
 Schema schemaOfProgram()
 {
     const SqliteConnection memory(":memory:", SqliteConnection::Mode::Memory);
@@ -217,6 +226,32 @@ std::vector<std::string> faultsOfSchema(const SqliteConnection& sqlite)
             faults.push_back("study.db: the " + name + " is not the one that this program makes");
     for (const auto& [name, text] : found)
         if (!expected.contains(name)) faults.push_back("study.db: the " + name + " is unknown to this program");
+    return faults;
+}
+
+std::vector<std::string> faultsOfIntegers(const SqliteConnection& sqlite)
+{
+    std::vector<std::string> faults;
+    QSqlQuery table = sqlite.run(QStringLiteral("SELECT name FROM sqlite_master WHERE type = 'table' AND sql LIKE '%STRICT%'"));
+    while (table.next()) {
+        const QString name = table.value(0).toString();
+        QStringList columns, counts;
+        QSqlQuery column = sqlite.run(QStringLiteral("SELECT name FROM pragma_table_info(?) WHERE type = 'INTEGER'"), {name});
+        while (column.next()) {
+            const QString of = column.value(0).toString(), range = rangeOf(of);
+            if (range.isEmpty()) continue;
+            columns << of;
+            counts << QStringLiteral("TOTAL(\"%1\" NOT BETWEEN %2)").arg(of, range);
+        }
+        if (columns.isEmpty()) continue;
+        QSqlQuery row = sqlite.run(QStringLiteral("SELECT %1 FROM \"%2\"").arg(counts.join(QStringLiteral(", ")), name));
+        if (!row.next()) continue;
+        for (int i = 0; i < columns.size(); ++i)
+            if (const double rows = row.value(i).toDouble(); rows > 0)
+                faults.push_back("study.db: " + std::to_string(static_cast<long>(rows)) + " rows of the table " +
+                                 name.toStdString() + " hold numbers in " + columns[i].toStdString() +
+                                 " that this program does not write");
+    }
     return faults;
 }
 

@@ -28,6 +28,10 @@ void unguard(const SqliteConnection& connection, const char* table);
 /// One line for each table, index, view or trigger that is missing, unknown, or not the one that makeSchema() makes.
 std::vector<std::string> faultsOfSchema(const SqliteConnection& connection);
 
+/// One line for each column with integers that this program never writes: it reads them as 32 bits or as yes and no, and SQL
+/// would see other numbers.
+std::vector<std::string> faultsOfIntegers(const SqliteConnection& connection);
+
 /// The file's schema version. Throws badInput for a database that is no study's or has a newer schema.
 int checkedVersion(const SqliteConnection& connection);
 

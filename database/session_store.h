@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "database/disk/study_folder.h"
-#include "protocols/allocation.h"
 #include "protocols/finger_sample.h"
 #include "protocols/ids.h"
+#include "protocols/orders/allocation.h"
 #include "protocols/protocol.h"
 
 namespace database {

@@ -206,8 +206,20 @@ QSqlQuery SqliteConnection::prepared(const QString& sql) const
     return query;
 }
 
+/// SQLite would drop a mark of the byte order before the text and replace the other two, so that hashes of it never agreed again.
+void SqliteConnection::requireKept(const QVariant& value) const
+{
+    if (value.typeId() != QMetaType::QString) return;
+    const QString text = value.toString();
+    if (!text.startsWith(QChar(0xFEFF)) && !text.contains(QChar(0xFFFE)) && !text.contains(QChar(0xFFFF))) return;
+    throw protocols::badInput({"the text holds a character that nobody sees and that is not stored as it is (U+FEFF, U+FFFE or "
+                               "U+FFFF)",
+                               m_file.string(), "text without these characters", "type the text again; nothing was stored"});
+}
+
 void SqliteConnection::execute(QSqlQuery& query, const QVariantList& values) const
 {
+    for (const QVariant& value : values) requireKept(value);
     for (qsizetype place = 0; place < values.size(); ++place) query.bindValue(placeholderName(place), values[place]);
     if (!query.exec()) fail(query.lastError());
 }

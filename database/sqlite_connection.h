@@ -74,6 +74,7 @@ private:
     void openKept();
     void applyPragmas(Mode mode);
     QSqlQuery prepared(const QString& sql) const;
+    void requireKept(const QVariant& value) const;
     void execute(QSqlQuery& query, const QVariantList& values) const;
     [[noreturn]] void fail(const QSqlError& error) const;
 

@@ -16,7 +16,7 @@ using nlohmann::json;
 struct Told {
     std::string state = "started";
     int protocolVersion = 1;
-    /// Commitments of the facts that no erasure removed; empty for facts from before an upgrade.
+    /// Commitments of the facts that no erasure removed; empty for facts from before an upgrade that committed to none.
     std::map<std::string, std::string> facts;
 };
 
@@ -29,10 +29,16 @@ void takeFactsBeforeUpgrade(const LogEntry& entry, const json& payload, Told& to
     if (entry.event.kind == "debriefed") told.facts["debriefing"];
 }
 
+/// `hashes`: an object of commitments by fact; anything else holds none.
+void takeHashes(const json& hashes, Told& told)
+{
+    if (!hashes.is_object()) return;
+    for (const auto& [fact, hash] : hashes.items()) told.facts[fact] = hash.is_string() ? hash.get<std::string>() : "?";
+}
+
 void takeFacts(const json& payload, Told& told)
 {
-    if (const auto hashes = payload.find("facts_sha256"); hashes != payload.end() && hashes->is_object())
-        for (const auto& [fact, hash] : hashes->items()) told.facts[fact] = hash.is_string() ? hash.get<std::string>() : "?";
+    if (const auto hashes = payload.find("facts_sha256"); hashes != payload.end()) takeHashes(*hashes, told);
 }
 
 void takeStates(const json& payload, std::map<std::string, Told>& all)
@@ -43,11 +49,27 @@ void takeStates(const json& payload, std::map<std::string, Told>& all)
         if (const auto told = all.find(participant); told != all.end() && state.is_string()) told->second.state = state;
 }
 
+/// What the facts were that entries before the upgrade name without their hashes. Upgrades of development versions do not say it.
+void takeFactsOfUpgrade(const json& payload, std::map<std::string, Told>& all)
+{
+    const auto facts = payload.find("facts_sha256");
+    if (facts == payload.end() || !facts->is_object()) return;
+    for (auto& [participant, told] : all) {
+        Told atUpgrade;
+        if (const auto hashes = facts->find(participant); hashes != facts->end()) takeHashes(*hashes, atUpgrade);
+        std::erase_if(told.facts, [&](const auto& fact) { return !atUpgrade.facts.contains(fact.first); });
+        for (auto& [fact, hash] : told.facts) hash = atUpgrade.facts.at(fact);
+    }
+}
+
 void takeActOnStudy(const LogEntry& entry, const json& payload, std::map<std::string, Told>& all)
 {
     const std::string participant = textIn(payload, "participant");
     if (entry.event.kind == "enrolled") all[participant].protocolVersion = numberIn(payload, "protocol_version", 1);
-    if (entry.event.kind == upgradedKind) takeStates(payload, all);
+    if (entry.event.kind == upgradedKind) {
+        takeStates(payload, all);
+        takeFactsOfUpgrade(payload, all);
+    }
     const auto told = all.find(participant);
     if (told == all.end()) return;
     if (entry.event.kind == "slot_state_set") told->second.state = textIn(payload, "state");
@@ -113,14 +135,15 @@ const std::string* commitmentIn(const std::map<std::string, Told>& all, const st
 void checkFacts(const SqliteConnection& sqlite, const std::map<std::string, Told>& all, std::vector<std::string>& faults)
 {
     std::set<std::pair<std::string, std::string>> stored;
-    QSqlQuery row = sqlite.run(QStringLiteral("SELECT participant, fact, value, salt FROM participant_facts"));
+    QSqlQuery row = sqlite.run(QStringLiteral("SELECT participant, fact, CAST(value AS BLOB), salt FROM participant_facts"));
     while (row.next()) {
         const std::string id = fromQt(row.value(0)), name = fromQt(row.value(1));
         stored.emplace(id, name);
         const std::string* commitment = commitmentIn(all, id, name);
         if (commitment == nullptr)
             faults.push_back("the fact \"" + name + "\" of participant " + id + " is not in the log");
-        else if (!commitment->empty() && *commitment != commitmentOfFact(fromQt(row.value(3)), name, fromQt(row.value(2))))
+        else if (!commitment->empty() &&
+                 *commitment != commitmentOfFact(fromQt(row.value(3)), name, row.value(2).toByteArray().toStdString()))
             faults.push_back("the fact \"" + name + "\" of participant " + id + " was altered");
     }
     for (const auto& [id, told] : all)
@@ -176,9 +199,9 @@ void checkProtocols(const SqliteConnection& sqlite, const Log& log, std::vector<
     }
     compareActs("the protocol's version",
                 rowsOf(sqlite, "SELECT event, version, sha256, who, why, wall_time FROM protocol_versions", 6), expected, faults);
-    QSqlQuery row = sqlite.run(QStringLiteral("SELECT version, json, sha256 FROM protocol_versions"));
+    QSqlQuery row = sqlite.run(QStringLiteral("SELECT version, CAST(json AS BLOB), sha256 FROM protocol_versions"));
     while (row.next())
-        if (protocols::sha256(fromQt(row.value(1))) != fromQt(row.value(2)))
+        if (protocols::sha256(row.value(1).toByteArray().toStdString()) != fromQt(row.value(2)))
             faults.push_back("version " + fromQt(row.value(0)) + " of the protocol was altered after it was taken over");
 }
 

@@ -36,8 +36,10 @@ struct StudyStore::Connection {
     std::optional<StudyFacts> facts = {};     ///< once they were asked for
     /// Participants that the open batch may store; none without a batch.
     std::optional<std::set<protocols::ParticipantId>> batch = {};
-    bool isGivenUp = false;  ///< the files hold bytes of somebody else
-    bool isTold = false;     ///< that the files are not in place
+    bool isGivenUp = false;                   ///< the files hold bytes of somebody else
+    bool isTold = false;                      ///< that the files are not in place
+    std::filesystem::path upgradedFrom = {};  ///< the study of which this is an upgraded copy
+    bool isChainedAnew = false;               ///< the log of this copy
 
     /// An overwritten database is noticed at the end, too. The bytes that stand there then are not mixed with older ones.
     ~Connection()
@@ -66,7 +68,7 @@ struct StudyStore::Connection {
         if (!keptAside.empty()) return false;
         const OpenFiles::State state = files->state();
         if (state == OpenFiles::State::InPlace) return true;
-        if (state == OpenFiles::State::Overwritten && files->copy() && holdsAllOf(*files->copy(), folder)) {
+        if (state == OpenFiles::State::Overwritten && files->copy() && holdsAllOf(*files->copy(), folder.database())) {
             files->takeCopy();
             return true;
         }
@@ -185,10 +187,14 @@ StudyStore::StudyStore(const StudyFolder& folder, Access access)
                                    "a folder made by vis2hap study new", "check the path"});
     const bool writes = access == Access::Write;
     auto lock = writes ? std::make_unique<WriteLock>(folder) : nullptr;
-    auto copy = needsUpgrade(folder) ? upgraded(folder, access) : nullptr;
+    const bool hasOlderLog = isOlder(folder);
+    auto copy = hasOlderLog || hasUnfinishedUpgrade(folder) ? upgraded(folder, access) : nullptr;
     const auto mode = writes ? SqliteConnection::Mode::Write : SqliteConnection::Mode::Read;
     const StudyFolder opened = copy ? StudyFolder{copy->path()} : folder;
+    const bool isCopy = copy != nullptr;
     m_connection.reset(new Connection{std::move(copy), opened, std::move(lock), {opened.database(), mode}});
+    if (isCopy) m_connection->upgradedFrom = folder.folder;
+    m_connection->isChainedAnew = isCopy && hasOlderLog;
     if (!writes) return;
     m_connection->sqlite.value(QStringLiteral("SELECT COUNT(*) FROM sqlite_master"));  // opens the write-ahead log
     m_connection->files.emplace(opened.database(), m_connection->sqlite.handle());
@@ -211,7 +217,15 @@ StudyStore& StudyStore::operator=(StudyStore&&) noexcept = default;
 
 const StudyFolder& StudyStore::folder() const { return m_connection->folder; }
 
-bool StudyStore::isUpgradedCopy() const { return m_connection->copy != nullptr && m_connection->serverFolder.empty(); }
+bool StudyStore::isUpgradedCopy() const { return !m_connection->upgradedFrom.empty(); }
+
+std::filesystem::path StudyStore::namedFolder() const
+{
+    if (isUpgradedCopy()) return m_connection->upgradedFrom;
+    return m_connection->serverFolder.empty() ? m_connection->folder.folder : m_connection->serverFolder;
+}
+
+bool StudyStore::hasLastingHead() const { return !m_connection->isChainedAnew; }
 
 std::filesystem::path StudyStore::serverFolder() const { return m_connection->serverFolder; }
 

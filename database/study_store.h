@@ -44,6 +44,10 @@ public:
     const StudyFolder& folder() const override;
     /// Whether the folder is an upgraded copy of a study of an earlier version, which vanishes with the store.
     bool isUpgradedCopy() const;
+    /// The folder that was opened; for a copy, the one of its study.
+    std::filesystem::path namedFolder() const;
+    /// False for a copy of a study with an older log. The upgrade of each copy chains it anew, so that its head is worth nothing.
+    bool hasLastingHead() const;
     /// The folder of a study on a server, of which this store reads a copy; empty for any other.
     std::filesystem::path serverFolder() const;
     const StudyFacts& facts() const override;

@@ -1,5 +1,6 @@
 #include "database/study_upgrade.h"
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -141,6 +142,22 @@ nlohmann::ordered_json statesIn(const SqliteConnection& made)
     return states;
 }
 
+/// Gives each fact a salt. The upgrade's entry holds the hashes, because the older log does not.
+nlohmann::ordered_json committedFacts(const SqliteConnection& made)
+{
+    auto hashes = nlohmann::ordered_json::object();
+    std::vector<std::array<std::string, 3>> facts;
+    QSqlQuery row = made.run(QStringLiteral("SELECT participant, fact, value FROM participant_facts ORDER BY participant, fact"));
+    while (row.next()) facts.push_back({fromQt(row.value(0)), fromQt(row.value(1)), fromQt(row.value(2))});
+    for (const auto& [participant, fact, value] : facts) {
+        const std::string salt = drawnSalt();
+        made.run(QStringLiteral("UPDATE participant_facts SET salt = ? WHERE participant = ? AND fact = ?"),
+                 {toQt(salt), toQt(participant), toQt(fact)});
+        hashes[participant][fact] = commitmentOfFact(salt, fact, value);
+    }
+    return hashes;
+}
+
 void recordUpgrade(const SqliteConnection& made, const OlderStudy& study, const std::vector<std::string>& faults)
 {
     const std::string oldHead = study.links.empty() ? std::string() : study.links.rbegin()->second.own;
@@ -150,6 +167,7 @@ void recordUpgrade(const SqliteConnection& made, const OlderStudy& study, const 
                             {"old_head", oldHead},
                             {"faults_before", faults},
                             {"states", statesIn(made)},
+                            {"facts_sha256", committedFacts(made)},
                             {"fixed_sha256", hashOfFixedTables(made)},
                             {"program_version", "vis2hap " VIS2HAP_VERSION}},
                            wallTimeNow()));
@@ -177,11 +195,6 @@ void makeUpgradedDatabase(const std::filesystem::path& file, const SqliteConnect
         transaction.commit();
     }
     made.run(QStringLiteral("PRAGMA wal_checkpoint(TRUNCATE)"));
-}
-
-bool isOlder(const StudyFolder& folder)
-{
-    return checkedVersion({folder.database(), SqliteConnection::Mode::Read}) < schemaVersion;
 }
 
 /// Runs steps on files. Throws environmentFault where one fails.
@@ -369,7 +382,12 @@ void replaceOrRemove(const StudyFolder& folder, const fs::path& copy)
 
 }  // namespace
 
-bool needsUpgrade(const StudyFolder& folder) { return isOlder(folder) || fs::exists(folder.upgrade()); }
+bool isOlder(const StudyFolder& folder)
+{
+    return checkedVersion({folder.database(), SqliteConnection::Mode::Read}) < schemaVersion;
+}
+
+bool hasUnfinishedUpgrade(const StudyFolder& folder) { return fs::exists(folder.upgrade()); }
 
 std::string upgrade(const StudyFolder& folder, const UpgradeStep& step)
 {
@@ -403,6 +421,10 @@ std::unique_ptr<protocols::TemporaryFolder> upgradedCopy(const StudyFolder& fold
         copyTopFiles(folder, copied.folder);
         if (fs::exists(folder.upgrade())) fs::copy(folder.upgrade(), copied.upgrade(), fs::copy_options::recursive);
         if (fs::is_directory(folder.stimuli())) linkStimuli(folder.stimuli(), copied.stimuli());
+        for (const char* name : {"erasures", "prompts"})
+            if (fs::is_directory(folder.folder / name))
+                fs::copy(folder.folder / name, copied.folder / name,
+                         fs::copy_options::recursive | fs::copy_options::copy_symlinks);
         if (isOlder(copied)) {
             prepareAnew(copied);
             replaceDatabase(copied);

@@ -19,8 +19,11 @@
 
 namespace database {
 
-/// Whether the study has an older schema or an unfinished upgrade. Throws as checkedVersion().
-bool needsUpgrade(const StudyFolder& folder);
+/// Whether the study has an older schema. Throws as checkedVersion().
+bool isOlder(const StudyFolder& folder);
+
+/// Whether an upgrade waits to be finished.
+bool hasUnfinishedUpgrade(const StudyFolder& folder);
 
 /// Called after each step that a killed program may have reached last.
 using UpgradeStep = std::function<void(const std::string& step)>;
@@ -30,7 +33,8 @@ using UpgradeStep = std::function<void(const std::string& step)>;
 /// the study or the disk fails.
 std::string upgrade(const StudyFolder& folder, const UpgradeStep& reached = {});
 
-/// An upgraded copy of the study for a program that only reads. The folder of the study stays as it is.
+/// An upgraded copy of the study for a program that only reads, with certificates and recordings. The folder of the study stays
+/// as it is.
 std::unique_ptr<protocols::TemporaryFolder> upgradedCopy(const StudyFolder& folder);
 
 /// "before-upgrade/study.db" and the like: the copies that upgrades left in the folder and that know the participant.

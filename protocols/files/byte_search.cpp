@@ -68,7 +68,8 @@ bool holds(const std::filesystem::path& file, const Sequences& sequences)
 
 }  // namespace
 
-ByteSearch searchFiles(const std::filesystem::path& folder, const std::vector<std::string>& sequences)
+ByteSearch searchFiles(const std::filesystem::path& folder, const std::vector<std::string>& sequences,
+                       const std::vector<std::filesystem::path>& others)
 {
     ByteSearch search;
     const Sequences wanted(sequences);
@@ -76,6 +77,10 @@ ByteSearch searchFiles(const std::filesystem::path& folder, const std::vector<st
         if (!entry.is_regular_file() || entry.is_symlink()) continue;
         ++search.files;
         if (holds(entry.path(), wanted)) search.found.push_back(entry.path().lexically_relative(folder).string());
+    }
+    for (const auto& file : others) {
+        ++search.files;
+        if (holds(file, wanted)) search.found.push_back(file.string());
     }
     std::ranges::sort(search.found);
     return search;

@@ -37,10 +37,8 @@ Error notANumber(const std::string& cell, const std::string& row, const std::str
 }  // namespace
 
 CsvReader::CsvReader(std::string_view text, std::string where, char separator)
-    : m_text(text), m_where(std::move(where)), m_separator(separator)
+    : m_text(withoutByteOrderMark(text)), m_where(std::move(where)), m_separator(separator)
 {
-    constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
-    if (m_text.starts_with(byteOrderMark)) m_text.remove_prefix(byteOrderMark.size());
     do {
         if (isAtEnd()) throw badInput({"the file is empty", m_where, "a header row", ""});
         readRecord();

@@ -298,12 +298,6 @@ nlohmann::ordered_json readBytes(std::string_view text, const nlohmann::ordered_
     return reader.takeRoot();
 }
 
-std::string_view withoutByteOrderMark(std::string_view text)
-{
-    constexpr std::string_view mark = "\xEF\xBB\xBF";
-    return text.starts_with(mark) ? text.substr(mark.size()) : text;
-}
-
 /// The first byte at which more than `deepestJson` objects and arrays are open. The text need not be well-formed.
 std::optional<std::size_t> firstByteTooDeep(std::string_view text)
 {

@@ -1,5 +1,7 @@
 #include "protocols/files/utf8.h"
 
+#include <algorithm>
+
 namespace protocols {
 
 std::size_t utf8Length(std::string_view text)
@@ -41,6 +43,18 @@ std::optional<std::size_t> firstByteThatIsNotUtf8(std::string_view text)
         i += length;
     }
     return std::nullopt;
+}
+
+std::string_view withoutByteOrderMark(std::string_view text)
+{
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    return text.starts_with(mark) ? text.substr(mark.size()) : text;
+}
+
+bool isKeptText(std::string_view text)
+{
+    constexpr std::string_view changed[] = {std::string_view("\0", 1), "\xEF\xBB\xBF", "\xEF\xBF\xBE", "\xEF\xBF\xBF"};
+    return std::ranges::none_of(changed, [&](std::string_view one) { return text.find(one) != std::string_view::npos; });
 }
 
 std::string inShort(std::string_view text, std::size_t mostBytes)

@@ -5,7 +5,7 @@
 #include <set>
 #include <tuple>
 
-#include "protocols/allocation.h"
+#include "protocols/orders/allocation.h"
 #include "protocols/protocol.h"
 
 namespace protocols {

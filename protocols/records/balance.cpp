@@ -8,7 +8,8 @@
 #include <optional>
 #include <set>
 
-#include "protocols/foil_sets.h"
+#include "protocols/orders/foil_sets.h"
+#include "protocols/orders/running_orders.h"
 
 namespace protocols {
 
@@ -98,10 +99,10 @@ Counts orderedPairs(const PhaseTrials& trials, int kinds, int DesignTrial::*memb
     Counts counts;
     for (int a = 0; a < kinds; ++a)
         for (int b = 0; b < kinds; ++b)
-            if (a != b) counts[{a, b}] = 0;
+            if (a != b || mayRepeat(kinds)) counts[{a, b}] = 0;
     for (const auto& own : trials)
         for (std::size_t i = 1; i < own.size(); ++i)
-            if (own[i - 1].*member != own[i].*member) ++counts[{own[i - 1].*member, own[i].*member}];
+            if (const Key pair{own[i - 1].*member, own[i].*member}; counts.contains(pair)) ++counts[pair];
     return counts;
 }
 
@@ -114,12 +115,13 @@ Counts perStretch(const PhaseTrials& trials, int kinds, int stretches, int Desig
     return counts;
 }
 
-int repeatsIn(const PhaseTrials& trials)
+int repeatsIn(const PhaseTrials& trials, const Protocol& protocol)
 {
+    const bool ofLabels = !mayRepeat(static_cast<int>(protocol.conditions.size())), ofFabrics = !mayRepeat(protocol.fabricCount);
     int repeats = 0;
     for (const auto& own : trials)
         for (std::size_t i = 1; i < own.size(); ++i)
-            if (own[i - 1].label == own[i].label || own[i - 1].fabric == own[i].fabric) ++repeats;
+            if ((ofLabels && own[i - 1].label == own[i].label) || (ofFabrics && own[i - 1].fabric == own[i].fabric)) ++repeats;
     return repeats;
 }
 
@@ -265,7 +267,7 @@ BalanceCertificate balanceOf(const Design& design, const Protocol& protocol)
             rangeOf("a condition per stretch of the order" + phase, perStretch(trials, labels, fabrics, &DesignTrial::label)));
         ranges.push_back(
             rangeOf("a fabric per stretch of the order" + phase, perStretch(trials, fabrics, labels, &DesignTrial::fabric)));
-        certificate.immediateRepeats += repeatsIn(trials);
+        certificate.immediateRepeats += repeatsIn(trials, protocol);
         const TrayRule rule = trayRuleOf(asked.task);
         const auto* foils = std::get_if<TrueAmongFoils>(&rule);
         if (!foils) continue;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "protocols/counterbalancing.h"
+#include "protocols/orders/counterbalancing.h"
 #include "protocols/protocol.h"
 
 namespace protocols {
@@ -29,7 +29,7 @@ struct BalanceCertificate {
     };
     std::vector<Range> ranges;
     std::vector<Handling> handling;  ///< of each phase; none where a participant has one presentation
-    int immediateRepeats = 0;        ///< same label or same fabric twice in a row
+    int immediateRepeats = 0;        ///< same label or same fabric twice in a row, of more than two
     int repeatedFoilPairs = 0;       ///< within participant x true fabric
     bool operator==(const BalanceCertificate&) const = default;
 };

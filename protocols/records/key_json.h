@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "protocols/allocation.h"
+#include "protocols/orders/allocation.h"
 
 namespace protocols {
 

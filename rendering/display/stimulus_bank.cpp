@@ -10,10 +10,10 @@
 #include <map>
 #include <utility>
 
-#include "protocols/allocation.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
+#include "protocols/orders/allocation.h"
 #include "protocols/records/sealed_stimulus.h"
 #include "protocols/secrets/sealing.h"
 #include "rendering/images/image_io.h"

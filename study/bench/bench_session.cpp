@@ -13,8 +13,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "protocols/counterbalancing.h"
 #include "protocols/files/errors.h"
+#include "protocols/orders/counterbalancing.h"
 #include "protocols/protocol_json.h"
 #include "rendering/composition/friction_image.h"
 #include "rendering/display/stimulus_bank.h"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "database/disk/study_folder.h"
-#include "protocols/counterbalancing.h"
+#include "protocols/orders/counterbalancing.h"
 
 namespace study::bench {
 

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 
-#include "protocols/allocation.h"
-#include "protocols/counterbalancing.h"
 #include "protocols/files/errors.h"
+#include "protocols/orders/allocation.h"
+#include "protocols/orders/counterbalancing.h"
 #include "protocols/protocol_json.h"
 #include "rendering/signals/shape_from_shading.h"
 #include "rendering/signals/surface_integration.h"

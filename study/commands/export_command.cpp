@@ -15,6 +15,7 @@
 #include "study/exports/public_files.h"
 #include "study/exports/write_export.h"
 #include "study/records/evidence/participant_data.h"
+#include "study/records/log_heads.h"
 #include "study/records/stored_study.h"
 
 namespace study::commands {
@@ -40,7 +41,7 @@ int exportStudy(const ExportCall& call)
     const std::size_t words = isPublic ? exports::answersInWords(store) : 0;
     std::printf("%s: %s as %s%s\n", out.c_str(), reports::counted(store.answerCount() - words, "answer").c_str(), format.c_str(),
                 store.unblinding() ? "" : ", blinded (no condition, no fabric)");
-    std::printf("  log head %s\n", textOf(store.head()).c_str());
+    std::printf("  log head %s\n", records::headTextOf(store).c_str());
     if (withLog) std::printf("  log.csv holds the log, acts.csv what was exported and saved; log.txt says how to check both\n");
     if (isPublic)
         std::printf("  no days, notes or words are in it%s; LICENSE.txt says %s\n",

@@ -13,6 +13,7 @@
 #include "study/commands/parts/text_checks.h"
 #include "study/commands/recorded_act.h"
 #include "study/records/erasure_certificate.h"
+#include "study/records/log_heads.h"
 #include "study/records/stored_study.h"
 
 namespace study::commands {
@@ -43,7 +44,7 @@ int backup(const std::string& study, const std::string& out)
         faults += (faults.empty() ? "" : "; ") + fault;
     }
     std::printf("%s: a copy of %s with %zu answers; `tar xf` restores it\n", out.c_str(), study.c_str(), store.answers().size());
-    std::printf("  log head %s\n", textOf(store.head()).c_str());
+    std::printf("  log head %s\n", records::headTextOf(store).c_str());
     recordAct(store, "backup", out, faults);
     if (const auto acts = headOfActs(store); acts.sequence > 0) std::printf("  acts head %s\n", textOf(acts).c_str());
     return 0;

@@ -20,6 +20,7 @@
 #include "study/records/evidence/data_sheet.h"
 #include "study/records/evidence/exported_log.h"
 #include "study/records/evidence/participant_data.h"
+#include "study/records/folder_audit.h"
 #include "study/records/stored_study.h"
 #include "study/records/study_status.h"
 
@@ -58,7 +59,8 @@ int leakCheck(const std::string& study, const PassphraseOption& passphrase, cons
     if (database::isServerAddress(study)) return checkLogin(study, target);
     const auto store = records::openStudy(study);
     const auto key = readKeyForAggregates(store, passphraseFrom(passphrase));
-    const auto report = leaks::leakReport(store, key, exportersOf(store), rendering::cache::usualFolder().value_or(""));
+    const auto report = leaks::leakReport(store, key, exportersOf(store), rendering::cache::usualFolder().value_or(""),
+                                          records::findingsInFolder(store).strangers);
     recordAct(store, "leak-check");
     if (target)
         writeJson(target, leaks::jsonOf(report));

@@ -22,6 +22,7 @@
 #include "study/commands/passphrase_option.h"
 #include "study/commands/recorded_act.h"
 #include "study/records/blinded_report.h"
+#include "study/records/log_heads.h"
 #include "study/records/shown_origin.h"
 #include "study/records/stored_study.h"
 
@@ -91,7 +92,7 @@ reports::ReportOrigin originOf(const ReportCall& call)
 {
     if (call.study.empty()) return {};
     const auto store = records::openStudy(call.study);
-    return {textOf(store.head()), records::shownMadeWith(store, store.facts())};
+    return {records::headTextOf(store), records::shownMadeWith(store, store.facts())};
 }
 
 int report(const ReportCall& call, StageTimes times)

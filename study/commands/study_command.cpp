@@ -11,6 +11,7 @@
 #include "protocols/files/number_text.h"
 #include "protocols/files/safe_text.h"
 #include "protocols/files/sha256.h"
+#include "protocols/files/utf8.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
 #include "protocols/records/balance.h"
@@ -124,8 +125,9 @@ int amend(const Amendment& call)
         std::printf("%s: restored (version %d)\n", file.c_str(), kept.version);
         return 0;
     }
-    const std::string text = protocols::readWholeFile(file);
+    const std::string written = protocols::readWholeFile(file), text(protocols::withoutByteOrderMark(written));
     if (protocols::sha256(text) == kept.sha256) {
+        if (text != written) protocols::writeWholeFile(file, text);
         std::printf("%s: unchanged (version %d)\n", file.c_str(), kept.version);
         return 0;
     }
@@ -138,6 +140,7 @@ int amend(const Amendment& call)
                                    "make a new study; `vis2hap study amend " + protocols::shellWord(call.study) +
                                        " --undo` restores the stored protocol"});
     store.takeProtocol(text, call.who, call.why);
+    if (text != written) protocols::writeWholeFile(file, text);  // the kept text and the file agree
     std::printf("%s: now version %d; participants who have started keep their version\n", file.c_str(), kept.version + 1);
     return 0;
 }

@@ -15,6 +15,7 @@
 #include "study/records/blinded_report.h"
 #include "study/records/evidence/data_sheet.h"
 #include "study/records/evidence/data_sheet_text.h"
+#include "study/records/log_heads.h"
 #include "study/records/shown_origin.h"
 #include "study/records/stored_study.h"
 #include "study/records/study_faults.h"
@@ -54,7 +55,7 @@ app::ToolOutcome recorded(const ToolCall& call, const std::string& kind, std::st
 {
     const std::string refused = addAct(call.store, kind, call.out, call.operatorName, note);
     text += refused.empty() ? "Recorded in the study.\n" : "Not recorded in the study: " + refused + "\n";
-    return {text + "Log head " + textOf(call.store.head()) + "\n", call.out};
+    return {text + "Log head " + records::headTextOf(call.store) + "\n", call.out};
 }
 
 app::ToolOutcome verified(const database::StudyStore& store)
@@ -64,7 +65,7 @@ app::ToolOutcome verified(const database::StudyStore& store)
     text += "\n";
     for (const auto& fault : findings.faults) text += fault + "\n";
     for (const auto& note : findings.notes) text += "note: " + note + "\n";
-    return {text + "Log head " + textOf(store.head()) + "\n", {}, findings.faults.empty()};
+    return {text + "Log head " + records::headTextOf(store) + "\n", {}, findings.faults.empty()};
 }
 
 app::ToolOutcome sheets(const ToolCall& call)
@@ -105,7 +106,7 @@ app::ToolOutcome reported(const ToolCall& call)
                                                call.progress(total > 0 ? 1.0 * done / total : 0.0, step);
                                            }};
     reports::writeReport(reports::analyse(std::move(*data), options), call.out,
-                         {textOf(call.store.head()), records::shownMadeWith(call.store, call.store.facts())},
+                         {records::headTextOf(call.store), records::shownMadeWith(call.store, call.store.facts())},
                          reports::allDocuments());
     return recorded(call, "report", "Open index.html in a browser.\n");
 }

@@ -31,6 +31,7 @@ nlohmann::ordered_json comparedWith(const database::StudyStore& store, const std
 {
     auto rows = nlohmann::ordered_json::array();
     if (against.empty()) return rows;
+    records::requireLastingHead(store);
     for (const auto& head : records::headsIn(against)) {
         const std::string fault = records::faultAgainst(store, head);
         const std::string text = head.sequence == 0 ? head.hash : textOf(head);
@@ -89,7 +90,7 @@ void print(const std::string& study, const database::StudyStore& store, const re
     if (signature.is_object() && signature["valid"] == true)
         std::printf("  the signature is that of the public key; the signer's clock said %s, which it does not prove\n",
                     protocols::printable(signature["time"].get<std::string>()).c_str());
-    std::printf("  log head %s\n", textOf(store.head()).c_str());
+    std::printf("  log head %s\n", records::headTextOf(store).c_str());
     if (const auto acts = headOfActsText(store); !acts.empty()) std::printf("  acts head %s\n", acts.c_str());
 }
 
@@ -107,7 +108,7 @@ int verify(const VerifyCall& call)
                                     {"sound", findings.faults.empty()},
                                     {"stimuli", store.stimulusHashes().size()},
                                     {"answers", store.answerCount()},
-                                    {"head", textOf(store.head())},
+                                    {"head", records::headTextOf(store)},
                                     {"against", heads},
                                     {"signature", signature},
                                     {"faults", findings.faults},

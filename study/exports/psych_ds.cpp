@@ -10,6 +10,7 @@
 #include "protocols/files/safe_text.h"
 #include "protocols/files/sha256.h"
 #include "reports/text/plain_words.h"
+#include "study/records/log_heads.h"
 #include "study/records/stored_study.h"
 
 namespace study::exports {
@@ -197,7 +198,7 @@ PsychDsDataset psychDsDataset(const database::StudyStore& store, const database:
         dataset.rowKey = "`participant`, `trial` and `question` name one row of the answers, among the rows where `voided` is 0.";
     dataset.limits = records::stampsOf(store, facts);
     dataset.changes = changesOf(store, hasAnswers && !form.isPublic);
-    dataset.logHead = textOf(store.head());
+    dataset.logHead = records::headTextOf(store);
     dataset.hasMaterials = hasAnswers;
     dataset.hasRawData = form.withLog || form.withSamples;
     dataset.isPublic = form.isPublic;

@@ -26,6 +26,7 @@
 #include "study/records/blinded_report.h"
 #include "study/records/evidence/exported_log.h"
 #include "study/records/evidence/exported_samples.h"
+#include "study/records/log_heads.h"
 #include "study/records/shown_origin.h"
 #include "study/records/stored_study.h"
 
@@ -288,7 +289,7 @@ ordered_json headOf(const Export& job)
                       {"preregistrations", registrationRows(job)},
                       {"acts", actRows(job)},
                       {"made_with", madeWithOf(job)},
-                      {"log_head", textOf(job.store.head())}};
+                      {"log_head", records::headTextOf(job.store)}};
     if (const auto acts = headOfActs(job.store); acts.sequence > 0) head["acts_head"] = textOf(acts);
     return head;
 }

@@ -64,7 +64,8 @@ std::string line(const char* format, auto... values)
     return text;
 }
 
-/// The guesser with the least p of each attack, and the number of its guessers.
+/// The guesser with the least p of each attack, and the number of its guessers. The hits of all guessers together would tell
+/// much of the truth.
 std::vector<std::pair<const Guess*, std::size_t>> bestOfEach(const LeakReport& report)
 {
     std::vector<std::pair<const Guess*, std::size_t>> best;
@@ -86,15 +87,16 @@ std::vector<std::pair<const Guess*, std::size_t>> bestOfEach(const LeakReport& r
 ordered_json jsonOf(const LeakReport& report)
 {
     ordered_json guesses = ordered_json::array();
-    for (const Guess& guess : report.guesses)
-        guesses.push_back({{"attack", guess.attack},
-                           {"what", guess.what},
-                           {"target", guess.target},
-                           {"hits", guess.hits},
-                           {"trials", guess.trials},
-                           {"chance", guess.chance},
-                           {"p", guess.p},
-                           {"p_holm", guess.pAdjusted}});
+    for (const auto& [guess, count] : bestOfEach(report))
+        guesses.push_back({{"attack", guess->attack},
+                           {"what", guess->what},
+                           {"target", guess->target},
+                           {"guessers", count},
+                           {"hits", guess->hits},
+                           {"trials", guess->trials},
+                           {"chance", guess->chance},
+                           {"p", guess->p},
+                           {"p_holm", guess->pAdjusted}});
     ordered_json why = ordered_json::object();
     if (!report.hasTruth) why["guessers"] = notCounted;
     const auto& station = report.stationKey;

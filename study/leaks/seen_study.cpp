@@ -7,10 +7,10 @@
 #include <set>
 #include <tuple>
 
-#include "protocols/counterbalancing.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
+#include "protocols/orders/counterbalancing.h"
 #include "protocols/protocol_json.h"
 
 namespace study::leaks {

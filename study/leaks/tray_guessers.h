@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "protocols/counterbalancing.h"
+#include "protocols/orders/counterbalancing.h"
 #include "protocols/random.h"
 
 namespace study::leaks {

@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "database/keys.h"
-#include "protocols/allocation.h"
 #include "protocols/condition.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/safe_text.h"
 #include "protocols/files/sha256.h"
+#include "protocols/orders/allocation.h"
 #include "rendering/display/stimulus_bank.h"
 #include "study/analyse/power/planned_power.h"
 #include "study/making/made_with.h"

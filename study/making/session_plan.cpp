@@ -4,8 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "protocols/counterbalancing.h"
 #include "protocols/files/number_text.h"
+#include "protocols/orders/counterbalancing.h"
 #include "protocols/records/balance.h"
 #include "stats/power/power.h"
 #include "study/analyse/power/planned_power.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "protocols/allocation.h"
+#include "protocols/orders/allocation.h"
 #include "protocols/protocol.h"
 #include "study/players/simulated_session.h"
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "protocols/allocation.h"
+#include "protocols/orders/allocation.h"
 #include "protocols/protocol.h"
 #include "study/players/script.h"
 #include "study/players/simulated_participant.h"

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "database/study_store.h"
-#include "protocols/allocation.h"
+#include "protocols/orders/allocation.h"
 #include "study/players/hands.h"
 #include "study/players/script.h"
 #include "study/session/clock.h"

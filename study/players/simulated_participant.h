@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "protocols/allocation.h"
+#include "protocols/orders/allocation.h"
 #include "protocols/random.h"
 #include "study/players/evidence_accumulation.h"
 #include "study/players/percept.h"

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "protocols/allocation.h"
+#include "protocols/orders/allocation.h"
 #include "protocols/protocol.h"
 #include "study/players/hands.h"
 #include "study/players/mishaps.h"

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "database/erasure.h"
+#include "database/event_chain.h"
 #include "database/preregistrations.h"
 #include "database/schema.h"
 #include "database/sqlite_connection.h"
@@ -26,8 +27,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* knownFiles[] = {"study.db",      "study.db-wal",        "study.db-shm",          ".lock",
-                                      "protocol.json", "allocation-key.json", "allocation-key.sealed", "station-key.json"};
+constexpr const char* knownFiles[] = {"study.db",      "study.db-wal",        "study.db-shm",    ".lock",
+                                      "protocol.json", "allocation-key.json", "station-key.json"};
 constexpr const char* knownFolders[] = {"stimuli", "erasures", "prompts"};
 
 /// True for PREFIX, a number and ENDING.
@@ -65,18 +66,28 @@ bool isBeforeRescue(const std::string& name) { return isNumbered(name, "study-be
 bool isKeptDatabase(const std::string& name) { return isNumbered(name, "rescue-", ".db") || isBeforeRescue(name); }
 
 /// The same with the files that SQLite keeps beside it.
-bool belongsToKeptDatabase(const std::string& name)
+bool belongsToKeptDatabase(const std::string& name, const fs::path& folder)
 {
-    for (const std::string_view ending : {"", "-wal", "-shm"})
-        if (name.ends_with(ending) && isKeptDatabase(name.substr(0, name.size() - ending.size()))) return true;
+    if (isKeptDatabase(name)) return true;
+    std::error_code unknown;
+    for (const std::string_view ending : {"-wal", "-shm"}) {
+        if (!name.ends_with(ending)) continue;
+        const std::string database = name.substr(0, name.size() - ending.size());
+        if (isKeptDatabase(database) && fs::exists(folder / database, unknown)) return true;
+    }
     return false;
 }
+
+/// What a program left that was killed while it wrote: ".NAME.unfinished-COMPUTER-PID".
+bool isUnfinished(const std::string& name) { return name.starts_with('.') && name.find(".unfinished-") != std::string::npos; }
 
 class Search {
 public:
     Search(const fs::path& study, FolderFindings& findings) : m_study(study), m_findings(findings) {}
 
     using IsKnown = std::function<bool(const std::string& name)>;
+
+    static bool none(const std::string&) { return false; }
 
     /// Looks at each entry of a folder: `file` says whether a file of this name belongs there, `folder` the same of a folder.
     void look(const fs::path& where, const IsKnown& file, const IsKnown& folder)
@@ -108,7 +119,12 @@ private:
         struct stat status {};
         if (::lstat(entry.c_str(), &status) != 0) return false;  // gone since, as the files of SQLite may be
         const bool isFile = file(name), isFolder = folder(name);
+        if (!isFile && !isFolder && isUnfinished(name)) {
+            m_findings.notes.push_back(nameOf(entry) + ": left by a program that was killed while it wrote: delete it");
+            return (status.st_mode & 0077) != 0;
+        }
         if (!isFile && !isFolder) {
+            m_findings.strangers.push_back(entry.lexically_relative(m_study));
             addFault(entry, "does not belong to the study: move it out of the folder");
             return false;
         }
@@ -232,46 +248,61 @@ void checkKeptDatabases(const database::StudyStore& store, FolderFindings& findi
     }
 }
 
+/// Looks at the folder that was opened: of a study that needs an upgrade, the store reads a copy, which lacks links and folders.
+void lookAtTop(const database::StudyStore& store, const fs::path& top, Search& search, FolderFindings& findings)
+{
+    const auto registered = registeredFiles(store);
+    const bool hasPassphrase = store.facts().hasPassphrase;
+    const bool wasUpgraded = !store.eventsOfKind(std::string(database::upgradedKind)).empty();
+    search.look(
+        top,
+        [&](const std::string& name) {
+            if (name == "allocation-key.sealed") return hasPassphrase;
+            if (name == "masked-key.json") return store.isUpgradedCopy();
+            return isOneOf(knownFiles, name) || registered.contains(name) || belongsToKeptDatabase(name, top);
+        },
+        [&](const std::string& name) {
+            if (name == ".upgrade" && store.isUpgradedCopy()) return true;
+            if (!wasUpgraded || !isCopyBeforeUpgrade(name, store.folder())) return isOneOf(knownFolders, name);
+            findings.notes.push_back(name +
+                                     ": the study before its upgrade, not sealed: delete it when the upgraded study works");
+            return true;
+        });
+    if (store.isUpgradedCopy() && store.hasLastingHead())
+        findings.faults.emplace_back(
+            ".upgrade: an upgrade was interrupted, or somebody made this folder: open the study in the app or with replay, which "
+            "finishes the upgrade, and verify it again");
+}
+
 }  // namespace
 
 FolderFindings findingsInFolder(const database::StudyStore& store)
 {
     FolderFindings findings;
     const database::StudyFolder& folder = store.folder();
-    const auto none = [](const std::string&) { return false; };
-    const auto registered = registeredFiles(store);
     std::set<std::string> stimuli;
     for (const auto& [code, hash] : store.stimulusHashes()) stimuli.insert(code.value + ".sealed");
 
+    const fs::path top = store.isUpgradedCopy() ? store.namedFolder() : folder.folder;
+    Search ofTop(top, findings);
+    lookAtTop(store, top, ofTop, findings);
     Search search(folder.folder, findings);
-    search.look(
-        folder.folder,
-        [&](const std::string& name) {
-            return isOneOf(knownFiles, name) || registered.contains(name) || belongsToKeptDatabase(name);
-        },
-        [&](const std::string& name) {
-            if (!isCopyBeforeUpgrade(name, folder)) return isOneOf(knownFolders, name);
-            findings.notes.push_back(name +
-                                     ": the study before its upgrade, not sealed: delete it when the upgraded study works");
-            return true;
-        });
     if (fs::is_directory(folder.stimuli()))
         search.look(
-            folder.stimuli(), [&](const std::string& name) { return stimuli.contains(name); }, none);
+            folder.stimuli(), [&](const std::string& name) { return stimuli.contains(name); }, Search::none);
     const auto prompts = promptHashes(store);
     if (fs::is_directory(folder.prompts()))
         search.look(
             folder.prompts(),
             [&](const std::string& name) { return name.ends_with(".wav") && prompts.contains(name.substr(0, name.size() - 4)); },
-            none);
+            Search::none);
     if (findings.isReadable) checkPrompts(store, prompts, findings);
     const auto certificates = certificatesIn(store);
     if (const fs::path erasures = certificatesFolder(folder); fs::is_directory(erasures))
         search.look(
-            erasures, [&](const std::string& name) { return certificates.contains(name); }, none);
+            erasures, [&](const std::string& name) { return certificates.contains(name); }, Search::none);
     if (!findings.isReadable) return findings;
-    // The copy of an older study has no certificates beside it.
-    if (!store.isUpgradedCopy())
+    if (store.hasLastingHead())  // erasures of older versions have no certificates
         for (const auto& [name, certificate] : certificates) checkCertificate(store, certificate, findings);
     checkKeptDatabases(store, findings);
     return findings;

@@ -80,6 +80,19 @@ std::vector<LogHead> headsIn(const std::string& headOrFile)
     return heads;
 }
 
+std::string headTextOf(const database::StudyStore& store)
+{
+    return store.hasLastingHead() ? textOf(store.head()) : std::string("none before the upgrade of the study");
+}
+
+void requireLastingHead(const database::StudyStore& store)
+{
+    if (!store.hasLastingHead())
+        throw protocols::badInput({"an earlier version made this study, and its log has no head that lasts",
+                                   store.namedFolder().string(), "an upgraded study",
+                                   "open the study in the app or with replay, which upgrades it, and do it again"});
+}
+
 std::string faultAgainst(const database::StudyStore& store, const LogHead& head)
 {
     const auto last = store.head();

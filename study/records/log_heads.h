@@ -13,6 +13,13 @@ namespace study::records {
 /// every SEQUENCE:HASH in the text of this file. Throws badInput where there is none, or where the file cannot be read.
 std::vector<database::LogHead> headsIn(const std::string& headOrFile);
 
+/// The end of the log as SEQUENCE:HASH. For a study of an earlier version that is not upgraded, words that say so: each copy of
+/// it is chained anew, with a head of its own.
+std::string headTextOf(const database::StudyStore& store);
+
+/// Throws badInput for such a study.
+void requireLastingHead(const database::StudyStore& store);
+
 /// Why neither the log nor the acts contain the head; empty where one does.
 std::string faultAgainst(const database::StudyStore& store, const database::LogHead& head);
 

@@ -4,9 +4,9 @@
 #include <map>
 #include <set>
 
-#include "protocols/allocation.h"
 #include "protocols/condition.h"
 #include "protocols/files/errors.h"
+#include "protocols/orders/allocation.h"
 #include "protocols/records/anchor_trials.h"
 
 namespace study::records {

@@ -12,6 +12,7 @@
 #include "protocols/records/balance.h"
 #include "reports/analysis/quality_flags.h"
 #include "reports/data/registration.h"
+#include "study/records/log_heads.h"
 #include "study/records/realised_balance.h"
 #include "study/records/stored_study.h"
 
@@ -196,7 +197,7 @@ ordered_json statusOf(const database::StudyStore& store, const database::Passphr
     json["balance_presented"] = key ? jsonOf(realisedBalance(store, answers, protocol, *key))["balance"] : ordered_json();
     if (!key) json["why"] = {{"balance_presented", "the study has a passphrase, and none was given"}};
     json["passphrase"] = facts.hasPassphrase;
-    json["head"] = textOf(store.head());
+    json["head"] = headTextOf(store);
     json["stamps"] = stampsOf(store, facts);
     const reports::StudyData data = store.unblinding() ? *studyData(store, passphrase, answers) : sealedStudyData(store, answers);
     json["preregistration"] = preregistrationOf(data);

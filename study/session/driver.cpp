@@ -1,8 +1,11 @@
 #include "study/session/driver.h"
 
+#include <algorithm>
+
 #include "protocols/files/errors.h"
 #include "protocols/files/safe_text.h"
 #include "protocols/files/sha256.h"
+#include "protocols/files/utf8.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
 #include "study/session/session_entry.h"
@@ -46,6 +49,15 @@ bool holdsNul(const std::string& json)
         if (backslashes % 2 == 0) return true;
     }
     return false;
+}
+
+/// Whether the database keeps every text of the event as it is; `payload` is its JSON.
+bool areKeptTexts(const EventBody& body, const std::string& payload)
+{
+    if (holdsNul(payload) || !protocols::isKeptText(payload)) return false;
+    if (const auto* ended = std::get_if<Debriefed>(&body)) return protocols::isKeptText(ended->text);
+    const auto* given = std::get_if<FactsGiven>(&body);
+    return !given || std::ranges::all_of(given->facts, [](const auto& fact) { return protocols::isKeptText(fact.second); });
 }
 
 /// A display that cannot fetch images would show the text of a ticket, and one that fetches would take an image for a ticket.
@@ -138,7 +150,8 @@ std::optional<Refusal> Driver::send(const EventBody& body)
     auto outcome = apply(m_plan, m_state, {body, atNs});
     if (auto* refusal = std::get_if<Refusal>(&outcome)) return std::move(*refusal);
     std::string payload = payloadJson(body, m_operatedBy);
-    if (holdsNul(payload)) return Refusal{"The text holds a NUL character, which ends texts in other programs. Remove it."};
+    if (!areKeptTexts(body, payload))
+        return Refusal{"The text holds a character that nobody sees and that is not stored as it is. Type the text again."};
     const std::vector<Effect> effects = std::get<SessionStep>(outcome).effects;
     commit(body, std::move(payload), atNs, std::move(std::get<SessionStep>(outcome)));
     letOut(effects);

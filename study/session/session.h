@@ -22,8 +22,8 @@
 #include <variant>
 #include <vector>
 
-#include "protocols/allocation.h"
 #include "protocols/ids.h"
+#include "protocols/orders/allocation.h"
 #include "protocols/protocol.h"
 #include "study/session/given_answer.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "database/study_store.h"
-#include "protocols/allocation.h"
+#include "protocols/orders/allocation.h"
 #include "study/players/simulated_participant.h"
 #include "study/session/session.h"
 

@@ -3,11 +3,11 @@
 #include <chrono>
 
 #include "database/keys.h"
-#include "protocols/counterbalancing.h"
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/temporary_folder.h"
 #include "protocols/files/whole_file.h"
+#include "protocols/orders/counterbalancing.h"
 #include "protocols/protocol_json.h"
 #include "study/session/stimuli.h"
 #include "study/simulation/simulate_through_store.h"

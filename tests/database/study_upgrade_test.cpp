@@ -16,6 +16,7 @@
 #include "database/write_lock.h"
 #include "protocols/files/canonical_bytes.h"
 #include "protocols/files/errors.h"
+#include "study/records/log_heads.h"
 #include "study/records/study_faults.h"
 #include "tests/support/error_text.h"
 #include "tests/support/raw_sqlite.h"
@@ -155,12 +156,17 @@ private Q_SLOTS:
         {
             const StudyStore reader(folder, Access::Read);
             QCOMPARE(answersOf(reader), expected);
-            QCOMPARE(joined(study::records::findingsOf(reader).faults), QString());
+            // Where the new database is in its place, the folder waits for the rest.
+            const QString faults = joined(study::records::findingsOf(reader).faults);
+            const bool waits = !isOlder(folder) && hasUnfinishedUpgrade(folder);
+            QVERIFY2(
+                waits ? faults.startsWith(".upgrade: an upgrade was interrupted") && !faults.contains("\n") : faults.isEmpty(),
+                qPrintable(faults));
         }
         const StudyStore store(folder, Access::Write);
         QCOMPARE(answersOf(store), expected);
         QCOMPARE(joined(study::records::findingsOf(store).faults), QString());
-        QVERIFY(!fs::exists(folder.upgrade()) && !fs::exists(folder.maskedKey()) && !needsUpgrade(folder));
+        QVERIFY(!fs::exists(folder.upgrade()) && !fs::exists(folder.maskedKey()) && !isOlder(folder));
         for (const auto& entry : fs::directory_iterator(folder.stimuli()))
             QCOMPARE(entry.path().extension(), fs::path(".sealed"));
         const StudyStore asItWas({folder.beforeUpgrade()}, Access::Read);
@@ -207,6 +213,41 @@ private Q_SLOTS:
         QVERIFY2(faults.contains("before the upgrade: log entry") && faults.contains("the entry or its rows were altered"),
                  qPrintable(faults));
         QCOMPARE(store.faults().size(), 1u);
+    }
+
+    /// The older log only names facts, so the upgrade's entry says what they were.
+    void factsOfOlderStudiesAreProtectedFromTheUpgradeOn()
+    {
+        const StudyFolder folder = at("finished");
+        const auto change = [&](const std::string& sql) {
+            RawSqlite raw(folder.database());
+            QCOMPARE(raw.run(sql), std::string());
+        };
+        const auto faults = [&] { return joined(StudyStore(folder, Access::Read).faults()); };
+        change("DELETE FROM participant_facts");
+        change("INSERT INTO participant_facts(participant, fact, value) VALUES ('S01', 'debriefing', 'a good study')");
+        QCOMPARE(joined(StudyStore(folder, Access::Write).faults()), QString());
+        change("UPDATE participant_facts SET value = 'a bad study'");
+        QCOMPARE(faults(), QString("the fact \"debriefing\" of participant S01 was altered"));
+        change("DELETE FROM participant_facts; INSERT INTO participant_facts VALUES ('S02', 'debriefing', 'I knew', '')");
+        const QString found = faults();
+        QVERIFY2(found.contains("the fact \"debriefing\" of participant S02 is not in the log") &&
+                     found.contains("the fact \"debriefing\" of participant S01 is missing"),
+                 qPrintable(found));
+    }
+
+    /// Every copy of an older study is chained anew, so that two of them never have one head.
+    void anOlderStudyGivesOutNoHead()
+    {
+        const StudyFolder folder = half();
+        const StudyStore reader(folder, Access::Read);
+        QVERIFY(!reader.hasLastingHead());
+        QCOMPARE(reader.namedFolder(), folder.folder);
+        QCOMPARE(study::records::headTextOf(reader), std::string("none before the upgrade of the study"));
+        QVERIFY(tests::support::errorOf([&] { study::records::requireLastingHead(reader); }).contains("has no head that lasts"));
+        const StudyStore upgraded(folder, Access::Write);
+        QVERIFY(upgraded.hasLastingHead());
+        QCOMPARE(study::records::headTextOf(upgraded), textOf(upgraded.head()));
     }
 
     void anErasureNamesTheCopyThatStillHoldsTheAnswers()

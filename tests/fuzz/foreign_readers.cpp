@@ -207,9 +207,8 @@ void readReply(const std::string& bytes)
     const auto reply = database::replyFrom(bytes, where);
     refusable([&] { (void)database::headFrom(reply, where); });
     refusable([&] { (void)database::entryNumberFrom(reply, where); });
-    refusable([&] {
-        require(database::trialFrom(reply, where, {3}).number == protocols::TrialNumber{3}, "another trial was taken");
-    });
+    refusable(
+        [&] { require(database::trialFrom(reply, where, {3}).number == protocols::TrialNumber{3}, "another trial was taken"); });
     refusable([&] { (void)database::placesFrom(reply, where); });
     refusable([&] { require(database::progressFrom(reply, where).answers >= 0, "fewer answers than none"); });
     refusable([&] {

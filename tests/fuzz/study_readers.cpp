@@ -202,7 +202,7 @@ public:
         try {
             upgrade(m_tried);
         } catch (const protocols::Error&) {
-            if (needsUpgrade(m_tried) && fs::exists(m_tried.beforeUpgrade()))
+            if (isOlder(m_tried) && fs::exists(m_tried.beforeUpgrade()))
                 throw std::runtime_error("a refused upgrade left a copy of the study");
             throw;
         }

@@ -1,4 +1,4 @@
-#include "protocols/allocation.h"
+#include "protocols/orders/allocation.h"
 
 #include <QTest>
 #include <algorithm>

@@ -4,8 +4,8 @@
 #include <map>
 #include <set>
 
-#include "protocols/allocation.h"
-#include "protocols/counterbalancing.h"
+#include "protocols/orders/allocation.h"
+#include "protocols/orders/counterbalancing.h"
 #include "protocols/protocol_json.h"
 #include "protocols/records/anchor_trials.h"
 #include "protocols/records/balance.h"

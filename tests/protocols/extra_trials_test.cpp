@@ -1,13 +1,13 @@
 // Same/different trays and catch trials are balanced and leave the rest of a design unchanged.
-#include "protocols/extra_trials.h"
+#include "protocols/orders/extra_trials.h"
 
 #include <QTest>
 #include <algorithm>
 #include <map>
 #include <set>
 
-#include "protocols/allocation.h"
 #include "protocols/condition.h"
+#include "protocols/orders/allocation.h"
 #include "protocols/protocol_json.h"
 #include "protocols/records/balance.h"
 #include "protocols/records/key_json.h"

@@ -5,8 +5,8 @@
 #include <QTest>
 #include <algorithm>
 
-#include "protocols/counterbalancing.h"
 #include "protocols/files/errors.h"
+#include "protocols/orders/counterbalancing.h"
 #include "protocols/protocol_json.h"
 #include "protocols/question_ids.h"
 #include "protocols/texts/protocol_edition.h"

@@ -4,12 +4,12 @@
 #include <set>
 #include <tuple>
 
-#include "protocols/allocation.h"
-#include "protocols/counterbalancing.h"
 #include "protocols/files/whole_file.h"
+#include "protocols/orders/allocation.h"
+#include "protocols/orders/counterbalancing.h"
+#include "protocols/orders/running_orders.h"
 #include "protocols/protocol_json.h"
 #include "protocols/records/balance.h"
-#include "protocols/running_orders.h"
 
 using namespace protocols;
 

@@ -5,9 +5,9 @@
 
 #include "database/keys.h"
 #include "database/study_store.h"
-#include "protocols/allocation.h"
-#include "protocols/counterbalancing.h"
 #include "protocols/files/sha256.h"
+#include "protocols/orders/allocation.h"
+#include "protocols/orders/counterbalancing.h"
 #include "protocols/protocol_json.h"
 #include "protocols/records/balance.h"
 #include "rendering/display/stimulus_bank.h"

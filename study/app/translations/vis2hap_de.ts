@@ -584,8 +584,8 @@
         <translation>Die Liste der Versuchsperson ist leer.</translation>
     </message>
     <message>
-        <source>The text holds a NUL character, which ends texts in other programs. Remove it.</source>
-        <translation>Der Text enthält ein NUL-Zeichen, das in anderen Programmen Texte beendet. Entfernen Sie es.</translation>
+        <source>The text holds a character that nobody sees and that is not stored as it is. Type the text again.</source>
+        <translation>Der Text enthält ein Zeichen, das niemand sieht und das nicht unverändert gespeichert wird. Geben Sie den Text noch einmal ein.</translation>
     </message>
     <message>
         <source>The last step was only just taken, so this key confirmed nothing. Put the pieces on the tray, then confirm it.</source>

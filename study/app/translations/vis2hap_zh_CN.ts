@@ -584,8 +584,8 @@
         <translation>这位参与者的清单是空的。</translation>
     </message>
     <message>
-        <source>The text holds a NUL character, which ends texts in other programs. Remove it.</source>
-        <translation>文本含有NUL字符，其他程序会把它当作文本结尾。请删除它。</translation>
+        <source>The text holds a character that nobody sees and that is not stored as it is. Type the text again.</source>
+        <translation>文本含有一个看不见、且无法原样保存的字符。请重新输入文本。</translation>
     </message>
     <message>
         <source>The last step was only just taken, so this key confirmed nothing. Put the pieces on the tray, then confirm it.</source>

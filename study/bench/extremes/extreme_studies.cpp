@@ -7,9 +7,9 @@
 #include <set>
 
 #include "database/study_store.h"
-#include "protocols/counterbalancing.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/temporary_folder.h"
+#include "protocols/orders/counterbalancing.h"
 #include "protocols/protocol_json.h"
 #include "rendering/models/generation.h"
 #include "reports/analysis/study_analysis.h"

@@ -21,7 +21,7 @@ void addJsonOption(CLI::App& command, JsonTarget& target)
 
 void writeJson(const JsonTarget& target, const nlohmann::ordered_json& object)
 {
-    const std::string text = object.dump(2) + "\n";
+    const std::string text = object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
     if (target->empty())
         std::fputs(text.c_str(), stdout);
     else

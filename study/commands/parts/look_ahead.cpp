@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "protocols/counterbalancing.h"
+#include "protocols/orders/counterbalancing.h"
 #include "protocols/records/balance.h"
 #include "study/making/session_plan.h"
 

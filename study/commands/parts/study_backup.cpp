@@ -54,7 +54,7 @@ std::string nameOfFolder(const fs::path& study)
 
 std::vector<std::string> writeBackup(const database::StudyStore& store, const fs::path& out)
 {
-    const fs::path study = store.folder().folder;
+    const fs::path study = store.namedFolder();
     if (fs::exists(out))
         throw protocols::badInput(
             {"the file exists", out.string(), "the name of a new file", "choose another name; nothing was written"});

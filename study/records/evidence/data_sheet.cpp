@@ -13,6 +13,7 @@
 #include "database/stored_texts.h"
 #include "study/records/display_response_record.h"
 #include "study/records/evidence/data_words.h"
+#include "study/records/log_heads.h"
 #include "study/records/stored_study.h"
 
 namespace study::records {
@@ -235,7 +236,7 @@ ordered_json dataSheetOf(const database::StudyStore& store)
     sheet["acts"] = sheetActRows(store);
     sheet["contact"] = nullptr;
     sheet["why"] = {{"contact", "protocols name no contact"}};
-    sheet["log_head"] = textOf(store.head());
+    sheet["log_head"] = headTextOf(store);
     return sheet;
 }
 

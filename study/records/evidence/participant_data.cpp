@@ -18,6 +18,7 @@
 #include "protocols/protocol_json.h"
 #include "study/records/evidence/exported_samples.h"
 #include "study/records/evidence/participant_page.h"
+#include "study/records/log_heads.h"
 #include "study/records/stored_study.h"
 
 namespace study::records {
@@ -279,7 +280,7 @@ ordered_json participantData(const database::StudyStore& store, const protocols:
             {"notes", noteRows(person)},
             {"events", eventRows(person)},
             {"copies", copyRows(person)},
-            {"log_head", textOf(store.head())}};
+            {"log_head", headTextOf(store)}};
 }
 
 void writeParticipantData(const database::StudyStore& store, const ordered_json& data, const std::filesystem::path& folder)

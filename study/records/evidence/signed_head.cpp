@@ -7,8 +7,10 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/safe_text.h"
 #include "protocols/files/strict_json.h"
+#include "protocols/files/utf8.h"
 #include "protocols/secrets/sealing.h"
 #include "protocols/secrets/signing.h"
+#include "study/records/log_heads.h"
 
 namespace study::records {
 
@@ -38,6 +40,14 @@ std::string takeLine(std::string_view& text, const std::string& name, const std:
     return value;
 }
 
+/// Mail programs and editors of Windows end lines with carriage returns and write a mark of the byte order.
+std::string withLineFeeds(std::string_view file)
+{
+    std::string text(protocols::withoutByteOrderMark(file));
+    for (std::size_t at = text.find("\r\n"); at != std::string::npos; at = text.find("\r\n", at)) text.erase(at, 1);
+    return text;
+}
+
 database::LogHead headFrom(const std::string& text, const std::string& where)
 {
     database::LogHead head;
@@ -59,6 +69,7 @@ protocols::Error noSigningKey(const std::string& where)
 
 std::string signedHeadText(const database::StudyStore& store, const protocols::SecretKey& seed, const std::string& program)
 {
+    requireLastingHead(store);
     const auto head = store.head();
     std::string text(firstLine);
     text += line("study", store.facts().name);
@@ -71,9 +82,14 @@ std::string signedHeadText(const database::StudyStore& store, const protocols::S
     return text + std::string(signatureName) + protocols::signatureOf(seed, text) + "\n";
 }
 
-std::optional<SignedHead> signedHeadIn(const std::string& text, const std::string& where)
+std::optional<SignedHead> signedHeadIn(const std::string& file, const std::string& where)
 {
-    if (!text.starts_with(firstLine)) return std::nullopt;
+    const std::string text = withLineFeeds(file);
+    if (!text.starts_with(firstLine)) {
+        if (text.find(firstLine) != std::string::npos)
+            throw malformed("the signed statement does not begin the file", where);
+        return std::nullopt;
+    }
     SignedHead found;
     std::string_view rest = std::string_view(text).substr(firstLine.size());
     found.study = takeLine(rest, "study", where);

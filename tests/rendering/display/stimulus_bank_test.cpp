@@ -10,9 +10,9 @@
 #include <fstream>
 #include <opencv2/core.hpp>
 
-#include "protocols/allocation.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
+#include "protocols/orders/allocation.h"
 #include "tests/rendering/refusal.h"
 
 using namespace rendering;

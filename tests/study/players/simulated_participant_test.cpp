@@ -5,7 +5,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "protocols/allocation.h"
+#include "protocols/orders/allocation.h"
 #include "protocols/protocol_json.h"
 #include "rendering/composition/render_fabrics.h"
 #include "rendering/fabrics/procedural/procedural_fabrics.h"

@@ -170,6 +170,28 @@ private Q_SLOTS:
                                      << "the acts end at number 0, 1 were written";
         QTest::newRow("acts cut off") << "DELETE FROM acts; DELETE FROM sqlite_sequence WHERE name = 'acts'"
                                       << "act 1, which entry";
+        // The program reads 32 bits or yes and no, and SQL sees all of the number.
+        QTest::newRow("answers hidden") << "UPDATE responses SET is_correction = 4294967296 WHERE is_correction = 0"
+                                        << "hold numbers in is_correction";
+        QTest::newRow("correction by another yes") << "UPDATE responses SET is_correction = 2 WHERE is_correction = 1"
+                                                   << "1 rows of the table responses hold numbers in is_correction";
+        QTest::newRow("correction undone") << "UPDATE responses SET attempt = attempt + 4294967296 WHERE is_correction = 1"
+                                           << "hold numbers in attempt";
+        QTest::newRow("rating far away") << "UPDATE responses SET rating_tenths = rating_tenths - 4294967296"
+                                         << "hold numbers in rating_tenths";
+        QTest::newRow("version far away") << "UPDATE participants SET protocol_version = protocol_version + 4294967296"
+                                          << "hold numbers in protocol_version";
+        QTest::newRow("last number") << "UPDATE responses SET id = 9223372036854775807 WHERE id = (SELECT MAX(id) FROM responses)"
+                                     << "hold numbers in id";
+        // The same letter in two bytes, which readers repair and SQL does not.
+        QTest::newRow("overlong letter")
+            << "UPDATE responses SET choice = CAST(X'C186' AS TEXT) || substr(choice, 2) WHERE choice LIKE 'F%'"
+            << "the entry or its rows were altered";
+        QTest::newRow("overlong letter of a fact")
+            << "UPDATE participant_facts SET value = CAST(X'C1A9' AS TEXT) || substr(value, 2) WHERE fact = 'debriefing'"
+            << "was altered";
+        QTest::newRow("unknown sequence") << "INSERT INTO sqlite_sequence VALUES ('voids', 77)"
+                                          << "the table sqlite_sequence has unknown rows";
         QTest::newRow("seed changed") << "UPDATE study SET design_seed = '8'"
                                       << "were altered after the study was made";
     }
@@ -235,6 +257,19 @@ private Q_SLOTS:
                                                 << "rescue-1.db: is no database of this study";
         QTest::newRow("rescue file of another study") << "cp ../other/study.db rescue-2.db"
                                                       << "rescue-2.db: is no database of this study";
+        QTest::newRow("log of no rescue file") << "printf x > rescue-9.db-wal"
+                                               << "rescue-9.db-wal: does not belong to the study";
+        QTest::newRow("copy of no upgrade") << "mkdir before-upgrade-9"
+                                            << "before-upgrade-9: does not belong to the study";
+        QTest::newRow("an upgrade invented") << "mkdir .upgrade"
+                                             << ".upgrade: an upgrade was interrupted, or somebody made this folder";
+        QTest::newRow("link behind an invented upgrade")
+            << "mkdir .upgrade; mv protocol.json ../$(basename $PWD).p; ln -s ../$(basename $PWD).p protocol.json"
+            << "protocol.json: a link stands in the place of the file";
+        QTest::newRow("certificates removed behind an invented upgrade") << "mkdir .upgrade other; rm -r erasures"
+                                                                         << ".txt: is missing";
+        QTest::newRow("folder behind an invented upgrade") << "mkdir .upgrade other"
+                                                           << "other: does not belong to the study";
         QTest::newRow("station key") << "printf x >> station-key.json"
                                      << "station-key.json";
         QTest::newRow("protocol") << "printf ' ' >> protocol.json"
@@ -273,6 +308,18 @@ private Q_SLOTS:
         QVERIFY2(notes().contains("study-before-rescue-7.db: is no database of this study"), qPrintable(notes()));
         QCOMPARE(faultsOf(folder), QString());
         QVERIFY(!fs::exists(folder.folder / "study-before-rescue-3.db-shm"));
+    }
+
+    /// A killed program leaves it beside its place, and verify names it.
+    void unfinishedFilesAreNoted()
+    {
+        const auto folder = copy();
+        std::ofstream(folder.folder / "erasures" / ".erasure-9.txt.unfinished-lab-77") << "x";
+        QCOMPARE(faultsOf(folder), QString());
+        QString notes;
+        for (const auto& note : findingsOf(reading(folder)).notes) notes += QString::fromStdString(note) + "\n";
+        QVERIFY2(notes.contains("erasures/.erasure-9.txt.unfinished-lab-77: left by a program that was killed"),
+                 qPrintable(notes));
     }
 
     void modesAreNotedOnly()

@@ -1,11 +1,11 @@
-#include "protocols/foil_sets.h"
+#include "protocols/orders/foil_sets.h"
 
 #include <algorithm>
 #include <numeric>
 #include <set>
 #include <utility>
 
-#include "protocols/annealing.h"
+#include "protocols/orders/annealing.h"
 
 namespace protocols {
 

@@ -1,12 +1,12 @@
-#include "protocols/counterbalancing.h"
+#include "protocols/orders/counterbalancing.h"
 
 #include <utility>
 
-#include "protocols/extra_trials.h"
 #include "protocols/files/errors.h"
-#include "protocols/running_orders.h"
-#include "protocols/same_different.h"
-#include "protocols/trays.h"
+#include "protocols/orders/extra_trials.h"
+#include "protocols/orders/running_orders.h"
+#include "protocols/orders/same_different.h"
+#include "protocols/orders/trays.h"
 
 namespace protocols {
 

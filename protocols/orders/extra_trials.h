@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "protocols/counterbalancing.h"
-#include "protocols/running_orders.h"
-#include "protocols/trays.h"
+#include "protocols/orders/counterbalancing.h"
+#include "protocols/orders/running_orders.h"
+#include "protocols/orders/trays.h"
 
 namespace protocols {
 

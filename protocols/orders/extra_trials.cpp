@@ -1,4 +1,4 @@
-#include "protocols/extra_trials.h"
+#include "protocols/orders/extra_trials.h"
 
 #include <algorithm>
 #include <numeric>

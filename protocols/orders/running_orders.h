@@ -23,10 +23,14 @@ struct StudySize {
     int fabrics = 1;
 };
 
+/// With two kinds of labels or fabrics, an order without repeats alternates: who knows one place knows them all. So there a
+/// repeat is a pair like any other.
+constexpr bool mayRepeat(int kinds) { return kinds <= 2; }
+
 /// [participant][position]: each rendering once per participant. Over the study, ordered pairs of different labels and of
-/// different fabrics follow one another equally often, and none repeats immediately. Each label is equally frequent in each
-/// stretch of `labels` positions, each fabric in each stretch of `fabrics` positions, against practice and fatigue. Where this
-/// is impossible, a bounded search comes as close as it can.
+/// different fabrics follow one another equally often, and none repeats immediately, except as mayRepeat() says. Each label is
+/// equally frequent in each stretch of `labels` positions, each fabric in each stretch of `fabrics` positions, against practice
+/// and fatigue. Where this is impossible, a bounded search comes as close as it can.
 std::vector<std::vector<Rendering>> drawRunningOrders(const StudySize& size, Random& random);
 
 /// [participant][place]: the number of the instruction, from 0. Each instruction stands equally often at each place and follows

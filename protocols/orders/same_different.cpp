@@ -1,10 +1,10 @@
-#include "protocols/same_different.h"
+#include "protocols/orders/same_different.h"
 
 #include <algorithm>
 #include <numeric>
 #include <utility>
 
-#include "protocols/annealing.h"
+#include "protocols/orders/annealing.h"
 
 namespace protocols {
 

@@ -1,9 +1,9 @@
-#include "protocols/running_orders.h"
+#include "protocols/orders/running_orders.h"
 
 #include <array>
 #include <utility>
 
-#include "protocols/annealing.h"
+#include "protocols/orders/annealing.h"
 
 namespace protocols {
 
@@ -29,16 +29,18 @@ std::int64_t transitionsOf(const StudySize& size)
     return std::int64_t{size.participants} * (std::int64_t{size.labels} * size.fabrics - 1);
 }
 
+std::int64_t pairKinds(int kinds) { return std::int64_t{kinds} * (mayRepeat(kinds) ? kinds : kinds - 1); }
+
 /// Cost of an immediate repeat: more than any unevenness that avoiding it can cause.
-std::int64_t repeatPenalty(const StudySize& size, std::int64_t kinds)
+std::int64_t repeatPenalty(const StudySize& size, int kinds)
 {
-    if (kinds == 1) return 0;
-    return pairWeight * (2 * transitionsOf(size) / (kinds * (kinds - 1)) + 20);
+    if (mayRepeat(kinds)) return 0;
+    return pairWeight * (2 * transitionsOf(size) / pairKinds(kinds) + 20);
 }
 
 std::int64_t leastPairCost(const StudySize& size)
 {
-    const auto pairs = [&](std::int64_t kinds) { return leastSquares(transitionsOf(size), kinds * (kinds - 1)); };
+    const auto pairs = [&](int kinds) { return leastSquares(transitionsOf(size), pairKinds(kinds)); };
     return pairWeight * (pairs(size.labels) + pairs(size.fabrics));
 }
 
@@ -118,9 +120,7 @@ private:
 
     std::int64_t countPair(SquaredCounts& pairs, std::int64_t repeat, int kinds, int a, int b, bool adding) const
     {
-        // With a single kind every transition is a repeat, so repeats cost nothing.
-        if (kinds == 1) return 0;
-        if (a == b) return adding ? repeat : -repeat;
+        if (a == b && !mayRepeat(kinds)) return adding ? repeat : -repeat;
         return pairWeight * count(pairs, static_cast<std::size_t>(a * kinds + b), adding);
     }
 

@@ -4,9 +4,9 @@
 
 #include <vector>
 
+#include "protocols/orders/running_orders.h"
+#include "protocols/orders/trays.h"
 #include "protocols/random.h"
-#include "protocols/running_orders.h"
-#include "protocols/trays.h"
 
 namespace protocols {
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "protocols/counterbalancing.h"
 #include "protocols/ids.h"
+#include "protocols/orders/counterbalancing.h"
 #include "protocols/protocol.h"
 #include "protocols/secrets/secret_key.h"
 

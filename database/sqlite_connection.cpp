@@ -11,6 +11,7 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/open_files.h"
+#include "protocols/files/utf8.h"
 
 namespace database {
 
@@ -99,6 +100,11 @@ QString withNames(const QString& sql)
 void requireUsableLog(const std::filesystem::path& file)
 {
     std::error_code none;
+    for (const char* ending : {"-journal", "-wal", "-shm"})
+        if (const std::filesystem::path beside = file.string() + ending;
+            std::filesystem::exists(beside, none) && !std::filesystem::is_regular_file(beside, none))
+            throw protocols::badInput({"something that is no file stands beside the database", beside.string(),
+                                       "a file of SQLite, or nothing", "remove it; nothing was changed"});
     const std::filesystem::path log = file.string() + "-wal";
     if (!std::filesystem::is_regular_file(file, none) || std::filesystem::file_size(file, none) > 0 || none) return;
     if (std::filesystem::file_size(log, none) == 0 || none) return;
@@ -126,6 +132,8 @@ SqliteConnection::SqliteConnection(std::filesystem::path file, Mode mode) : m_fi
         if (!m_connection.isValid())
             throw protocols::environmentFault(
                 {"Qt's SQLite driver cannot be loaded", "", "the package libqt6sql6-sqlite", "install it"});
+        if (protocols::firstByteThatIsNotUtf8(m_file.string()))
+            throw protocols::badInput({"the path is not UTF-8", m_file.string(), "a path of UTF-8", "rename the folder"});
         if (mode == Mode::Read || mode == Mode::Write) requireUsableLog(m_file);
         if (mode == Mode::Read)
             openForReading();
@@ -212,9 +220,10 @@ void SqliteConnection::requireKept(const QVariant& value) const
     if (value.typeId() != QMetaType::QString) return;
     const QString text = value.toString();
     if (!text.startsWith(QChar(0xFEFF)) && !text.contains(QChar(0xFFFE)) && !text.contains(QChar(0xFFFF))) return;
-    throw protocols::badInput({"the text holds a character that nobody sees and that is not stored as it is (U+FEFF, U+FFFE or "
-                               "U+FFFF)",
-                               m_file.string(), "text without these characters", "type the text again; nothing was stored"});
+    throw protocols::badInput(
+        {"the text holds a character that nobody sees and that is not stored as it is (U+FEFF, U+FFFE or "
+         "U+FFFF)",
+         m_file.string(), "text without these characters", "type the text again; nothing was stored"});
 }
 
 void SqliteConnection::execute(QSqlQuery& query, const QVariantList& values) const

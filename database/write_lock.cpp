@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -38,8 +39,14 @@ protocols::Error heldByAnother(const StudyFolder& folder, int descriptor)
 
 WriteLock::WriteLock(const StudyFolder& folder)
 {
-    m_descriptor = ::open(folder.lock().c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+    m_descriptor = ::open(folder.lock().c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0600);
     if (m_descriptor < 0 && protocols::isTooManyOpenFiles(errno)) throw protocols::tooManyOpenFiles(folder.lock().string());
+    struct stat status {};
+    if (m_descriptor < 0 ? errno == ELOOP : (::fstat(m_descriptor, &status) != 0 || !S_ISREG(status.st_mode))) {
+        if (m_descriptor >= 0) ::close(m_descriptor);
+        throw protocols::badInput({"a link or something else stands in the place of the file", folder.lock().string(),
+                                   "the lock of the study, or no file of this name", "remove it; nothing was written"});
+    }
     if (m_descriptor < 0)
         throw protocols::environmentFault({std::string("the study cannot be opened for writing: ") + std::strerror(errno),
                                            folder.folder.string(), "a folder that may be written",

@@ -17,6 +17,14 @@ bool isPlain(char c)
     return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
 }
 
+/// Length of a mark at the front that changes the direction of the text (U+202A to U+202E, U+2066 to U+2069), or 0.
+std::size_t bytesThatTurn(std::string_view text)
+{
+    const bool isOverride = text.size() >= 3 && text.starts_with("\xE2\x80") && text[2] >= '\xAA' && text[2] <= '\xAE';
+    const bool isIsolate = text.size() >= 3 && text.starts_with("\xE2\x81") && text[2] >= '\xA6' && text[2] <= '\xA9';
+    return isOverride || isIsolate ? 3 : 0;
+}
+
 }  // namespace
 
 std::string printable(std::string_view text)
@@ -26,6 +34,11 @@ std::string printable(std::string_view text)
         const auto byte = static_cast<unsigned char>(text[at]);
         const bool isC1 = byte == 0xc2 && at + 1 < text.size() && static_cast<unsigned char>(text[at + 1]) >= 0x80 &&
                           static_cast<unsigned char>(text[at + 1]) < 0xa0;
+        if (const std::size_t turns = bytesThatTurn(text.substr(at)); turns > 0) {
+            for (std::size_t i = 0; i < turns; ++i) safe += "\\x" + hexOf(text[at + i], "0123456789abcdef");
+            at += turns - 1;
+            continue;
+        }
         if (text[at] == '\n' || text[at] == '\r')
             safe += ' ';
         else if (byte < 0x20 || byte == 0x7f)

@@ -6,7 +6,8 @@
 
 namespace protocols {
 
-/// Control characters (also those of C1, as UTF-8) written as "\x1b"; a terminal would obey them. Line ends become blanks.
+/// Control characters (also those of C1, as UTF-8) and marks that change the direction of the text written as "\x1b"; a terminal
+/// would obey them. Line ends become blanks.
 std::string printable(std::string_view text);
 
 /// The same for a text of several lines: its line ends stay.

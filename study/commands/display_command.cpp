@@ -7,6 +7,7 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/safe_text.h"
+#include "protocols/files/utf8.h"
 #include "rendering/display/display_check.h"
 #include "rendering/response/response_file.h"
 #include "reports/text/plain_words.h"
@@ -66,7 +67,9 @@ int checkDriver(const CheckCall& call)
     if (!call.response.empty()) printDemand({"its response was measured on this display", otherDisplay});
     printTimes("show an image", result.showMs);
     printTimes("clear the display", result.clearMs);
-    const std::string name = result.name.empty() ? call.specification : result.name;
+    constexpr std::size_t longestName = 200;
+    const std::string name =
+        protocols::printable(protocols::inShort(result.name.empty() ? call.specification : result.name, longestName));
     const int faults = result.faults() + (otherDisplay.empty() ? 0 : 1);
     std::printf("%s: %s\n", name.c_str(),
                 faults == 0 ? "meets every requirement" : reports::counted(static_cast<std::size_t>(faults), "fault").c_str());

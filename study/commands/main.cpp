@@ -1,16 +1,20 @@
 // The program `vis2hap`: parses the command line, makes the Qt application that the command needs and runs the command. Every
 // fault becomes one line and an exit code.
+#include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <QApplication>
 #include <QCoreApplication>
 #include <clocale>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <iostream>
 #include <memory>
 #include <new>
 
@@ -20,6 +24,7 @@
 #include "protocols/files/safe_text.h"
 #include "study/commands/command_line.h"
 #include "study/commands/parts/explanation.h"
+#include "study/commands/parts/safe_outputs.h"
 
 namespace {
 
@@ -89,6 +94,20 @@ void requireOpenFiles()
     if (::getrlimit(RLIMIT_NOFILE, &limit) == 0 && limit.rlim_cur < fewestOpenFiles) throw protocols::tooManyOpenFiles("vis2hap");
 }
 
+/// A file that a command opens must not get the number of a stream that the caller closed: what is printed would go into it.
+void openClosedStreams()
+{
+    for (int stream = 0; stream <= 2; ++stream)
+        if (::fcntl(stream, F_GETFD) == -1) (void)::open("/dev/null", O_RDONLY);  // the lowest free number; writing fails
+}
+
+void requireWrittenOutput()
+{
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good()) return;
+    throw protocols::environmentFault({"the output cannot be written", "standard output",
+                                       "a terminal, a pipe or a disk with room", "write into a file on another disk"});
+}
+
 int run(int argc, char** argv)
 {
     CLI::App app("Blinded, randomized haptic-rendering studies: touch from vision.", "vis2hap");
@@ -130,7 +149,12 @@ int run(int argc, char** argv)
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {
-        if (problem.get_exit_code() == 0) return app.exit(problem);  // help and version
+        if (problem.get_exit_code() == 0) {  // help and version
+            (void)app.exit(problem);
+            std::cout.flush();
+            requireWrittenOutput();
+            return 0;
+        }
         const auto called = app.get_subcommands();
         const std::string command = called.empty() ? "" : called.front()->get_name() + " ";
         std::fprintf(stderr, "vis2hap: %s; see `vis2hap %s--help`\n", protocols::printable(problem.what()).c_str(),
@@ -138,6 +162,7 @@ int run(int argc, char** argv)
         return static_cast<int>(ExitCode::BadInput);
     }
     requireOpenFiles();
+    study::commands::requireSafeOutputs(app);
     // Qt gets no options, because it would read ours: to Qt, --display names a screen of the X server.
     int programNameAlone = 1;
     const auto application = surroundingsFor(action.surroundings, programNameAlone, argv);
@@ -147,9 +172,7 @@ int run(int argc, char** argv)
     explanation.begin(app);
     const int code = action.work();
     explanation.end();
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-        throw protocols::environmentFault({"the output cannot be written", "standard output",
-                                           "a terminal, a pipe or a disk with room", "write into a file on another disk"});
+    requireWrittenOutput();
     return code;
 }
 
@@ -167,6 +190,8 @@ protocols::Error faultOf(const std::filesystem::filesystem_error& error)
 
 int main(int argc, char** argv)
 {
+    openClosedStreams();
+    std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is an error of the write
     try {
         return run(argc, argv);
     } catch (const protocols::Error& error) {

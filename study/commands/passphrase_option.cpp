@@ -3,11 +3,15 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
+#include <vector>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/utf8.h"
 #include "protocols/files/whole_file.h"
 
 namespace study::commands {
@@ -17,25 +21,38 @@ namespace {
 constexpr const char* variable = "VIS2HAP_PASSPHRASE";
 constexpr std::size_t shortestPassphrase = 8;
 
-/// Hides what is typed while it lives.
+constexpr int endingSignals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
+
+termios terminalBefore{};  // for the handler, which may use nothing else
+
+void showAgainAndEnd(int number)
+{
+    ::tcsetattr(STDIN_FILENO, TCSAFLUSH, &terminalBefore);
+    std::signal(number, SIG_DFL);
+    (void)::raise(number);
+}
+
+/// Hides what is typed while it lives. A signal that ends the program shows it again.
 class Unechoed {
 public:
     Unechoed()
     {
-        if (::tcgetattr(STDIN_FILENO, &m_before) != 0) return;
-        termios hidden = m_before;
+        if (::tcgetattr(STDIN_FILENO, &terminalBefore) != 0) return;
+        for (const int number : endingSignals) m_handlers.push_back(std::signal(number, showAgainAndEnd));
+        termios hidden = terminalBefore;
         hidden.c_lflag &= ~static_cast<tcflag_t>(ECHO);
         m_isHidden = ::tcsetattr(STDIN_FILENO, TCSAFLUSH, &hidden) == 0;
     }
     ~Unechoed()
     {
-        if (m_isHidden) ::tcsetattr(STDIN_FILENO, TCSAFLUSH, &m_before);
+        if (m_isHidden) ::tcsetattr(STDIN_FILENO, TCSAFLUSH, &terminalBefore);
+        for (std::size_t i = 0; i < m_handlers.size(); ++i) std::signal(endingSignals[i], m_handlers[i]);
     }
     Unechoed(const Unechoed&) = delete;
     Unechoed& operator=(const Unechoed&) = delete;
 
 private:
-    termios m_before{};
+    std::vector<void (*)(int)> m_handlers;  ///< those before, in the order of endingSignals
     bool m_isHidden = false;
 };
 
@@ -54,7 +71,8 @@ std::optional<std::string> asked(const std::string& question)
 /// The first line of the file, without its end.
 std::string firstLineOf(const std::string& file)
 {
-    std::string text = protocols::readWholeFile(file);
+    const std::string whole = protocols::readWholeFile(file);
+    std::string text(protocols::withoutByteOrderMark(whole));
     text = text.substr(0, text.find('\n'));
     if (text.ends_with('\r')) text.pop_back();
     return text;
@@ -78,15 +96,16 @@ void addPassphraseOption(CLI::App& command, PassphraseOption& option)
 
 database::Passphrase passphraseFrom(const PassphraseOption& option, const std::string& whose)
 {
-    return [option, whose]() -> std::optional<std::string> {
-        if (auto given = givenBeforehand(option)) return given;
+    // A file that is missing is an error, also where the key turns out to lie open.
+    return [given = givenBeforehand(option), whose]() -> std::optional<std::string> {
+        if (given) return given;
         return hasTerminal() ? asked(whose) : std::nullopt;
     };
 }
 
 database::Passphrase givenPassphrase(const PassphraseOption& option)
 {
-    return [option] { return givenBeforehand(option); };
+    return [given = givenBeforehand(option)] { return given; };
 }
 
 std::string newPassphrase(const PassphraseOption& option, const std::string& key)
@@ -101,6 +120,8 @@ std::string newPassphrase(const PassphraseOption& option, const std::string& key
         throw protocols::badInput({"a passphrase is needed, which seals " + key, "",
                                    "a terminal to ask on, --passphrase-file FILE or " + std::string(variable),
                                    "give one; --no-passphrase leaves the key open, for simulated studies and tests"});
+    if (std::ranges::all_of(*given, [](char c) { return static_cast<unsigned char>(c) <= ' '; }))
+        throw protocols::badInput({"the passphrase holds only blanks", "", "letters, digits and signs", "choose another one"});
     if (given->size() < shortestPassphrase)
         throw protocols::badInput({"the passphrase is too short", "", std::to_string(shortestPassphrase) + " characters or more",
                                    "choose a longer one, such as four words"});

@@ -126,7 +126,8 @@ int report(const ReportCall& call, StageTimes times)
     times.end();
     // Recorded before a word is printed: a reader such as `head` may close the pipe at any line.
     if (!call.study.empty()) recordAct(records::openStudy(call.study), "report", call.out);
-    std::printf("%s\n%s/index.html\n", reports::overviewText(analysis).c_str(), call.out.c_str());
+    std::printf("%s\n%s/index.html\n", protocols::printableLines(reports::overviewText(analysis)).c_str(),
+                protocols::printable(call.out).c_str());
     if (!call.checkWith.empty()) checkReport(call.out, call.checkWith);
     return 0;
 }

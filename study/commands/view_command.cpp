@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/files/whole_file.h"
 #include "study/commands/command_line.h"
 #include "study/commands/parts/json_output.h"
@@ -39,7 +40,7 @@ int view(const ViewCall& call)
     QBuffer buffer(&bytes);
     looking::drawSheet(signals, style, call.perRow).save(&buffer, "PNG");
     protocols::writeWholeFile(call.out, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
-    std::printf("%s\n", looking::describe(signals).toUtf8().constData());
+    std::printf("%s\n", protocols::printableLines(looking::describe(signals).toStdString()).c_str());
     return 0;
 }
 

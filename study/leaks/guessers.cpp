@@ -43,6 +43,7 @@ std::vector<Guess> guessesByTrays(const SeenStudy& study, const Truth& truth)
                 }
             tally.addTo(guesses);
         };
+        count("rules of the design (counts)", beliefOfCounts(trays));
         count("rules of the design (chain)", beliefOfChain(trays));
         protocols::Random random(phase + 1);
         count("rules of the design (sampler)", beliefOfSampler(trays, moves, random));

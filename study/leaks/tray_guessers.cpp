@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
+
+#include "protocols/orders/running_orders.h"
 
 using namespace protocols;
 
@@ -33,6 +36,9 @@ public:
 private:
     std::map<std::vector<int>, std::size_t> m_ids;
 };
+
+/// Ordered pairs that follow one another in the orders of a design.
+std::size_t pairKinds(std::size_t fabrics) { return fabrics * (mayRepeat(static_cast<int>(fabrics)) ? fabrics : fabrics - 1); }
 
 Belief evenBelief(const SeenTrays& trays)
 {
@@ -65,7 +71,7 @@ public:
         : m_trays(trays),
           m_fabrics(static_cast<std::size_t>(fabricsIn(trays))),
           m_slots(trays[0][0].size()),
-          m_place(trays.size() * m_fabrics * m_slots),
+          m_place(trays.size() * m_fabrics),
           m_pair(m_fabrics * m_fabrics),
           m_set(0)
     {
@@ -90,7 +96,7 @@ public:
             if (round + 1 == rounds) break;
             m_place.fitTo(trials / static_cast<double>(m_place.weight.size()));
             m_set.fitTo(trials / static_cast<double>(m_set.weight.size()));
-            m_pair.fitTo((trials - static_cast<double>(m_trays.size())) / static_cast<double>(m_fabrics * (m_fabrics - 1)));
+            m_pair.fitTo((trials - static_cast<double>(m_trays.size())) / static_cast<double>(pairKinds(m_fabrics)));
         }
         return belief;
     }
@@ -98,14 +104,14 @@ public:
 private:
     double& placeOf(std::vector<double>& cells, std::size_t participant, std::size_t at, std::size_t slot)
     {
-        return cells[(participant * m_fabrics + static_cast<std::size_t>(m_trays[participant][at][slot])) * m_slots + slot];
+        return cells[participant * m_fabrics + static_cast<std::size_t>(m_trays[participant][at][slot])];
     }
 
     double step(std::size_t participant, std::size_t at, std::size_t from, std::size_t to) const
     {
         const int a = m_trays[participant][at][from];
         const int b = m_trays[participant][at + 1][to];
-        return a == b ? 0.0 : m_pair.weight[pairCell(a, b)];
+        return a == b && !mayRepeat(static_cast<int>(m_fabrics)) ? 0.0 : m_pair.weight[pairCell(a, b)];
     }
 
     std::size_t pairCell(int a, int b) const { return static_cast<std::size_t>(a) * m_fabrics + static_cast<std::size_t>(b); }
@@ -174,9 +180,84 @@ private:
     std::size_t m_fabrics;
     std::size_t m_slots;
     std::vector<std::vector<std::vector<std::size_t>>> m_setIds;
-    Scaled m_place;  ///< [participant][fabric][slot]
+    Scaled m_place;  ///< [participant][fabric]
     Scaled m_pair;   ///< [fabric][next fabric]
     Scaled m_set;    ///< [true fabric and foils]
+};
+
+/// All orders of one participant's true fabrics that fit the trays, counted forward and backward. A state is the number of times
+/// that each fabric was true so far, as digits of one number, and the slot that is true now.
+class CountedOrders {
+public:
+    static constexpr std::size_t mostStates = 20'000;
+
+    CountedOrders(const std::vector<std::vector<int>>& list, std::size_t fabrics)
+        : m_list(list), m_slots(list.front().size()), m_mayRepeat(mayRepeat(static_cast<int>(fabrics)))
+    {
+        if (list.size() % fabrics != 0) return;
+        m_times = list.size() / fabrics;
+        std::size_t states = 1;
+        for (std::size_t fabric = 0; fabric < fabrics && states <= mostStates; ++fabric) {
+            m_digit.push_back(states);
+            states *= m_times + 1;
+        }
+        if (states <= mostStates) m_states = states;
+    }
+
+    bool isCountable() const { return m_states > 0; }
+
+    void fill(std::vector<std::vector<double>>& belief) const
+    {
+        const std::size_t last = m_list.size() - 1;
+        std::vector<std::vector<double>> reached(m_list.size(), std::vector<double>(m_states * m_slots));
+        for (std::size_t slot = 0; slot < m_slots; ++slot) reached[0][digitOf(0, slot) * m_slots + slot] = 1;
+        for (std::size_t at = 0; at < last; ++at) {
+            forEachStep(at, [&](std::size_t from, std::size_t to) { reached[at + 1][to] += reached[at][from]; });
+            normalise(reached[at + 1]);
+        }
+        std::vector<double> left(m_states * m_slots, 1.0);
+        for (std::size_t at = last + 1; at-- > 0;) {
+            for (std::size_t slot = 0; slot < m_slots; ++slot) belief[at][slot] = 0;
+            for (std::size_t state = 0; state < left.size(); ++state)
+                belief[at][state % m_slots] += reached[at][state] * left[state];
+            if (at == 0) break;
+            std::vector<double> before(left.size());
+            forEachStep(at - 1, [&](std::size_t from, std::size_t to) { before[from] += left[to]; });
+            normalise(before);
+            left = std::move(before);
+        }
+    }
+
+private:
+    std::size_t digitOf(std::size_t at, std::size_t slot) const { return m_digit[static_cast<std::size_t>(m_list[at][slot])]; }
+
+    static void normalise(std::vector<double>& values)
+    {
+        const double sum = std::accumulate(values.begin(), values.end(), 0.0);
+        if (sum > 0)
+            for (double& value : values) value /= sum;
+    }
+
+    /// Calls `step` with each state at a place and each one that may follow it.
+    template <class Step>
+    void forEachStep(std::size_t at, const Step& step) const
+    {
+        for (std::size_t state = 0; state < m_states * m_slots; ++state) {
+            const std::size_t counts = state / m_slots;
+            for (std::size_t slot = 0; slot < m_slots; ++slot) {
+                const bool isRepeat = m_list[at + 1][slot] == m_list[at][state % m_slots];
+                const std::size_t digit = digitOf(at + 1, slot);
+                if ((!isRepeat || m_mayRepeat) && counts / digit % (m_times + 1) < m_times)
+                    step(state, (counts + digit) * m_slots + slot);
+            }
+        }
+    }
+
+    const std::vector<std::vector<int>>& m_list;
+    std::size_t m_slots;
+    bool m_mayRepeat;
+    std::size_t m_times = 0, m_states = 0;
+    std::vector<std::size_t> m_digit;  ///< [fabric]: the value of one more
 };
 
 /// A true slot for every presentation, with its cost under the rules of the design.
@@ -187,7 +268,6 @@ public:
           m_fabrics(static_cast<std::size_t>(fabricsIn(trays))),
           m_slots(trays[0][0].size()),
           m_byFabric(trays.size() * m_fabrics),
-          m_byPlace(trays.size() * m_fabrics * m_slots),
           m_byPair(m_fabrics * m_fabrics),
           m_byStretch((trays[0].size() / m_fabrics + 1) * m_fabrics)
     {
@@ -275,7 +355,6 @@ private:
         const auto fabric = static_cast<std::size_t>(tray[slot]);
         const std::size_t row = participant * m_fabrics + fabric;
         tally(m_byFabric, row, sign, 1.0);
-        tally(m_byPlace, row * m_slots + slot, sign, 1.0);
         tally(m_byStretch, at / m_fabrics * m_fabrics + fabric, sign, 0.2);
         const std::size_t set = m_setIds[participant][at][slot];
         tally(m_bySet, set, sign, 0.7);
@@ -286,7 +365,7 @@ private:
     {
         const auto from = static_cast<std::size_t>(m_trays[participant][at][m_chosen[participant][at]]);
         const auto to = static_cast<std::size_t>(m_trays[participant][at + 1][m_chosen[participant][at + 1]]);
-        if (from == to)
+        if (from == to && !mayRepeat(static_cast<int>(m_fabrics)))
             m_cost += sign * 8.0;
         else
             tally(m_byPair, from * m_fabrics + to, sign, 0.5);
@@ -299,7 +378,6 @@ private:
     std::vector<std::vector<std::vector<std::size_t>>> m_setIds;
     std::vector<std::vector<std::size_t>> m_chosen;
     std::vector<int> m_byFabric;   ///< [participant][fabric]
-    std::vector<int> m_byPlace;    ///< [participant][fabric][slot]
     std::vector<int> m_byPair;     ///< [fabric][next fabric]
     std::vector<int> m_byStretch;  ///< [stretch][fabric]
     std::vector<int> m_bySet;      ///< [fabric and foils]
@@ -335,6 +413,17 @@ double hitsOf(const Belief& belief, const Design& design)
                 hits += 1.0 / static_cast<double>(std::ranges::count_if(own, [&](double value) { return value >= best; }));
         }
     return hits;
+}
+
+Belief beliefOfCounts(const SeenTrays& trays)
+{
+    Belief belief = evenBelief(trays);
+    const auto fabrics = static_cast<std::size_t>(fabricsIn(trays));
+    for (std::size_t participant = 0; participant < trays.size(); ++participant) {
+        const CountedOrders orders(trays[participant], fabrics);
+        if (orders.isCountable()) orders.fill(belief[participant]);
+    }
+    return belief;
 }
 
 Belief beliefOfChain(const SeenTrays& trays) { return Chain(trays).run(40); }

@@ -21,10 +21,15 @@ SeenTrays seenOf(const protocols::Design& design);
 /// Expected number of true slots found by taking the likeliest, ties shared.
 double hitsOf(const Belief& belief, const protocols::Design& design);
 
-/// Knows that a fabric is never true twice in a row. Knows the counts of true fabrics per participant and slot, of foil sets
-/// per true fabric and of ordered pairs over the study. Exact marginals of a chain (forward-backward); iterative scaling fits its
-/// weights until the expected counts are these.
+/// Knows that a fabric is never true twice in a row (of more than two). Knows the counts of true fabrics per participant, of foil
+/// sets per true fabric and of ordered pairs over the study. Exact marginals of a chain (forward-backward); iterative scaling
+/// fits its weights until the expected counts are these.
 Belief beliefOfChain(const SeenTrays& trays);
+
+/// Knows that each fabric is true equally often to a participant, and never twice in a row (of more than two): exact marginals
+/// over all orders that fit the trays. For lists where these are too many, or whose length is no multiple of the fabrics, every
+/// slot is equally likely.
+Belief beliefOfCounts(const SeenTrays& trays);
 
 /// Knows everything that the design balances: draws whole assignments that are as well balanced as the true one (Metropolis) and
 /// counts how often each slot is true in them.

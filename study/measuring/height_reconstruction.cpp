@@ -188,8 +188,11 @@ Reconstruction fromGradients(const fs::path& alongX, const fs::path& alongY, con
                              const HeightOptions& options)
 {
     Reconstruction result{"height", {rendering::readImage(alongX), rendering::readImage(alongY)}, {}, {}};
-    for (cv::Mat* slope : {&result.slopes.x, &result.slopes.y})
-        if (slope->depth() != CV_32F && slope->depth() != CV_64F) slope->convertTo(*slope, CV_64F);
+    for (const auto& [slope, file] : {std::pair(&result.slopes.x, &alongX), std::pair(&result.slopes.y, &alongY)})
+        if (slope->channels() != 1 || (slope->depth() != CV_32F && slope->depth() != CV_64F))
+            throw protocols::badInput({"this is a picture, and no file of slopes", file->string(),
+                                       "one channel of floating-point numbers, as .npy or .tiff",
+                                       "name the slopes in mm per mm; --normals reads a picture of normals"});
     if (result.slopes.x.size() != result.slopes.y.size())
         throw protocols::badInput({"the slopes along x and y differ in size", alongY.string(),
                                    sizeText(result.slopes.x.size()) + " numbers, as along x",

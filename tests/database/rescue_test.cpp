@@ -199,6 +199,43 @@ private Q_SLOTS:
         QVERIFY(rescueFiles(folder).empty());
     }
 
+    /// The other process moves the write-ahead log into the database, so that the copy in memory is older than the act.
+    void actsOfAnotherProcessOutliveTheDatabase()
+    {
+        const StudyFolder folder = newStudy();
+        {
+            OpenSession session(folder, "S01");
+            session.playUntilAnswers(3);
+            const database::Act exported{"export", "Ada", "test", "here", "/copies/a.csv", session.store.head(), {}};
+            QCOMPARE(database::recordAct(folder, exported), std::nullopt);
+            std::filesystem::remove(folder.database());
+            QVERIFY(!errorOf([&] { session.playUntilAnswers(5); }).isEmpty());
+        }
+        const auto files = rescueFiles(folder);
+        QCOMPARE(files.size(), 1u);
+        StudyStore::rescue(folder, files.front());
+        const StudyStore store(folder, StudyStore::Access::Read);
+        QVERIFY(store.faults().empty());
+        QCOMPARE(store.answers().size(), 3u);
+        QCOMPARE(actsOf(store).size(), 1u);
+    }
+
+    /// keepAside() puts them there where the folder of the study is gone.
+    void whatIsErasedIsSearchedForInRescueFilesOutside()
+    {
+        const StudyFolder folder = newStudy();
+        OpenSession(folder, "S01").playUntilAnswers(3);
+        const std::filesystem::path outside = folder.folder.string() + "-rescue-1.db";
+        {
+            const StudyStore store(folder, StudyStore::Access::Read);
+            store.copyTo(outside);
+            store.copyTo(folder.folder.parent_path() / "other-rescue-1.db");
+        }
+        StudyStore store(folder, StudyStore::Access::Write);
+        const auto record = store.erase({protocols::ParticipantId("S01"), true, "Ada", "asked for it", {}});
+        QCOMPARE(record.found, std::vector<std::string>{outside.string()});
+    }
+
     void anotherStudyThatWasCopiedOverTheDatabaseStaysAsItIs()
     {
         const StudyFolder folder = newStudy(), other = newStudy();

@@ -15,20 +15,43 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Copies everything except the live database, its lock and the files that SQLite keeps beside it.
-void copyFiles(const fs::path& study, const fs::path& to)
+bool isLiveFile(const std::string& name)
 {
-    for (const auto& entry : fs::directory_iterator(study)) {
-        const std::string name = entry.path().filename().string();
-        if (name != ".lock" && !name.starts_with("study.db")) fs::copy(entry.path(), to / name, fs::copy_options::recursive);
-    }
-    // The stimuli keep their equal time stamps: the order of copying must not reveal the order of making.
-    if (fs::exists(study / "stimuli"))
-        for (const auto& stimulus : fs::directory_iterator(study / "stimuli"))
-            fs::last_write_time(to / "stimuli" / stimulus.path().filename(), fs::last_write_time(stimulus.path()));
+    return name == ".lock" || name == "study.db" || name == "study.db-wal" || name == "study.db-shm" ||
+           name == "study.db-journal";
 }
 
-/// Uses tar, which every Debian system has.
+/// Copies files and folders into a new folder. A link would bring a file from elsewhere, and a pipe has no end: they are left
+/// out.
+void copyFolder(const fs::path& from, const fs::path& to, const fs::path& study, std::vector<std::string>& leftOut)
+{
+    fs::create_directory(to);
+    for (const auto& entry : fs::directory_iterator(from)) {
+        const fs::path place = to / entry.path().filename();
+        if (from == study && isLiveFile(entry.path().filename().string())) continue;
+        if (entry.symlink_status().type() == fs::file_type::directory)
+            copyFolder(entry.path(), place, study, leftOut);
+        else if (entry.symlink_status().type() == fs::file_type::regular)
+            fs::copy_file(entry.path(), place);
+        else
+            leftOut.push_back(entry.path().lexically_relative(study).string() +
+                              ": not in the backup, because it is no file and no folder");
+    }
+}
+
+/// Copies everything except the live database, its lock and the files that SQLite keeps beside it. Returns what was left out.
+std::vector<std::string> copyFiles(const fs::path& study, const fs::path& to)
+{
+    std::vector<std::string> leftOut;
+    copyFolder(study, to, study, leftOut);
+    // The stimuli keep their equal time stamps: the order of copying must not reveal the order of making.
+    if (fs::exists(study / "stimuli"))
+        for (const auto& stimulus : fs::directory_iterator(to / "stimuli"))
+            fs::last_write_time(stimulus.path(), fs::last_write_time(study / "stimuli" / stimulus.path().filename()));
+    return leftOut;
+}
+
+/// Uses tar, which every Debian system has. Its options of the surroundings could leave files out.
 void pack(const fs::path& folder, const std::string& name, const fs::path& archive)
 {
     const QStringList arguments{"--create",
@@ -38,7 +61,13 @@ void pack(const fs::path& folder, const std::string& name, const fs::path& archi
                                 QString::fromStdString(folder.string()),
                                 "--",
                                 QString::fromStdString(name)};
-    if (QProcess::execute(QStringLiteral("tar"), arguments) != 0)
+    QProcess tar;
+    QProcessEnvironment surroundings = QProcessEnvironment::systemEnvironment();
+    surroundings.remove(QStringLiteral("TAR_OPTIONS"));
+    tar.setProcessEnvironment(surroundings);
+    tar.setProcessChannelMode(QProcess::ForwardedChannels);
+    tar.start(QStringLiteral("tar"), arguments);
+    if (!tar.waitForFinished(-1) || tar.exitStatus() != QProcess::NormalExit || tar.exitCode() != 0)
         throw protocols::environmentFault({"tar could not pack the study", archive.string(), "room for a copy of the study",
                                            "make room or choose another disk; the study itself is untouched"});
 }
@@ -63,12 +92,12 @@ std::vector<std::string> writeBackup(const database::StudyStore& store, const fs
         throw protocols::badInput({"the backup would lie in the study and hold itself", out.string(),
                                    "a file outside " + study.string(), "choose another folder; nothing was written"});
     const std::string name = nameOfFolder(study);
+    std::vector<std::string> faults;
     // Collect the files of the backup in a temporary folder beside it.
     const protocols::FolderDraft staging(out, protocols::Earlier::Refused);
     try {
         fs::permissions(staging.path(), fs::perms::owner_all);
-        fs::create_directory(staging.path() / name);
-        copyFiles(store.folder().folder, staging.path() / name);
+        faults = copyFiles(store.folder().folder, staging.path() / name);
         store.copyTo(staging.path() / name / "study.db");
         const fs::path archive = staging.path() / "archive.tar";
         pack(staging.path(), name, archive);
@@ -76,11 +105,13 @@ std::vector<std::string> writeBackup(const database::StudyStore& store, const fs
         protocols::putFileInPlace(archive, out);
     } catch (const fs::filesystem_error& fault) {
         if (protocols::isTooManyOpenFiles(fault.code().value())) throw protocols::tooManyOpenFiles(out.string());
-        throw protocols::environmentFault({std::string("cannot write the backup: ") + fault.what(), out.string(),
-                                           "room for a copy of the study",
-                                           "make room or choose another disk; the study itself is untouched"});
+        throw protocols::environmentFault(
+            {std::string("cannot write the backup: ") + fault.what(), out.string(),
+             "files that this account may read, and room for a copy of the study",
+             "check the permissions, make room or choose another disk; the study itself is untouched"});
     }
-    return findingsOfKeys(store).faults;
+    for (const std::string& fault : findingsOfKeys(store).faults) faults.push_back(fault);
+    return faults;
 }
 
 }  // namespace study::commands

@@ -82,6 +82,16 @@ class PreregisterCommandTest : public QObject {
     }
 
 private Q_SLOTS:
+    /// Editors of Windows write it, and SQLite drops it.
+    void aMarkOfTheByteOrderBreaksNoAmendment()
+    {
+        const QString study = newStudy(), amended = QString::fromStdString(plannedProtocol).replace("-0.8, 0.9", "-1.2, 1.2");
+        write(study + "/protocol.json", QChar(0xFEFF) + amended);
+        mustRun({"study", "amend", study, "--who", "M", "--why", "pilot"});
+        QCOMPARE(bytesOf(study + "/protocol.json"), amended);
+        QVERIFY(mustRun({"verify", study}).out.contains("sound"));
+    }
+
     void copiesGoIntoANewFolder()
     {
         const QString study = newStudy(), copies = at("new/copies");

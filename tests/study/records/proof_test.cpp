@@ -240,6 +240,10 @@ private Q_SLOTS:
         }
         QVERIFY(faultText([&] { signedHeadIn(text + "more\n", "here"); }).find("after its signature") != std::string::npos);
         QVERIFY(!signedHeadIn("a page with 12:0123456789abcdef", "here").has_value());
+        // A mail program ends lines with carriage returns, and somebody writes a line before.
+        const std::string mailed = QString::fromStdString("\xEF\xBB\xBF" + text).replace("\n", "\r\n").toStdString();
+        QCOMPARE(signedHeadIn(mailed, "here")->statement, found->statement);
+        QVERIFY(faultText([&] { signedHeadIn("Dear Ada,\n" + text, "here"); }).find("does not begin") != std::string::npos);
     }
 
     void otherKeysAndOtherStudiesAreRefused()

@@ -270,16 +270,27 @@ private Q_SLOTS:
         QCOMPARE(answers[4].record.note, std::string());
     }
 
-    void aTextWithANulIsRefusedAndNothingIsStored()
+    /// NUL ends texts, and SQLite drops or replaces the others, so that the log would never agree with its hashes again.
+    void aTextThatIsNotStoredAsItIsIsRefused()
     {
         EngineSession session(newStudy(), "S01");
         session.playUntilAnswers(1);
         const auto events = session.store->events(ParticipantId("S01")).size();
-        const auto refusal = session.driver->send(Noted{std::string("soft\0ware", 9)});
-        QVERIFY(refusal && refusal->reason.find("NUL") != std::string::npos);
+        for (const std::string& text : {std::string("soft\0ware", 9),
+                                        std::string("\xEF\xBB\xBF"
+                                                    "soft"),
+                                        std::string("a\xEF\xBF\xBF"), std::string("\xEF\xBF\xBE\x62")}) {
+            const auto refusal = session.driver->send(Noted{text});
+            QVERIFY(refusal && refusal->reason.find("not stored as it is") != std::string::npos);
+        }
         QCOMPARE(session.store->events(ParticipantId("S01")).size(), events);
         QVERIFY(!session.driver->send(Noted{"the six characters \\u0000 are a text"}));
         QVERIFY(!session.driver->send(Noted{"a backslash \\"}));
+        session.stepUntil("Debriefing");
+        QVERIFY(
+            session.driver->send(Debriefed{"\xEF\xBB\xBF"
+                                           "fine"}));
+        QVERIFY(!session.driver->send(Debriefed{"fine \xF0\x9F\x91\x8D"}));
     }
 
     void aDisplayThatFailsPausesTheSessionAndLosesNothing()

@@ -1,0 +1,72 @@
+#include "study/commands/parts/safe_outputs.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "protocols/files/errors.h"
+
+namespace study::commands {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Paths {
+    std::vector<std::string> outputs, inputs;
+};
+
+void addPaths(const CLI::App& command, Paths& paths)
+{
+    static const std::set<std::string> outputs{"out", "json", "csv", "images", "shard-file"};
+    for (const CLI::Option* option : command.get_options()) {
+        const auto& names = option->get_lnames();
+        const auto has = [&](const std::string& name) { return std::ranges::find(names, name) != names.end(); };
+        if (option->count() == 0 || has("resume")) continue;  // a resumed shard goes on in its own file
+        auto& list = std::ranges::any_of(outputs, has) ? paths.outputs : paths.inputs;
+        for (const std::string& value : option->results())
+            if (!value.empty()) list.push_back(value);
+    }
+    for (const CLI::App* sub : command.get_subcommands()) addPaths(*sub, paths);
+}
+
+/// The study folder that holds the path or is the path; empty for none.
+fs::path studyAround(const fs::path& path)
+{
+    std::error_code unknown;
+    for (fs::path folder = fs::weakly_canonical(fs::absolute(path, unknown), unknown); !unknown; folder = folder.parent_path()) {
+        if (fs::is_regular_file(folder / "study.db", unknown)) return folder;
+        if (folder == folder.parent_path()) break;
+        unknown.clear();
+    }
+    return {};
+}
+
+bool isSameFile(const std::string& one, const std::string& other)
+{
+    std::error_code missing;
+    return fs::is_regular_file(one, missing) && fs::equivalent(one, other, missing) && !missing;
+}
+
+}  // namespace
+
+void requireSafeOutputs(const CLI::App& app)
+{
+    Paths paths;
+    addPaths(app, paths);
+    for (const std::string& output : paths.outputs) {
+        if (const fs::path study = studyAround(output); !study.empty())
+            throw protocols::badInput({"the output would lie in the study folder", output, "a place outside " + study.string(),
+                                       "choose another folder; nothing was written"});
+        const auto same = [&](const std::string& input) { return isSameFile(output, input); };
+        if (std::ranges::any_of(paths.inputs, same))
+            throw protocols::badInput({"the output would replace a file that the command reads", output,
+                                       "the name of another file", "choose another name; nothing was written"});
+    }
+}
+
+}  // namespace study::commands

@@ -1,0 +1,165 @@
+// What no command line may overwrite: files of a study, files that the command reads, and files to which a link leads.
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+#include <filesystem>
+#include <fstream>
+
+#include "protocols/files/whole_file.h"
+#include "protocols/protocol_json.h"
+#include "tests/support/played_session.h"
+#include "tests/support/program.h"
+#include "tests/support/study_builder.h"
+
+using support::mustRun;
+using support::runProgram;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+QByteArray bytesOf(const QString& file)
+{
+    QFile in(file);
+    if (!in.open(QIODevice::ReadOnly)) return "unreadable";
+    return in.readAll();
+}
+
+/// Runs the program in a shell, where PROGRAM stands for it. Returns the exit code.
+int inShell(QString line, QString* errors = nullptr)
+{
+    QProcess shell;
+    shell.start("sh", {"-c", line.replace("PROGRAM", VIS2HAP_PROGRAM)});
+    if (!shell.waitForFinished(60'000)) return -1;
+    if (errors) *errors = QString::fromUtf8(shell.readAllStandardError());
+    return shell.exitCode();
+}
+
+}  // namespace
+
+class SafeOutputsTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void noOutputLiesInAStudy_data()
+    {
+        QTest::addColumn<QString>("call");
+        QTest::newRow("status") << "study status STUDY --json STUDY/study.db";
+        QTest::newRow("verify") << "verify STUDY --json STUDY/allocation-key.json";
+        QTest::newRow("station key") << "verify STUDY --json STUDY/station-key.json";
+        QTest::newRow("plan") << "study plan STUDY --csv STUDY/study.db";
+        QTest::newRow("preregister") << "study preregister STUDY --json STUDY/study.db";
+        QTest::newRow("leak-check") << "leak-check STUDY --json STUDY/study.db";
+        QTest::newRow("data sheet") << "study data-sheet STUDY --json STUDY/study.db";
+        QTest::newRow("protocol") << "protocol check STUDY/protocol.json --json STUDY/study.db";
+        QTest::newRow("export") << "export STUDY --out STUDY";
+        QTest::newRow("export below") << "export STUDY --out STUDY/stimuli/new";
+        QTest::newRow("report") << "report STUDY --out STUDY/report";
+        QTest::newRow("sheets") << "study sheets STUDY --out STUDY/stimuli";
+        QTest::newRow("signing key") << "study signing-key --no-passphrase --out STUDY/x";
+    }
+    void noOutputLiesInAStudy()
+    {
+        QFETCH(QString, call);
+        const QString study = newStudy();
+        const QByteArray before = bytesOf(study + "/study.db");
+        const auto result = runProgram(call.replace("STUDY", study).split(' '));
+        QCOMPARE(result.exitCode, 2);
+        QVERIFY2(result.err.contains("would lie in the study folder"), qPrintable(result.err));
+        QCOMPARE(bytesOf(study + "/study.db"), before);
+        QVERIFY(mustRun({"verify", study}).out.contains("sound"));
+    }
+
+    void noOutputReplacesAFileThatIsRead_data()
+    {
+        QTest::addColumn<QString>("call");
+        QTest::newRow("describe") << "describe table.csv --column a --json table.csv";
+        QTest::newRow("protocol") << "protocol show protocol.json --json protocol.json";
+        QTest::newRow("another name of it") << "protocol check protocol.json --json ./protocol.json";
+        QTest::newRow("passphrase") << "study status STUDY --passphrase-file words --json words";
+        QTest::newRow("signing key") << "study sign STUDY --key key --out key";
+    }
+    void noOutputReplacesAFileThatIsRead()
+    {
+        QFETCH(QString, call);
+        const QString study = newStudy();
+        const QDir place(m_place.path());
+        for (const char* name : {"table.csv", "words", "key", "key.pub", "protocol.json"}) QFile::remove(place.filePath(name));
+        protocols::writeWholeFile(place.filePath("table.csv").toStdString(), "a\n1\n2\n");
+        protocols::writeWholeFile(place.filePath("words").toStdString(), "four plain short words\n");
+        protocols::writeWholeFile(place.filePath("protocol.json").toStdString(), protocols::paperProtocolJson());
+        mustRun({"study", "signing-key", "--no-passphrase", "--out", place.filePath("key")});
+        const auto all = [&] {
+            QByteArray bytes;
+            for (const char* name : {"table.csv", "words", "key", "protocol.json"}) bytes += bytesOf(place.filePath(name));
+            return bytes;
+        };
+        const QByteArray before = all();
+        QString errors;
+        QCOMPARE(inShell("cd " + m_place.path() + " && PROGRAM " + call.replace("STUDY", study), &errors), 2);
+        QVERIFY2(errors.contains("would replace a file that the command reads"), qPrintable(errors));
+        QCOMPARE(all(), before);
+    }
+
+    void aLinkInThePlaceOfTheLockLeadsNowhere()
+    {
+        const QString study = newStudy(), victim = m_place.filePath("victim");
+        protocols::writeWholeFile(victim.toStdString(), "precious data");
+        fs::remove(study.toStdString() + "/.lock");
+        fs::create_symlink("../victim", study.toStdString() + "/.lock");
+        const auto result = runProgram({"study", "amend", study, "--undo"});
+        QCOMPARE(result.exitCode, 2);
+        QVERIFY2(result.err.contains("stands in the place of the file"), qPrintable(result.err));
+        QCOMPARE(bytesOf(victim), QByteArray("precious data"));
+    }
+
+    void streamsThatTheCallerClosedAreNoFiles()
+    {
+        const QString study = newStudy();
+        inShell("PROGRAM study amend " + study + " --undo <&- >&- 2>&-");
+        const QByteArray lock = bytesOf(study + "/.lock");
+        QVERIFY2(lock.endsWith('\n') && lock.trimmed().toInt() > 0, lock.constData());
+        QVERIFY(mustRun({"verify", study}).out.contains("sound"));
+    }
+
+    void aBackupIsWholeWhateverTheSurroundingsSay()
+    {
+        const QString study = newStudy(), tar = m_place.filePath("whole.tar"), list = m_place.filePath("list");
+        fs::create_symlink("/etc/hostname", study.toStdString() + "/notes.txt");
+        fs::create_symlink("user@host.123:99", study.toStdString() + "/.#protocol.json");
+        fs::create_directory(study.toStdString() + "/study.db.old");
+        const auto result = runProgram({"backup", study, "--out", tar}, {"TAR_OPTIONS=--exclude=study.db --exclude=*.sealed"});
+        QCOMPARE(result.exitCode, 0);
+        QVERIFY2(result.err.contains("notes.txt: not in the backup") && result.err.contains(".#protocol.json: not in the backup"),
+                 qPrintable(result.err));
+        QCOMPARE(inShell("tar tf " + tar + " > " + list), 0);
+        const QByteArray names = bytesOf(list);
+        QVERIFY2(names.contains("/study.db\n") && names.contains(".sealed\n") && names.contains("/study.db.old/\n"),
+                 names.constData());
+        QVERIFY(!names.contains("notes.txt"));
+    }
+
+    void aLimitOfFileSizesIsAnError()
+    {
+        QString errors;
+        const QString made = m_place.filePath("made");
+        QCOMPARE(inShell("ulimit -f 8; PROGRAM fabrics make " + made + " --fabrics 2 --samples 2", &errors), 3);
+        QVERIFY2(errors.startsWith("vis2hap: ") && !QFile::exists(made), qPrintable(errors));
+    }
+
+private:
+    QString newStudy()
+    {
+        const QString study = m_place.filePath(QString("study%1").arg(++m_studies));
+        const auto folder = tests::support::buildStudy(study.toStdString());
+        tests::support::OpenSession(folder, "S01").playUntilAnswers(3);
+        return study;
+    }
+    QTemporaryDir m_place;
+    int m_studies = 0;
+};
+
+QTEST_GUILESS_MAIN(SafeOutputsTest)
+#include "safe_outputs_test.moc"

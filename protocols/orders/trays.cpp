@@ -224,9 +224,9 @@ Trays setsInOrder(const Orders& orders, const StudySize& size, int alternatives,
     return trays;
 }
 
-/// Moves the true fabric from the first place into a slot, and the foils in random order into the others. Slots of true pieces
-/// are drawn from one heap for each label, over all participants, and have no other rule: whatever is even for a participant or
-/// a piece tells of true pieces to whoever counts.
+/// Moves the true fabric from the first place into a slot, and the foils in random order into the others. True slots are equally
+/// frequent over all presentations of a label, and follow no other rule: slots that are even for a participant or a piece name
+/// true pieces to whoever counts.
 void layOut(Trays& trays, const Orders& orders, int alternatives, Random& random)
 {
     std::map<int, std::vector<Tray*>> ofLabel;

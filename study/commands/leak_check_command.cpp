@@ -60,7 +60,7 @@ int leakCheck(const std::string& study, const PassphraseOption& passphrase, cons
     const auto store = records::openStudy(study);
     const auto key = readKeyForAggregates(store, passphraseFrom(passphrase));
     const auto report = leaks::leakReport(store, key, exportersOf(store), rendering::cache::usualFolder().value_or(""),
-                                          records::findingsInFolder(store).strangers);
+                                          records::findingsInFolder(store).unknownFiles);
     recordAct(store, "leak-check");
     if (target)
         writeJson(target, leaks::jsonOf(report));

@@ -131,7 +131,7 @@ bool LeakReport::learnsNothing() const
 }
 
 LeakReport leakReport(const database::StudyStore& store, const std::optional<protocols::AllocationKey>& key,
-                      const std::vector<Exporter>& exporters, const fs::path& cache, const std::vector<fs::path>& strangers)
+                      const std::vector<Exporter>& exporters, const fs::path& cache, const std::vector<fs::path>& unknownFiles)
 {
     const auto& folder = store.folder();
     LeakReport report;
@@ -159,10 +159,9 @@ LeakReport leakReport(const database::StudyStore& store, const std::optional<pro
     }
     std::set<fs::path> left{"study.db", "study.db-wal",     "study.db-shm",          "allocation-key.json",
                             ".lock",    "station-key.json", "allocation-key.sealed", "stimuli"};
-    for (const fs::path& stranger : strangers) {
-        left.insert(stranger);
-        report.findings.push_back(stranger.string() +
-                                  " does not belong to the study and was not read: move it out of the folder");
+    for (const fs::path& file : unknownFiles) {
+        left.insert(file);
+        report.findings.push_back(file.string() + " does not belong to the study and was not read: move it out of the folder");
     }
     for (auto& table : tablesOfFolder(folder.folder, codesOf(seen), left)) tables.push_back(std::move(table));
     if (!report.isUnblinded) readExports(exporters, seen, report, tables);

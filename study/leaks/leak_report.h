@@ -52,11 +52,11 @@ struct LeakReport {
 
 /// `key`: the truth; none: nobody gave the passphrase. Throws as StudyStore does. The test counts trials as independent. In a
 /// study of a dozen presentations they are not: it has few running orders, and a wrong one can be the true one by luck.
-/// `cache`: the folder of kept signals, which is attacked too; empty or missing: there is none. `strangers`: paths in the folder
-/// that do not belong to the study. They are findings and are not read: hits of columns that somebody made up would name the
-/// truth.
+/// `cache`: the folder of kept signals, which is attacked too; empty or missing: there is none. `unknownFiles`: paths in the
+/// folder that do not belong to the study. They are findings and are not read: hits of columns that somebody made up would name
+/// the truth.
 LeakReport leakReport(const database::StudyStore& store, const std::optional<protocols::AllocationKey>& key,
                       const std::vector<Exporter>& exporters, const std::filesystem::path& cache = {},
-                      const std::vector<std::filesystem::path>& strangers = {});
+                      const std::vector<std::filesystem::path>& unknownFiles = {});
 
 }  // namespace study::leaks

@@ -124,7 +124,7 @@ private:
             return (status.st_mode & 0077) != 0;
         }
         if (!isFile && !isFolder) {
-            m_findings.strangers.push_back(entry.lexically_relative(m_study));
+            m_findings.unknownFiles.push_back(entry.lexically_relative(m_study));
             addFault(entry, "does not belong to the study: move it out of the folder");
             return false;
         }
@@ -253,7 +253,6 @@ void lookAtTop(const database::StudyStore& store, const fs::path& top, Search& s
 {
     const auto registered = registeredFiles(store);
     const bool hasPassphrase = store.facts().hasPassphrase;
-    const bool wasUpgraded = !store.eventsOfKind(std::string(database::upgradedKind)).empty();
     search.look(
         top,
         [&](const std::string& name) {
@@ -263,7 +262,8 @@ void lookAtTop(const database::StudyStore& store, const fs::path& top, Search& s
         },
         [&](const std::string& name) {
             if (name == ".upgrade" && store.isUpgradedCopy()) return true;
-            if (!wasUpgraded || !isCopyBeforeUpgrade(name, store.folder())) return isOneOf(knownFolders, name);
+            if (!isCopyBeforeUpgrade(name, store.folder())) return isOneOf(knownFolders, name);
+            if (store.eventsOfKind(database::upgradedKind).empty()) return false;
             findings.notes.push_back(name +
                                      ": the study before its upgrade, not sealed: delete it when the upgraded study works");
             return true;

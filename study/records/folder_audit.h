@@ -9,9 +9,9 @@
 namespace study::records {
 
 struct FolderFindings {
-    std::vector<std::string> faults;               ///< unknown files, links, and things that are no files
-    std::vector<std::string> notes;                ///< files that other users may read; some file systems have no modes
-    std::vector<std::filesystem::path> strangers;  ///< what does not belong to the study, relative to its folder
+    std::vector<std::string> faults;                  ///< unknown files, links, and things that are no files
+    std::vector<std::string> notes;                   ///< files that other users may read; some file systems have no modes
+    std::vector<std::filesystem::path> unknownFiles;  ///< what does not belong to the study, relative to its folder
     bool isReadable = true;  ///< false: a pipe or a folder stands in the place of a file, so reading could wait for ever
 };
 

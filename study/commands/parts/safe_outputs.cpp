@@ -22,7 +22,8 @@ struct Paths {
 
 void addPaths(const CLI::App& command, Paths& paths)
 {
-    static const std::set<std::string> outputs{"out", "json", "csv", "images", "shard-file"};
+    std::set<std::string> outputs{"out", "json", "csv", "shard-file"};
+    if (command.get_name() == "new") outputs.insert("images");  // `server roles --images` takes a word
     for (const CLI::Option* option : command.get_options()) {
         const auto& names = option->get_lnames();
         const auto has = [&](const std::string& name) { return std::ranges::find(names, name) != names.end(); };

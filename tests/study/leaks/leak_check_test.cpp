@@ -157,9 +157,9 @@ private Q_SLOTS:
         const PaperStudy study(1, secretSeeds[0]);
         std::ofstream(study.folder.folder / "sitting-7.csv") << "presentation_code,a\nX,1\n";
         const auto store = study.store();
-        const auto strangers = study::records::findingsInFolder(store).strangers;
-        QCOMPARE(strangers, std::vector<std::filesystem::path>{"sitting-7.csv"});
-        const auto report = leakReport(store, study.key, {}, {}, strangers);
+        const auto unknownFiles = study::records::findingsInFolder(store).unknownFiles;
+        QCOMPARE(unknownFiles, std::vector<std::filesystem::path>{"sitting-7.csv"});
+        const auto report = leakReport(store, study.key, {}, {}, unknownFiles);
         QVERIFY(!report.learnsNothing() && report.findings.size() == 1);
         QVERIFY(report.findings.front().starts_with("sitting-7.csv does not belong to the study and was not read"));
         for (const Guess& guess : report.guesses) QVERIFY(guess.what.find("sitting-7") == std::string::npos);

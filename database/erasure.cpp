@@ -146,7 +146,7 @@ ErasureRecord eraseFrom(const SqliteConnection& sqlite, const Erasure& erasure)
                                            "no open monitor, report or database browser",
                                            "close it and run the command again, which completes the erasure"});
     const protocols::ByteSearch search = protocols::searchFiles(sqlite.file().parent_path(), {texts.begin(), texts.end()},
-                                                              rescueFilesOutside({sqlite.file().parent_path()}));
+                                                                rescueFilesOutside({sqlite.file().parent_path()}));
     record.searchedFiles = search.files;
     record.searchedTexts = texts.size();
     record.found = search.found;

@@ -23,7 +23,8 @@ constexpr const char* table[] = {
     QT_TRANSLATE_NOOP("study::app::Below", "There is no presentation to flag yet."),
     QT_TRANSLATE_NOOP("study::app::Below", "The session is paused. Resume it first."),
     QT_TRANSLATE_NOOP("study::app::Below", "The participant's list is empty."),
-    QT_TRANSLATE_NOOP("study::app::Below", "The text holds a character that nobody sees and that is not stored as it is. Type the text again."),
+    QT_TRANSLATE_NOOP("study::app::Below",
+                      "The text holds a character that nobody sees and that is not stored as it is. Type the text again."),
     QT_TRANSLATE_NOOP(
         "study::app::Below",
         "The last step was only just taken, so this key confirmed nothing. Put the pieces on the tray, then confirm it."),

@@ -86,8 +86,7 @@ std::optional<SignedHead> signedHeadIn(const std::string& file, const std::strin
 {
     const std::string text = withLineFeeds(file);
     if (!text.starts_with(firstLine)) {
-        if (text.find(firstLine) != std::string::npos)
-            throw malformed("the signed statement does not begin the file", where);
+        if (text.find(firstLine) != std::string::npos) throw malformed("the signed statement does not begin the file", where);
         return std::nullopt;
     }
     SignedHead found;

@@ -2,6 +2,7 @@
 
 #include <sqlite3.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "database/audit.h"
 #include "database/schema.h"
 #include "database/study_rows.h"
+#include "protocols/files/disk_sync.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 
@@ -51,7 +53,7 @@ bool wroteWhatIsRead(const SqliteConnection& sqlite, const PageCopy& copy, const
 {
     try {
         sqlite.run(QStringLiteral("VACUUM INTO ?"), {toQt(file.string())});
-        if (holdsAllOf(copy, file)) return true;
+        if (holdsAllOf(copy, file, Facts::MustAgree)) return true;
     } catch (const protocols::Error&) {
         // The copy is written in its place.
     }
@@ -69,6 +71,8 @@ bool wroteCopy(const SqliteConnection& sqlite, const PageCopy* copy, const fs::p
             copy->writeTo(file);
         ::chmod(file.c_str(), 0600);
         headIn(SqliteConnection(file, SqliteConnection::Mode::Read));
+        protocols::syncFile(file);  // VACUUM INTO does not
+        protocols::syncFolder(file.parent_path());
         return true;
     } catch (const protocols::Error&) {
         std::error_code ignored;
@@ -137,8 +141,9 @@ void makeComplete(const StudyFolder& folder)
 }
 
 /// What is compared of the rows of a table: a session may change the rest.
-std::string lastingColumnsOf(const std::string& table)
+std::string lastingColumnsOf(const std::string& table, Facts facts)
 {
+    if (facts == Facts::MustAgree) return "*";
     if (table == "participants") return "id";
     if (table == "participant_facts") return "participant, fact";
     return "*";
@@ -215,7 +220,7 @@ std::filesystem::path keepAside(const SqliteConnection& sqlite, const PageCopy* 
                                        "leave this window open and free space"});
 }
 
-bool holdsAllOf(const PageCopy& copy, const std::filesystem::path& database)
+bool holdsAllOf(const PageCopy& copy, const std::filesystem::path& database, Facts facts)
 {
     try {
         const SqliteConnection present(database, SqliteConnection::Mode::Read);
@@ -223,7 +228,8 @@ bool holdsAllOf(const PageCopy& copy, const std::filesystem::path& database)
         const ReadSnapshot snapshot(present);
         if (fromQt(present.value(QStringLiteral("PRAGMA main.quick_check(1)"))) != "ok") return false;
         for (const std::string& table : tablesOf(present, "kept")) {
-            const std::string columns = lastingColumnsOf(table), rows = "SELECT " + columns + " FROM ", of = ".\"" + table + "\"";
+            const std::string columns = lastingColumnsOf(table, facts), rows = "SELECT " + columns + " FROM ",
+                              of = ".\"" + table + "\"";
             if (present.value(toQt("SELECT EXISTS(" + rows + "kept" + of + " EXCEPT " + rows + "main" + of + ")")).toInt() != 0)
                 return false;
         }
@@ -252,6 +258,11 @@ std::vector<std::filesystem::path> rescueFilesOutside(const StudyFolder& folder)
     addRescues(besideOf(folder), prefixBeside(folder), files);
     const fs::path temporary = fs::temp_directory_path(none);
     if (!none && !fs::equivalent(temporary, besideOf(folder), none)) addRescues(temporary, prefixBeside(folder), files);
+    // In these folders others may put what they like under such a name.
+    std::erase_if(files, [](const fs::path& file) {
+        std::error_code unknown;
+        return fs::symlink_status(file, unknown).type() != fs::file_type::regular || ::access(file.c_str(), R_OK) != 0;
+    });
     return files;
 }
 

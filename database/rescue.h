@@ -18,15 +18,19 @@ namespace database {
 /// (null) it is taken as it is, which fails where the files were overwritten. Throws environmentFault where no place takes it.
 std::filesystem::path keepAside(const SqliteConnection& sqlite, const PageCopy* copy, const StudyFolder& folder);
 
+/// Whether facts and states of participants count as rows, too: a session changes them.
+enum class Facts { MayDiffer, MustAgree };
+
 /// Whether the database is sound to SQLite and has every row of the copy. So it is where another process recorded
 /// acts and moved the write-ahead log into the database, which then holds other bytes than the copy. Takes seconds for large
 /// studies.
-bool holdsAllOf(const PageCopy& copy, const std::filesystem::path& database);
+bool holdsAllOf(const PageCopy& copy, const std::filesystem::path& database, Facts facts = Facts::MayDiffer);
 
 /// The rescue files in the study folder and beside it, oldest first.
 std::vector<std::filesystem::path> rescueFiles(const StudyFolder& folder);
 
-/// Those outside of the study folder, and those of studies of this name in the folder for temporary files.
+/// Files outside of the study folder, and those of studies of this name in the folder for temporary files, that can be read. They
+/// may be of another study of this name.
 std::vector<std::filesystem::path> rescueFilesOutside(const StudyFolder& folder);
 
 struct Rescue {

@@ -20,8 +20,8 @@ std::optional<std::size_t> firstByteThatIsNotUtf8(std::string_view text);
 /// The text of a file without the mark that some editors write at its beginning.
 std::string_view withoutByteOrderMark(std::string_view text);
 
-/// Whether a database keeps the text as it is: false with NUL, which ends texts, and with U+FEFF, U+FFFE or U+FFFF, which SQLite
-/// takes for marks of the byte order or replaces.
+/// Whether a database keeps the text as it is: false with NUL, which ends texts, and with U+FEFF, U+FFFE or U+FFFF, which Qt
+/// and SQLite drop or replace.
 bool isKeptText(std::string_view text);
 
 /// The text, or of a longer one whole characters of at most `mostBytes` bytes and "...": for messages.

@@ -35,9 +35,9 @@ struct Design {
 };
 
 /// A design that is balanced over the whole study, phase by phase. Ordered pairs of labels and of fabrics follow one another
-/// equally often (counts differ by at most one where possible). Nothing repeats immediately. Foil pairs are equally frequent
-/// per true fabric and do not repeat within participant x true fabric. True slots are balanced per participant x fabric and per
-/// label. A phase with instructions has one such list for each of them; its lists follow one another in an order that is
+/// equally often (counts differ by at most one where possible). Nothing repeats immediately, except one of two (mayRepeat()).
+/// Foil pairs are equally frequent per true fabric and do not repeat within participant x true fabric. True slots are balanced
+/// per label. A phase with instructions has one such list for each of them; its lists follow one another in an order that is
 /// balanced over the participants (running_orders.h). Catch trials and anchors are put between the others (extra_trials.h) and
 /// change nothing of their order. Integer arithmetic only: the same seed gives the same design on every machine.
 Design drawDesign(const Protocol& protocol, std::uint64_t seed);

@@ -27,8 +27,8 @@ namespace protocols {
 /// one other always lies between. With three fabrics or more, neighbours have other pieces, and with three labels or more other
 /// labels, where that is possible.
 ///
-/// One thing shows: the list never repeats a piece immediately. So an additional presentation hardly ever lies between two trays
-/// with the same true piece, only where two additional ones meet.
+/// One thing shows: the list never repeats a piece of more than two immediately. So an additional presentation hardly ever lies
+/// between two trays with the same true piece, only where two additional ones meet.
 class ExtraTrials {
 public:
     /// `blockLength`: presentations between two breaks.

@@ -29,8 +29,6 @@ std::int64_t transitionsOf(const StudySize& size)
     return std::int64_t{size.participants} * (std::int64_t{size.labels} * size.fabrics - 1);
 }
 
-std::int64_t pairKinds(int kinds) { return std::int64_t{kinds} * (mayRepeat(kinds) ? kinds : kinds - 1); }
-
 /// Cost of an immediate repeat: more than any unevenness that avoiding it can cause.
 std::int64_t repeatPenalty(const StudySize& size, int kinds)
 {

@@ -1,6 +1,7 @@
 // Draws the order in which each participant gets the renderings of one phase, and the instructions of its blocks.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "protocols/random.h"
@@ -26,6 +27,9 @@ struct StudySize {
 /// With two kinds of labels or fabrics, an order without repeats alternates: who knows one place knows them all. So there a
 /// repeat is a pair like any other.
 constexpr bool mayRepeat(int kinds) { return kinds <= 2; }
+
+/// Ordered pairs of neighbours that an order may have.
+constexpr std::int64_t pairKinds(int kinds) { return std::int64_t{kinds} * (mayRepeat(kinds) ? kinds : kinds - 1); }
 
 /// [participant][position]: each rendering once per participant. Over the study, ordered pairs of different labels and of
 /// different fabrics follow one another equally often, and none repeats immediately, except as mayRepeat() says. Each label is

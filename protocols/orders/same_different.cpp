@@ -151,13 +151,13 @@ public:
           m_stretches((length / m_kinds + 1) * m_kinds)
     {
         // More than any unevenness that avoiding a repeat can cause.
-        if (kinds > 1) m_costOfRepeat = costOfPair * (2 * transitions() / (std::int64_t{kinds} * (kinds - 1)) + 20);
+        if (!mayRepeat(kinds)) m_costOfRepeat = costOfPair * (2 * transitions() / pairKinds(kinds) + 20);
     }
 
     std::int64_t least() const
     {
         const auto kinds = static_cast<std::int64_t>(m_kinds);
-        return costOfPair * leastSquares(kinds == 1 ? 0 : transitions(), kinds * (kinds - 1)) +
+        return costOfPair * leastSquares(transitions(), pairKinds(static_cast<int>(m_kinds))) +
                m_length / kinds * leastSquares(m_lists * kinds, kinds) + leastSquares(m_lists * (m_length % kinds), kinds);
     }
 
@@ -168,8 +168,7 @@ public:
 
     std::int64_t step(int from, int to, bool adding)
     {
-        if (m_kinds == 1) return 0;
-        if (from == to) return adding ? m_costOfRepeat : -m_costOfRepeat;
+        if (from == to && !mayRepeat(static_cast<int>(m_kinds))) return adding ? m_costOfRepeat : -m_costOfRepeat;
         return costOfPair * change(m_pairs, static_cast<std::size_t>(from) * m_kinds + static_cast<std::size_t>(to), adding);
     }
 

@@ -24,8 +24,9 @@ struct SameDifferentOrders {
 ///
 /// With two fabrics and an odd number of labels, or three fabrics and one label, halves of one participant are impossible if each
 /// piece lies there equally often. There a piece lies once more and another once less, in turn over the participants, and both
-/// may lie twice in a row. With two fabrics half of the trays of each are the same. With three, one of the two trays of the first
-/// piece is the same, and the tray of the second is so for every other participant; the third piece does not lie there.
+/// may lie twice in a row. Two labels, or two fabrics, always may (mayRepeat()). With two fabrics half of the trays of each are
+/// the same. With three, one of the two trays of the first piece is the same, and the tray of the second is so for every other
+/// participant; the third piece does not lie there.
 SameDifferentOrders drawSameDifferent(const std::vector<std::vector<Rendering>>& drawnPieces, const StudySize& size,
                                       Random& random);
 

@@ -51,10 +51,10 @@ PlacePair randomPair(const Orders& orders, const std::vector<std::vector<Places>
     return pair;
 }
 
-/// The true fabric never repeats immediately. With foils in random places, a fabric on two trays in a row would therefore more
-/// often be a foil. This search compares trays that share the same number of fabrics with the trays before and after.
-/// Among these it makes each fabric equally often the true one. `newPieceCost` is added for each fabric of a tray that was not
-/// on the tray before.
+/// The true fabric of more than two never repeats immediately. With foils in random places, a fabric on two trays in a row would
+/// therefore more often be a foil. This search compares trays that share the same number of fabrics with the trays before and
+/// after. Among these it makes each fabric equally often the true one. `newPieceCost` is added for each fabric of a tray that was
+/// not on the tray before.
 class NeighbourSearch {
 public:
     NeighbourSearch(const Orders& orders, const StudySize& size, int alternatives, std::int64_t newPieceCost, Trays sets)

@@ -38,7 +38,10 @@ public:
     Unechoed()
     {
         if (::tcgetattr(STDIN_FILENO, &terminalBefore) != 0) return;
-        for (const int number : endingSignals) m_handlers.push_back(std::signal(number, showAgainAndEnd));
+        for (const int number : endingSignals) {
+            m_handlers.push_back(std::signal(number, showAgainAndEnd));
+            if (m_handlers.back() == SIG_IGN) std::signal(number, SIG_IGN);  // as `nohup` wants it
+        }
         termios hidden = terminalBefore;
         hidden.c_lflag &= ~static_cast<tcflag_t>(ECHO);
         m_isHidden = ::tcsetattr(STDIN_FILENO, TCSAFLUSH, &hidden) == 0;

@@ -126,8 +126,8 @@ int amend(const Amendment& call)
         return 0;
     }
     const std::string written = protocols::readWholeFile(file), text(protocols::withoutByteOrderMark(written));
-    if (protocols::sha256(text) == kept.sha256) {
-        if (text != written) protocols::writeWholeFile(file, text);
+    if (protocols::sha256(written) == kept.sha256 || protocols::sha256(text) == kept.sha256) {
+        if (protocols::sha256(written) != kept.sha256) protocols::writeWholeFile(file, text);
         std::printf("%s: unchanged (version %d)\n", file.c_str(), kept.version);
         return 0;
     }

@@ -157,8 +157,9 @@ LeakReport leakReport(const database::StudyStore& store, const std::optional<pro
         for (const auto& entry : fs::directory_iterator(folder.stimuli())) codes.insert(entry.path().stem().string());
         for (const auto& line : codesInCache(cache, codes)) report.findings.push_back(line);
     }
-    std::set<fs::path> left{"study.db", "study.db-wal",     "study.db-shm",          "allocation-key.json",
-                            ".lock",    "station-key.json", "allocation-key.sealed", "stimuli"};
+    std::set<fs::path> left{"study.db",      "study.db-wal", "study.db-shm",     "allocation-key.json",
+                            "protocol.json", ".lock",        "station-key.json", "allocation-key.sealed",
+                            "stimuli"};
     for (const fs::path& file : unknownFiles) {
         left.insert(file);
         report.findings.push_back(file.string() + " does not belong to the study and was not read: move it out of the folder");

@@ -37,9 +37,6 @@ private:
     std::map<std::vector<int>, std::size_t> m_ids;
 };
 
-/// Ordered pairs that follow one another in the orders of a design.
-std::size_t pairKinds(std::size_t fabrics) { return fabrics * (mayRepeat(static_cast<int>(fabrics)) ? fabrics : fabrics - 1); }
-
 Belief evenBelief(const SeenTrays& trays)
 {
     Belief belief;
@@ -96,7 +93,8 @@ public:
             if (round + 1 == rounds) break;
             m_place.fitTo(trials / static_cast<double>(m_place.weight.size()));
             m_set.fitTo(trials / static_cast<double>(m_set.weight.size()));
-            m_pair.fitTo((trials - static_cast<double>(m_trays.size())) / static_cast<double>(pairKinds(m_fabrics)));
+            m_pair.fitTo((trials - static_cast<double>(m_trays.size())) /
+                         static_cast<double>(pairKinds(static_cast<int>(m_fabrics))));
         }
         return belief;
     }

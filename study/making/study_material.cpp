@@ -5,6 +5,7 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/strict_json.h"
+#include "protocols/files/utf8.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
 #include "protocols/random.h"
@@ -19,13 +20,13 @@ namespace {
 
 using rendering::fabrics::Dataset;
 
-/// Keeps the file byte for byte unless the request changes the number of participants.
+/// Keeps the file byte for byte, without a mark of the byte order, unless the request changes the number of participants.
 void readProtocol(const NewStudy& request, StudyMaterial& material)
 {
     const std::string where = request.protocol.empty() ? "the paper's protocol" : request.protocol.string();
     auto& json = material.protocolJson;
-    json =
-        request.protocol.empty() ? protocols::paperProtocolIn(request.language) : protocols::readProtocolText(request.protocol);
+    json = request.protocol.empty() ? protocols::paperProtocolIn(request.language)
+                                    : std::string(protocols::withoutByteOrderMark(protocols::readProtocolText(request.protocol)));
     material.protocol = protocols::protocolFromJson(json, where);
     if (!request.participants || *request.participants == material.protocol.participants) return;
     auto changed = nlohmann::ordered_json::parse(json);

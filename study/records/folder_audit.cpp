@@ -78,8 +78,15 @@ bool belongsToKeptDatabase(const std::string& name, const fs::path& folder)
     return false;
 }
 
-/// What a program left that was killed while it wrote: ".NAME.unfinished-COMPUTER-PID".
-bool isUnfinished(const std::string& name) { return name.starts_with('.') && name.find(".unfinished-") != std::string::npos; }
+/// NAME of ".NAME.unfinished-COMPUTER-PID", which a program leaves that is killed while it writes; empty for another name.
+std::string unfinishedNameIn(const std::string& name)
+{
+    const std::size_t mark = name.find(".unfinished-"), number = name.rfind('-');
+    const bool ends = number != std::string::npos && number + 1 < name.size() &&
+                      std::all_of(name.begin() + static_cast<std::ptrdiff_t>(number) + 1, name.end(),
+                                  [](char c) { return c >= '0' && c <= '9'; });
+    return name.starts_with('.') && mark != std::string::npos && mark > 1 && ends ? name.substr(1, mark - 1) : std::string();
+}
 
 class Search {
 public:
@@ -119,7 +126,9 @@ private:
         struct stat status {};
         if (::lstat(entry.c_str(), &status) != 0) return false;  // gone since, as the files of SQLite may be
         const bool isFile = file(name), isFolder = folder(name);
-        if (!isFile && !isFolder && isUnfinished(name)) {
+        const std::string unfinished = unfinishedNameIn(name);
+        if (!unfinished.empty() && file(unfinished) && S_ISREG(status.st_mode)) {
+            m_findings.unknownFiles.push_back(entry.lexically_relative(m_study));
             m_findings.notes.push_back(nameOf(entry) + ": left by a program that was killed while it wrote: delete it");
             return (status.st_mode & 0077) != 0;
         }
@@ -241,6 +250,7 @@ void checkKeptDatabases(const database::StudyStore& store, FolderFindings& findi
         try {
             findings.notes.push_back(name + ": kept aside for a rescue or by one; " + relationOf(store, file));
         } catch (const protocols::Error& fault) {
+            findings.unknownFiles.emplace_back(name);
             auto& lines = isBeforeRescue(name) ? findings.notes : findings.faults;
             lines.push_back(name +
                             ": is no database of this study that can be read, so move it out of the folder: " + fault.what());

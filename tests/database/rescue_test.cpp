@@ -231,6 +231,9 @@ private Q_SLOTS:
             store.copyTo(outside);
             store.copyTo(folder.folder.parent_path() / "other-rescue-1.db");
         }
+        // What others put there under such a name hinders nothing.
+        std::filesystem::create_directory(folder.folder.string() + "-rescue-2.db");
+        std::filesystem::create_symlink("/dev/zero", folder.folder.string() + "-rescue-3.db");
         StudyStore store(folder, StudyStore::Access::Write);
         const auto record = store.erase({protocols::ParticipantId("S01"), true, "Ada", "asked for it", {}});
         QCOMPARE(record.found, std::vector<std::string>{outside.string()});

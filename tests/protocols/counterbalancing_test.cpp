@@ -215,6 +215,17 @@ private Q_SLOTS:
         QVERIFY2(std::abs(sameAgain - fabricPairs / 2) <= 1, qPrintable(QString("%1 of %2").arg(sameAgain).arg(fabricPairs)));
     }
 
+    void twoConditionsOfSameOrDifferentRepeatToo()
+    {
+        Protocol protocol = studyOf(20, 2, 6, 3);
+        protocol.phases.resize(1);
+        protocol.phases[0].task = protocol.phases[0].questions[0].kind = SameDifferent{};
+        int repeats = 0, pairs = 0;
+        for (const auto& list : drawDesign(protocol, 3).participants)
+            for (std::size_t at = 1; at < list.size(); ++at, ++pairs) repeats += list[at].label == list[at - 1].label;
+        QVERIFY2(std::abs(repeats - pairs / 2) <= pairs / 20, qPrintable(QString("%1 of %2").arg(repeats).arg(pairs)));
+    }
+
     /// A rule of evenness for each participant or piece would tell: who counts finds the slot that is still missing.
     void slotsOfAPersonAreAsChanceMakesThem()
     {

@@ -22,7 +22,7 @@ struct Paths {
 
 void addPaths(const CLI::App& command, Paths& paths)
 {
-    std::set<std::string> outputs{"out", "json", "csv", "shard-file"};
+    std::set<std::string> outputs{"out", "json", "csv", "shard-file", "sheet", "picture", "svg", "page", "plots"};
     if (command.get_name() == "new") outputs.insert("images");  // `server roles --images` takes a word
     for (const CLI::Option* option : command.get_options()) {
         const auto& names = option->get_lnames();

@@ -45,7 +45,7 @@ std::vector<std::string> copyFiles(const fs::path& study, const fs::path& to)
     std::vector<std::string> leftOut;
     copyFolder(study, to, study, leftOut);
     // The stimuli keep their equal time stamps: the order of copying must not reveal the order of making.
-    if (fs::exists(study / "stimuli"))
+    if (fs::is_directory(to / "stimuli"))
         for (const auto& stimulus : fs::directory_iterator(to / "stimuli"))
             fs::last_write_time(stimulus.path(), fs::last_write_time(study / "stimuli" / stimulus.path().filename()));
     return leftOut;

@@ -82,7 +82,7 @@ class PreregisterCommandTest : public QObject {
     }
 
 private Q_SLOTS:
-    /// Editors of Windows write it, and SQLite drops it.
+    /// Editors of Windows write it, and the database does not keep it.
     void aMarkOfTheByteOrderBreaksNoAmendment()
     {
         const QString study = newStudy(), amended = QString::fromStdString(plannedProtocol).replace("-0.8, 0.9", "-1.2, 1.2");
@@ -90,6 +90,9 @@ private Q_SLOTS:
         mustRun({"study", "amend", study, "--who", "M", "--why", "pilot"});
         QCOMPARE(bytesOf(study + "/protocol.json"), amended);
         QVERIFY(mustRun({"verify", study}).out.contains("sound"));
+        write(study + "/protocol.json", QChar(0xFEFF) + amended);
+        QVERIFY(mustRun({"study", "amend", study, "--who", "M", "--why", "pilot"}).out.contains("unchanged"));
+        QCOMPARE(bytesOf(study + "/protocol.json"), amended);
     }
 
     void copiesGoIntoANewFolder()

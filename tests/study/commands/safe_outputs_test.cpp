@@ -59,6 +59,8 @@ private Q_SLOTS:
         QTest::newRow("report") << "report STUDY --out STUDY/report";
         QTest::newRow("sheets") << "study sheets STUDY --out STUDY/stimuli";
         QTest::newRow("signing key") << "study signing-key --no-passphrase --out STUDY/x";
+        QTest::newRow("picture")
+            << "display calibrate T --display glass --speed 20 --finger index --out STUDY-r.json --picture STUDY/study.db";
         QTest::newRow("images") << "study new STUDY-2 --dataset D --protocol STUDY/protocol.json --images STUDY/images";
     }
     void noOutputLiesInAStudy()

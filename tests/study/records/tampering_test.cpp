@@ -12,6 +12,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 #include "study/records/erasure_certificate.h"
+#include "study/records/folder_audit.h"
 #include "study/records/log_heads.h"
 #include "study/records/study_faults.h"
 #include "tests/study/records/meddling.h"
@@ -314,12 +315,15 @@ private Q_SLOTS:
     void unfinishedFilesAreNoted()
     {
         const auto folder = copy();
-        std::ofstream(folder.folder / "erasures" / ".erasure-9.txt.unfinished-lab-77") << "x";
+        const std::string certificate = fs::directory_iterator(folder.folder / "erasures")->path().filename().string();
+        std::ofstream(folder.folder / "erasures" / ("." + certificate + ".unfinished-lab-77")) << "x";
         QCOMPARE(faultsOf(folder), QString());
         QString notes;
         for (const auto& note : findingsOf(reading(folder)).notes) notes += QString::fromStdString(note) + "\n";
-        QVERIFY2(notes.contains("erasures/.erasure-9.txt.unfinished-lab-77: left by a program that was killed"),
-                 qPrintable(notes));
+        QVERIFY2(notes.contains(".txt.unfinished-lab-77: left by a program that was killed"), qPrintable(notes));
+        QCOMPARE(study::records::findingsInFolder(reading(folder)).unknownFiles.size(), 1u);
+        std::ofstream(folder.folder / ".secret.unfinished-lab-77") << "x";
+        QVERIFY(faultsOf(folder).contains(".secret.unfinished-lab-77: does not belong to the study"));
     }
 
     void modesAreNotedOnly()

@@ -464,16 +464,16 @@ void MainJobTest::aPublicExportHasNoDaysNotesOrWords()
                 .err.contains("cannot be published"));
     const QString study = m_study;  // an earlier test unblinded it
     mustRun({"export", study, "--public", "--author", "A. \"B\" C", "--out", path("public")});
-    mustRun({"export", study, "--out", path("whole")});
+    mustRun({"export", study, "--out", path("exported")});
     const auto columnsOf = [&](const QString& file) {
         return protocols::readForeignTable(path(file).toStdString()).table.columns;
     };
-    const auto open = columnsOf("public/answers.csv"), whole = columnsOf("whole/answers.csv");
+    const auto open = columnsOf("public/answers.csv"), whole = columnsOf("exported/answers.csv");
     for (const std::string& column : whole) {
         const bool isPrivate = column == "wall_time" || column == "note";
         QCOMPARE(std::find(open.begin(), open.end(), column) == open.end(), isPrivate);
     }
-    for (const QString& folder : {QString("public/"), QString("whole/")})
+    for (const QString& folder : {QString("public/"), QString("exported/")})
         for (const QString& file : {QString("answers.csv"), QString("participants.csv")}) {
             const auto codebook = protocols::readForeignTable(path(folder + "codebook.csv").toStdString()).table;
             std::vector<std::string> explained;
@@ -484,8 +484,8 @@ void MainJobTest::aPublicExportHasNoDaysNotesOrWords()
     std::ifstream citation(path("public/CITATION.cff").toStdString());
     const std::string text{std::istreambuf_iterator<char>(citation), {}};
     QVERIFY(text.find("  - name: \"A. \\\"B\\\" C\"\n") != std::string::npos);
-    QVERIFY(QFile::exists(path("public/LICENSE.txt")) && !QFile::exists(path("whole/LICENSE.txt")));
-    QVERIFY(runProgram({"export", study, "--public", "--out", path("whole")}).err.contains("a folder of its own"));
+    QVERIFY(QFile::exists(path("public/LICENSE.txt")) && !QFile::exists(path("exported/LICENSE.txt")));
+    QVERIFY(runProgram({"export", study, "--public", "--out", path("exported")}).err.contains("a folder of its own"));
     QCOMPARE(runProgram({"export", study, "--public", "--licence", "my own", "--out", path("p2")}).exitCode, 2);
 }
 

@@ -40,7 +40,8 @@ fs::path studyAround(const fs::path& path)
 {
     std::error_code unknown;
     for (fs::path folder = fs::weakly_canonical(fs::absolute(path, unknown), unknown); !unknown; folder = folder.parent_path()) {
-        if (fs::is_regular_file(folder / "study.db", unknown)) return folder;
+        const auto has = [&](const char* name) { return fs::is_regular_file(folder / name, unknown); };
+        if (has("study.db") || (has("server.json") && has("protocol.json"))) return folder;  // the second: on a server
         if (folder == folder.parent_path()) break;
         unknown.clear();
     }

@@ -75,6 +75,17 @@ private Q_SLOTS:
         QVERIFY(mustRun({"verify", study}).out.contains("sound"));
     }
 
+    void noOutputLiesInTheFolderOfAStudyOnAServer()
+    {
+        const QString folder = m_place.filePath("station");
+        fs::create_directory(folder.toStdString());
+        for (const char* name : {"/server.json", "/protocol.json"})
+            protocols::writeWholeFile(folder.toStdString() + name, protocols::paperProtocolJson());
+        const auto result = runProgram({"protocol", "check", folder + "/protocol.json", "--json", folder + "/server.json"});
+        QCOMPARE(result.exitCode, 2);
+        QVERIFY2(result.err.contains("would lie in the study folder"), qPrintable(result.err));
+    }
+
     void noOutputReplacesAFileThatIsRead_data()
     {
         QTest::addColumn<QString>("call");

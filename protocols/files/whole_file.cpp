@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <stdio.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -48,6 +49,11 @@ Error cannotWrite(const fs::path& file, int reason)
     if (isTooManyOpenFiles(reason)) return tooManyOpenFiles(file.string());
     return environmentFault({std::string("cannot be written (") + std::strerror(reason) + ")", file.string(),
                              "a writable folder with free space", "free space or choose another folder"});
+}
+
+Error isTaken(const fs::path& file)
+{
+    return badInput({"the file exists", file.string(), "the name of a new file", "choose another name; nothing was written"});
 }
 
 /// An open file, closed with this value.
@@ -292,6 +298,23 @@ void putFileInPlace(const fs::path& finished, const fs::path& file)
 {
     syncFile(finished);
     if (::rename(finished.c_str(), file.c_str()) != 0) throw cannotWrite(file, errno);
+    syncFolder(file.parent_path());
+}
+
+void requireNewFile(const fs::path& file)
+{
+    if (fs::exists(fs::symlink_status(file))) throw isTaken(file);
+}
+
+void putNewFileInPlace(const fs::path& finished, const fs::path& file)
+{
+    syncFile(finished);
+    int reason = ::renameat2(AT_FDCWD, finished.c_str(), AT_FDCWD, file.c_str(), RENAME_NOREPLACE) == 0 ? 0 : errno;
+    // A file system that knows no such renaming.
+    if (reason == EINVAL || reason == ENOSYS || reason == ENOTSUP)
+        reason = ::rename(finished.c_str(), file.c_str()) == 0 ? 0 : errno;
+    if (reason == EEXIST) throw isTaken(file);
+    if (reason != 0) throw cannotWrite(file, reason);
     syncFolder(file.parent_path());
 }
 

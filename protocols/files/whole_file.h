@@ -66,6 +66,13 @@ void writeInPieces(const std::filesystem::path& file, const std::function<void(c
 /// folder. Throws environmentFault.
 void putFileInPlace(const std::filesystem::path& finished, const std::filesystem::path& file);
 
+/// Throws badInput where something has this name.
+void requireNewFile(const std::filesystem::path& file);
+
+/// As putFileInPlace, for a name that must be new. Throws badInput where somebody took the name in the meantime; what has it
+/// stays.
+void putNewFileInPlace(const std::filesystem::path& finished, const std::filesystem::path& file);
+
 /// Proves before long work that `file` can be written afterwards. Throws environmentFault, or badInput where a folder stands.
 void requireWritable(const std::filesystem::path& file);
 

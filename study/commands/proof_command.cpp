@@ -23,15 +23,6 @@ namespace study::commands {
 
 namespace {
 
-namespace fs = std::filesystem;
-
-void requireNew(const std::string& file)
-{
-    if (fs::exists(file))
-        throw protocols::badInput(
-            {"the file exists", file, "the name of a new file", "choose another name; nothing was written"});
-}
-
 struct SheetCall {
     std::string study, out;
     JsonTarget target;
@@ -59,8 +50,8 @@ struct KeyCall {
 int makeSigningKey(const KeyCall& call)
 {
     const std::string openFile = call.out + ".pub";
-    requireNew(call.out);
-    requireNew(openFile);
+    protocols::requireNewFile(call.out);
+    protocols::requireNewFile(openFile);
     const auto seed = protocols::SecretKey::drawn();
     const std::string text = records::signingKeyText(
         seed, call.hasNoPassphrase ? std::nullopt : std::optional(newPassphrase(call.passphrase, "the signing key")));

@@ -3,11 +3,13 @@
 #include <sys/stat.h>
 
 #include <QProcess>
+#include <algorithm>
 
 #include "database/keys.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/open_files.h"
+#include "protocols/files/whole_file.h"
 
 namespace study::commands {
 
@@ -79,14 +81,23 @@ std::string nameOfFolder(const fs::path& study)
     return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
 }
 
+/// The names of the databases in the folder that a rescue wrote or put aside.
+std::vector<std::string> keptDatabases(const fs::path& study)
+{
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(study))
+        if (entry.path().extension() == ".db" && entry.path().filename() != "study.db")
+            names.push_back(entry.path().filename().string());
+    std::ranges::sort(names);
+    return names;
+}
+
 }  // namespace
 
 std::vector<std::string> writeBackup(const database::StudyStore& store, const fs::path& out)
 {
     const fs::path study = store.namedFolder();
-    if (fs::exists(out))
-        throw protocols::badInput(
-            {"the file exists", out.string(), "the name of a new file", "choose another name; nothing was written"});
+    protocols::requireNewFile(out);
     const auto inStudy = fs::weakly_canonical(fs::absolute(out)).lexically_relative(fs::weakly_canonical(study));
     if (!inStudy.empty() && *inStudy.begin() != "..")
         throw protocols::badInput({"the backup would lie in the study and hold itself", out.string(),
@@ -102,7 +113,7 @@ std::vector<std::string> writeBackup(const database::StudyStore& store, const fs
         const fs::path archive = staging.path() / "archive.tar";
         pack(staging.path(), name, archive);
         ::chmod(archive.c_str(), 0600);  // it contains the allocation key
-        protocols::putFileInPlace(archive, out);
+        protocols::putNewFileInPlace(archive, out);
     } catch (const fs::filesystem_error& fault) {
         if (protocols::isTooManyOpenFiles(fault.code().value())) throw protocols::tooManyOpenFiles(out.string());
         throw protocols::environmentFault(
@@ -111,6 +122,9 @@ std::vector<std::string> writeBackup(const database::StudyStore& store, const fs
              "check the permissions, make room or choose another disk; the study itself is untouched"});
     }
     for (const std::string& fault : findingsOfKeys(store).faults) faults.push_back(fault);
+    if (!store.erasures().empty())
+        for (const std::string& file : keptDatabases(study))
+            faults.push_back(file + ": packed, too; it may hold what was erased from the study since it was kept aside");
     return faults;
 }
 

@@ -291,6 +291,17 @@ private Q_SLOTS:
         QCOMPARE(readWholeFile(file()), std::string("whole"));
     }
 
+    void newFileDoesNotReplaceOneMadeMeanwhile()
+    {
+        writeWholeFile(folder() / "draft", "second", Sync::Later);
+        writeWholeFile(file(), "first", Sync::Later);
+        QCOMPARE(errorOf([&] { putNewFileInPlace(folder() / "draft", file()); }).left(2), QString("2:"));
+        QCOMPARE(readWholeFile(file()), std::string("first"));
+        fs::remove(file());
+        putNewFileInPlace(folder() / "draft", file());
+        QCOMPARE(readWholeFile(file()), std::string("second"));
+    }
+
     void longWorkAsksBeforeItBegins()
     {
         requireWritable(file());

@@ -124,6 +124,17 @@ private Q_SLOTS:
         QVERIFY(acts.front().kind == "backup" && acts.front().note.find("allocation key") != std::string::npos);
     }
 
+    /// The rescue file holds what was erased afterwards; `erase` said so once, the backup says it again.
+    void aBackupNamesRescueFilesFromBeforeAnErasure()
+    {
+        const QString study = playedStudy();
+        QVERIFY(QFile::copy(study + "/study.db", study + "/rescue-1.db"));
+        QVERIFY(mustRun({"backup", study, "--out", at("with-rescue.tar")}).err.isEmpty());
+        QCOMPARE(runProgram({"erase", study, "--participant", "P1", "--who", "Ada", "--why", "on request"}).exitCode, 1);
+        const auto run = mustRun({"backup", study, "--out", at("after-erasure.tar")});
+        QVERIFY2(run.err.startsWith("warning: rescue-1.db: ") && run.err.contains("may hold what was erased"), qPrintable(run.err));
+    }
+
     void anExportHoldsNoLogUnlessAsked()
     {
         mustRun({"export", playedStudy(), "--out", at("plain")});

@@ -9,12 +9,8 @@
 #include "database/schema.h"
 #include "database/stored_texts.h"
 #include "database/study_rows.h"
-#include "protocols/condition.h"
 #include "protocols/files/canonical_bytes.h"
 #include "protocols/files/errors.h"
-#include "protocols/protocol_json.h"
-#include "protocols/records/anchor_trials.h"
-#include "protocols/records/balance.h"
 
 namespace database {
 
@@ -215,41 +211,6 @@ QString olderColumnsOf(const QString& table, int version)
     return QStringLiteral("event, participant, answers_too, who, why, wall_time");
 }
 
-/// Place of `wanted` in `all`; none where it is missing.
-template <class Item>
-std::optional<int> placeIn(const std::vector<Item>& all, const Item& wanted)
-{
-    const auto found = std::ranges::find(all, wanted);
-    return found == all.end() ? std::nullopt : std::optional(static_cast<int>(found - all.begin()));
-}
-
-/// None where the key does not say what the trial shows.
-std::optional<protocols::DesignTrial> designTrialOf(const OlderTrial& older, const KeyEntries& key,
-                                                    const protocols::Protocol& protocol,
-                                                    const std::vector<protocols::FabricId>& fabrics,
-                                                    protocols::AnchorFinder& anchors)
-{
-    const auto entry = key.find(older.image);
-    if (entry == key.end() || older.trial.phase < 0 || older.trial.phase >= static_cast<int>(protocol.phases.size()))
-        return std::nullopt;
-    const auto& shown = entry->second;
-    const auto fabric = placeIn(fabrics, shown.fabric);
-    const bool isCaught = shown.condition == protocols::catchTrialId();
-    const auto label = isCaught ? std::optional(protocols::catchTrialLabel) : placeIn(protocol.conditions, shown.condition);
-    if (!fabric || !label || older.trial.alternatives.empty()) return std::nullopt;
-    protocols::DesignTrial trial{older.trial.phase, *label, *fabric, {}};
-    for (const auto& piece : older.trial.alternatives) {
-        const auto place = placeIn(fabrics, piece);
-        if (!place) return std::nullopt;
-        trial.alternatives.push_back(*place);
-    }
-    const auto& instructions = protocol.phases[static_cast<std::size_t>(trial.phase)].instructions;
-    for (std::size_t i = 0; i < instructions.size(); ++i)
-        if (instructions[i].id == older.trial.instruction) trial.instruction = static_cast<int>(i);
-    trial.anchor = anchors.next(older.trial, shown);
-    return trial;
-}
-
 }  // namespace
 
 OlderStudy readOlderStudy(const SqliteConnection& sqlite)
@@ -262,26 +223,6 @@ OlderStudy readOlderStudy(const SqliteConnection& sqlite)
     readOlderEvents(sqlite, study);
     readOlderRows(sqlite, study);
     return study;
-}
-
-std::string balanceOfLists(const OlderStudy& study, const OlderKey& key)
-{
-    const std::string none = R"({"balance":[]})";
-    if (!key) return none;
-    const auto protocol =
-        protocols::keptProtocolFromJson(study.facts.protocolJson, "the study's protocol", study.facts.programVersion);
-    protocols::Design design;
-    for (const auto& slot : study.slots) {
-        protocols::AnchorFinder anchors(protocol);
-        auto& list = design.participants.emplace_back();
-        if (slot.empty()) return none;
-        for (const OlderTrial& older : slot) {
-            const auto trial = designTrialOf(older, *key, protocol, study.facts.fabrics, anchors);
-            if (!trial) return none;
-            list.push_back(*trial);
-        }
-    }
-    return design.participants.empty() ? none : jsonOf(balanceOf(design, protocol)).dump();
 }
 
 void copyOlderRows(const SqliteConnection& older, const SqliteConnection& made, const QString& table, int version)

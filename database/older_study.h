@@ -54,10 +54,6 @@ using KeyEntries = std::map<protocols::FileCode, protocols::AllocationKey::Entry
 /// What an older key says of each image. Empty for a bare database, which has no key.
 using OlderKey = std::optional<KeyEntries>;
 
-/// The planned balance as JSON, counted on the lists of trials that are stored: the present draws would give others. It has no
-/// ranges where the key is missing or does not name every image, condition and fabric.
-std::string balanceOfLists(const OlderStudy& study, const OlderKey& key);
-
 /// Copies the rows of a table that schema 3 did not change; none where the older schema lacks the table.
 void copyOlderRows(const SqliteConnection& older, const SqliteConnection& made, const QString& table, int version);
 

@@ -1,11 +1,13 @@
 #include "database/sqlite_connection.h"
 
 #include <sqlite3.h>
+#include <unistd.h>
 
 #include <QSqlDriver>
 #include <QStringList>
 #include <QUrl>
 #include <atomic>
+#include <cerrno>
 #include <cstring>
 #include <system_error>
 
@@ -37,14 +39,35 @@ int primaryCode(const QSqlError& error)
     return isNumber ? code & 0xff : -1;
 }
 
+/// SQLite gives one code for several causes.
+protocols::Error cannotOpen(const std::string& detail, const std::filesystem::path& file)
+{
+    constexpr std::size_t longestPath = 480;  // bytes; SQLite adds the ends of its other files up to 512
+    std::error_code unknown;
+    const std::filesystem::path whole = std::filesystem::weakly_canonical(file, unknown);
+    if (const std::size_t length = (unknown ? file : whole).string().size(); length > longestPath)
+        return protocols::environmentFault({"the path has " + std::to_string(length) + " bytes, which is too long for SQLite",
+                                            file.string(), "at most " + std::to_string(longestPath) + " bytes",
+                                            "move the folder to a shorter path"});
+    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+    if (::access(folder.c_str(), W_OK) != 0 && errno == EROFS)
+        return protocols::environmentFault(
+            {"the database cannot be opened, because its file system is read-only (" + detail + ")", file.string(),
+             "a study that was closed, or a file system that may be written",
+             "copy the whole folder, with study.db-wal, to a disk that may be written"});
+    return protocols::environmentFault({"the database cannot be opened (" + detail + ")", file.string(), "a readable file",
+                                        "check its permissions; if the study was not closed, keep study.db-wal beside it"});
+}
+
 protocols::Error faultOf(const QSqlError& error, const std::string& file)
 {
     const std::string detail = error.databaseText().toStdString();
     if (protocols::canOpenNoMoreFiles()) return protocols::tooManyOpenFiles(file);
     switch (primaryCode(error)) {
         case Full:
-            return protocols::environmentFault(
-                {"the disk is full; this step was not stored", file, "", "free some space and do it again"});
+            return protocols::environmentFault({"the disk is full; this step was not stored", file,
+                                                "room there and in the folder for temporary files (TMPDIR)",
+                                                "free some space and do it again"});
         case ReadOnly:
         case Permission:
             return protocols::environmentFault({"the database cannot be written (" + detail + ")", file,
@@ -57,9 +80,7 @@ protocols::Error faultOf(const QSqlError& error, const std::string& file)
             return protocols::environmentFault(
                 {"another program uses the database (" + detail + ")", file, "", "close that program and do it again"});
         case CannotOpen:
-            return protocols::environmentFault(
-                {"the database cannot be opened (" + detail + ")", file, "a readable file",
-                 "check its permissions; if the study was not closed, keep study.db-wal beside it"});
+            return cannotOpen(detail, file);
         case NotADatabase:
             return protocols::badInput({"this is no SQLite database", file, "the study.db of a study folder", "check the path"});
         case Corrupt:

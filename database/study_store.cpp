@@ -20,6 +20,7 @@
 #include "database/write_lock.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/safe_text.h"
+#include "protocols/files/utf8.h"
 #include "protocols/files/whole_file.h"
 
 namespace database {
@@ -182,7 +183,11 @@ StudyStore::StudyStore(const StudyFolder& folder, Access access)
                                      "run sessions in the app, or bring the study back first: vis2hap study move '" +
                                          note->address + "' " + folder.folder.string()});
     std::error_code unreadable;
-    if (!std::filesystem::is_regular_file(folder.database(), unreadable))
+    const bool isThere = std::filesystem::is_regular_file(folder.database(), unreadable);
+    if (unreadable == std::errc::permission_denied)
+        throw protocols::badInput({"this account may not look into the folder", folder.folder.string(),
+                                   "a folder of this account", "ask the account that made the study, or its owner"});
+    if (!isThere)
         throw protocols::badInput({"this is no study folder (it has no study.db)", folder.folder.string(),
                                    "a folder made by vis2hap study new", "check the path"});
     const bool writes = access == Access::Write;
@@ -428,8 +433,9 @@ std::string textOf(const LogHead& head) { return std::to_string(head.sequence) +
 
 void StudyStore::copyTo(const std::filesystem::path& file) const
 {
-    if (std::filesystem::exists(file))
-        throw protocols::badInput({"the file exists already", file.string(), "a new file", "choose another name"});
+    protocols::requireNewFile(file);
+    if (protocols::firstByteThatIsNotUtf8(file.string()))
+        throw protocols::badInput({"the path is not UTF-8", file.string(), "a path in UTF-8", "choose another name"});
     m_connection->sqlite.run(QStringLiteral("VACUUM INTO ?"), {toQt(file.string())});
 }
 

@@ -46,14 +46,14 @@ protocols::SealedCode newlySealed(const protocols::FileCode& image, const NewSea
     return protocols::sealed(fresh->second, seals.stationKey);
 }
 
-StudyFacts upgradedFacts(const OlderStudy& study, const OlderKey& key, const NewSeals& seals)
+StudyFacts upgradedFacts(const OlderStudy& study, const NewSeals& seals)
 {
     StudyFacts facts = study.facts;
     facts.keySha256 = seals.keySha256;
     facts.stationKeySha256 = seals.stationKeySha256;
     facts.hasPassphrase = false;
     facts.stamps.emplace_back(noPassphraseStamp);
-    facts.plannedBalance = balanceOfLists(study, key);
+    facts.plannedBalance = R"({"balance":[]})";  // exact counts would name true pieces
     facts.madeWith = "{}";
     for (const auto& [name, image] : study.familiarisation) facts.familiarisation.push_back({name, newlySealed(image, seals)});
     return facts;
@@ -175,7 +175,7 @@ void recordUpgrade(const SqliteConnection& made, const OlderStudy& study, const 
 
 /// Makes `file` in one transaction, every row with its number and its times. `faults`: what was wrong with the older study.
 void makeUpgradedDatabase(const std::filesystem::path& file, const SqliteConnection& older, const OlderStudy& study,
-                          const OlderKey& key, const NewSeals& seals, const std::vector<std::string>& faults)
+                          const NewSeals& seals, const std::vector<std::string>& faults)
 {
     const BlindedLists lists = upgradedLists(study, seals);
     const SqliteConnection made(file, SqliteConnection::Mode::Create);
@@ -184,7 +184,7 @@ void makeUpgradedDatabase(const std::filesystem::path& file, const SqliteConnect
     {
         Transaction transaction(made);
         makeSchema(made);
-        insertFixedRows(made, upgradedFacts(study, key, seals), lists, seals.hashes);
+        insertFixedRows(made, upgradedFacts(study, seals), lists, seals.hashes);
         for (const char* table : {"participants", "participant_facts", "protocol_versions", "erasures"})
             copyOlderRows(older, made, QLatin1String(table), study.version);
         OlderStudy renamed = study;
@@ -329,7 +329,7 @@ void prepareAnew(const StudyFolder& folder)
     sealStimuli(folder, study, seals, faults);
     if (key) writeNewKeys(folder, *key, secret, seals);
     const fs::path made = folder.upgrade() / "study.db";
-    makeUpgradedDatabase(made, older, study, key, seals, faults);
+    makeUpgradedDatabase(made, older, study, seals, faults);
     fs::permissions(made, fs::perms::owner_read | fs::perms::owner_write);
     protocols::syncTree(folder.upgrade());
 }

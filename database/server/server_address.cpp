@@ -3,6 +3,7 @@
 #include <QUrl>
 #include <QUrlQuery>
 #include <algorithm>
+#include <string_view>
 
 #include "protocols/files/errors.h"
 
@@ -25,6 +26,44 @@ void requireStudyName(const std::string& name, const std::string& where)
     if (!isStudyName(name))
         throw protocols::badInput({"\"" + name + "\" cannot name a study on a server", where,
                                    "at most 40 small letters, digits, - and _", "change study=NAME"});
+}
+
+/// What an address may set of PostgreSQL's client library. Passwords stand in ~/.pgpass, because the address is stored, printed
+/// and exported.
+constexpr std::string_view knownSettings[] = {"sslmode",
+                                              "sslrootcert",
+                                              "sslcert",
+                                              "sslkey",
+                                              "sslcrl",
+                                              "sslcrldir",
+                                              "sslsni",
+                                              "ssl_min_protocol_version",
+                                              "ssl_max_protocol_version",
+                                              "channel_binding",
+                                              "gssencmode",
+                                              "krbsrvname",
+                                              "gsslib",
+                                              "hostaddr",
+                                              "connect_timeout",
+                                              "keepalives",
+                                              "keepalives_idle",
+                                              "keepalives_interval",
+                                              "keepalives_count",
+                                              "tcp_user_timeout",
+                                              "target_session_attrs",
+                                              "requirepeer",
+                                              "passfile",
+                                              "application_name"};
+
+void requireKnownSetting(const std::string& name)
+{
+    if (std::ranges::find(knownSettings, name) != std::end(knownSettings)) return;
+    if (name == "password" || name == "sslpassword")
+        throw protocols::badInput({"the address holds a password, which would stay in the notes of the study",
+                                   "setting \"" + name + "\"", form,
+                                   "put the password into ~/.pgpass or the environment variable PGPASSWORD"});
+    throw protocols::badInput({"the setting \"" + name + "\" is unknown in an address", "address of the server",
+                               "study, host, port, user, sslmode, sslrootcert and the like", "take it out of the address"});
 }
 
 }  // namespace
@@ -53,8 +92,10 @@ ServerAddress serverAddressFrom(const std::string& text)
             address.port = value.toStdString();
         else if (setting == "user")
             address.user = value.toStdString();
-        else
+        else {
+            requireKnownSetting(setting);
             address.settings.emplace_back(setting, value.toStdString());
+        }
     }
     if (address.database.empty() || address.database.find('/') != std::string::npos)
         throw protocols::badInput({"the address names no database", text, form, "name the database after the host"});

@@ -17,8 +17,8 @@ struct ServerAddress {
 /// Whether a text stands where a folder may stand, and means a server.
 bool isServerAddress(const std::string& text);
 
-/// Throws badInput for another scheme, a missing database, a study's name that is no id, and a password, which belongs into a
-/// file of PostgreSQL's (~/.pgpass) and not into the notes of a study.
+/// Throws badInput for another scheme, a missing database, a study's name that is no id, a setting that is not known, and a
+/// password, which belongs into a file of PostgreSQL's (~/.pgpass) and not into the notes of a study.
 ServerAddress serverAddressFrom(const std::string& text);
 
 /// The address with this study.

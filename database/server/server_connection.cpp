@@ -2,7 +2,9 @@
 
 #include <QSqlError>
 #include <QStringList>
+#include <algorithm>
 #include <atomic>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "database/server/server_replies.h"
@@ -17,6 +19,16 @@ constexpr int majorVersion = 15;
 // A cut network is noticed after these times, s and ms.
 constexpr const char* callOptions =
     "connect_timeout=4;keepalives_idle=5;keepalives_interval=2;keepalives_count=3;tcp_user_timeout=5000";
+
+/// The client library would go on without encryption where the server offers none, and say nothing.
+bool mayPassInTheClear(const ServerAddress& address)
+{
+    const auto isMode = [](const auto& setting) { return setting.first == "sslmode"; };
+    const std::string& host = address.host;
+    const bool isThisComputer =
+        host.empty() || host.starts_with('/') || host == "localhost" || host == "127.0.0.1" || host == "::1";
+    return !isThisComputer && std::getenv("PGSSLMODE") == nullptr && std::ranges::none_of(address.settings, isMode);
+}
 
 QString nextServerConnectionName()
 {
@@ -113,8 +125,13 @@ void ServerConnection::open()
     m_connection.setDatabaseName(toQt(m_address.database));
     m_connection.setUserName(toQt(m_address.user));
     QString options = QLatin1String(callOptions);
-    for (const auto& [name, setting] : m_address.settings)
-        options += QStringLiteral(";%1='%2'").arg(toQt(name), toQt(setting).replace(QLatin1Char('\''), QStringLiteral("\\'")));
+    auto settings = m_address.settings;
+    if (mayPassInTheClear(m_address)) settings.emplace_back("sslmode", "require");
+    for (const auto& [name, setting] : settings) {
+        QString quoted = toQt(setting);
+        quoted.replace(QLatin1Char('\\'), QStringLiteral("\\\\")).replace(QLatin1Char('\''), QStringLiteral("\\'"));
+        options += QStringLiteral(";%1='%2'").arg(toQt(name), quoted);
+    }
     m_connection.setConnectOptions(options);
     if (!m_connection.open()) {
         const QString text = m_connection.lastError().databaseText().trimmed();

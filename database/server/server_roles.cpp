@@ -10,6 +10,7 @@
 #include "database/server/server_scripts.h"
 #include "database/server/station_store.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/owner_only.h"
 #include "protocols/secrets/secret_key.h"
 
 namespace database {
@@ -140,7 +141,7 @@ JoinedStudy joinStudy(const ServerAddress& address, const std::filesystem::path&
     const bool isNew = std::filesystem::create_directories(place, ignored);
     if (ignored)
         throw protocols::environmentFault({"the folder cannot be made (" + ignored.message() + ")", place.string(), "", ""});
-    std::filesystem::permissions(place, std::filesystem::perms::owner_all);
+    protocols::closeFolderToOthers(place);
     const StudyFolder made{place};
     try {
         writeServerNote(made.folder, {found.text, station, protocols::drawHex(32), false});

@@ -13,6 +13,7 @@
 
 #include "protocols/files/disk_sync.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/owner_only.h"
 #include "protocols/files/unfinished.h"
 
 namespace protocols {
@@ -168,7 +169,10 @@ void FolderDraft::closeEmptyPlace() const
     const auto entries = std::distance(fs::directory_iterator(m_place), fs::directory_iterator());
     std::error_code ignored;  // who may write into a folder need not own it
     constexpr fs::perms shared = fs::perms::group_write | fs::perms::others_write | fs::perms::set_gid;
-    if (entries == 1 && (fs::status(m_place).permissions() & shared) == fs::perms::none)
+    if (entries > 1 || (fs::status(m_place).permissions() & shared) != fs::perms::none) return;
+    if (filesAreKeptToOwner())
+        closeFolderToOthers(m_place);
+    else
         fs::permissions(m_place, fs::status(m_draft).permissions(), ignored);
 }
 
@@ -202,6 +206,8 @@ void makeFolders(const fs::path& folder, Sync sync)
     std::error_code problem;
     fs::create_directories(whole, problem);
     if (problem) throw cannotMake(folder, problem);
+    if (filesAreKeptToOwner())
+        for (const fs::path& made : missing) closeFolderToOthers(made);
     if (sync == Sync::Now)
         for (const fs::path& made : missing) syncFolder(made.parent_path());
 }

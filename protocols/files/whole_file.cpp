@@ -15,6 +15,7 @@
 #include "protocols/files/disk_sync.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/open_files.h"
+#include "protocols/files/owner_only.h"
 #include "protocols/files/unfinished.h"
 
 namespace protocols {
@@ -209,7 +210,8 @@ void writeThrough(const fs::path& file, const MakeBytes& make)
 int writeTemporary(const fs::path& temporary, const MakeBytes& make, Sync sync, Readers readers)
 {
     ::unlink(temporary.c_str());  // left by an earlier process of this number
-    Descriptor open(temporary, O_WRONLY | O_CREAT | O_EXCL, readers == Readers::OwnerOnly ? 0600 : 0666);
+    const bool isOwners = readers == Readers::OwnerOnly || filesAreKeptToOwner();
+    Descriptor open(temporary, O_WRONLY | O_CREAT | O_EXCL, isOwners ? 0600 : 0666);
     if (!open.isOpen()) return errno;
     if (const int reason = writePieces(open.number(), make); reason != 0) return reason;
     if (sync == Sync::Now && ::fsync(open.number()) != 0) return errno;

@@ -46,7 +46,9 @@ using Lists = std::vector<std::vector<DesignTrial>>;
 /// The presentations of the conditions, with the piece on the tray where it is one; choices get their trays later.
 Lists listsOf(const Phase& asked, int phase, const StudySize& size, Random& orderDraws, Random& trayDraws)
 {
-    auto orders = drawRunningOrders(size, orderDraws);
+    const auto rule = trayRuleOf(asked.task);
+    const bool isHidden = std::holds_alternative<TrueAmongFoils>(rule);
+    auto orders = drawRunningOrders(size, isHidden ? FabricOrder::Drawn : FabricOrder::Even, orderDraws);
     std::vector<std::vector<Tray>> trays;
     std::visit(Overloaded{[](const TrueAmongFoils&) {}, [&](const TrueAlone&) { trays = traysOfTrueFabrics(orders); },
                           [&](const TrueOrOther&) {
@@ -54,7 +56,7 @@ Lists listsOf(const Phase& asked, int phase, const StudySize& size, Random& orde
                               orders = std::move(drawn.orders);
                               trays = std::move(drawn.trays);
                           }},
-               trayRuleOf(asked.task));
+               rule);
     Lists lists;
     for (std::size_t participant = 0; participant < orders.size(); ++participant) {
         auto& list = lists.emplace_back();

@@ -36,23 +36,24 @@ std::int64_t repeatPenalty(const StudySize& size, int kinds)
     return pairWeight * (2 * transitionsOf(size) / pairKinds(kinds) + 20);
 }
 
-std::int64_t leastPairCost(const StudySize& size)
+std::int64_t leastPairCost(const StudySize& size, FabricOrder order)
 {
     const auto pairs = [&](int kinds) { return leastSquares(transitionsOf(size), pairKinds(kinds)); };
-    return pairWeight * (pairs(size.labels) + pairs(size.fabrics));
+    return pairWeight * (pairs(size.labels) + (order == FabricOrder::Even ? pairs(size.fabrics) : 0));
 }
 
 /// The cost when each participant has each label once in each stretch of labels, and each fabric once in each of fabrics.
-std::int64_t leastStretchCost(const StudySize& size)
+std::int64_t leastStretchCost(const StudySize& size, FabricOrder order)
 {
-    return std::int64_t{2} * size.labels * size.fabrics * size.participants * size.participants;
+    return std::int64_t{order == FabricOrder::Even ? 2 : 1} * size.labels * size.fabrics * size.participants * size.participants;
 }
 
 /// State of the search: the orders with their counts, and a swap of two positions as its move.
 class OrderSearch {
 public:
-    OrderSearch(const StudySize& size, Orders orders)
+    OrderSearch(const StudySize& size, FabricOrder fabrics, Orders orders)
         : m_size(size),
+          m_fabricsAreEven(fabrics == FabricOrder::Even),
           m_orders(std::move(orders)),
           m_labelPairs(square(size.labels)),
           m_fabricPairs(square(size.fabrics)),
@@ -60,8 +61,8 @@ public:
           m_fabricStretches(static_cast<std::size_t>(size.labels) * static_cast<std::size_t>(size.fabrics)),
           m_labelRepeat(repeatPenalty(size, size.labels)),
           m_fabricRepeat(repeatPenalty(size, size.fabrics)),
-          m_pairExcess(-leastPairCost(size)),
-          m_stretchExcess(-leastStretchCost(size))
+          m_pairExcess(-leastPairCost(size, fabrics)),
+          m_stretchExcess(-leastStretchCost(size, fabrics))
     {
         for (const auto& order : m_orders) {
             for (std::size_t at = 0; at < order.size(); ++at) countPlace(order[at], at, true);
@@ -125,7 +126,9 @@ private:
     void countTransition(const Rendering& from, const Rendering& to, bool adding)
     {
         m_pairExcess += countPair(m_labelPairs, m_labelRepeat, m_size.labels, from.label, to.label, adding);
-        m_pairExcess += countPair(m_fabricPairs, m_fabricRepeat, m_size.fabrics, from.fabric, to.fabric, adding);
+        const bool isRepeat = from.fabric == to.fabric && !mayRepeat(m_size.fabrics);
+        if (m_fabricsAreEven || isRepeat)
+            m_pairExcess += countPair(m_fabricPairs, m_fabricRepeat, m_size.fabrics, from.fabric, to.fabric, adding);
     }
 
     void countPlace(const Rendering& rendering, std::size_t at, bool adding)
@@ -134,10 +137,12 @@ private:
         const auto fabrics = static_cast<std::size_t>(m_size.fabrics);
         const std::size_t labelCell = at / labels * labels + static_cast<std::size_t>(rendering.label);
         const std::size_t fabricCell = at / fabrics * fabrics + static_cast<std::size_t>(rendering.fabric);
-        m_stretchExcess += count(m_labelStretches, labelCell, adding) + count(m_fabricStretches, fabricCell, adding);
+        m_stretchExcess += count(m_labelStretches, labelCell, adding);
+        if (m_fabricsAreEven) m_stretchExcess += count(m_fabricStretches, fabricCell, adding);
     }
 
     StudySize m_size;
+    bool m_fabricsAreEven;
     Orders m_orders;
     SquaredCounts m_labelPairs;
     SquaredCounts m_fabricPairs;
@@ -182,7 +187,7 @@ std::vector<std::vector<int>> williamsDesign(int n)
 
 }  // namespace
 
-Orders drawRunningOrders(const StudySize& size, Random& random)
+Orders drawRunningOrders(const StudySize& size, FabricOrder fabrics, Random& random)
 {
     const std::int64_t places = std::int64_t{size.participants} * size.labels * size.fabrics;
     const std::int64_t moves = std::clamp<std::int64_t>(places * 2000, 100'000, 3'000'000);
@@ -190,7 +195,7 @@ Orders drawRunningOrders(const StudySize& size, Random& random)
     Orders best;
     std::int64_t bestExcess = 0;
     for (int round = 0; round < rounds; ++round) {
-        OrderSearch search(size, shuffledOrders(size, random));
+        OrderSearch search(size, fabrics, shuffledOrders(size, random));
         anneal(search, random, {.moves = moves, .hot = 4});
         if (round == 0 || search.excess() < bestExcess) {
             best = search.orders();

@@ -31,11 +31,17 @@ constexpr bool mayRepeat(int kinds) { return kinds <= 2; }
 /// Ordered pairs of neighbours that an order may have.
 constexpr std::int64_t pairKinds(int kinds) { return std::int64_t{kinds} * (mayRepeat(kinds) ? kinds : kinds - 1); }
 
+/// What is even in the order of the fabrics.
+enum class FabricOrder {
+    Even,   ///< pairs and stretches, as for labels: where the operator lays the fabric anyway
+    Drawn,  ///< nothing: where the fabric is what a choice must find. Every rule would be knowledge about true pieces.
+};
+
 /// [participant][position]: each rendering once per participant. Over the study, ordered pairs of different labels and of
 /// different fabrics follow one another equally often, and none repeats immediately, except as mayRepeat() says. Each label is
 /// equally frequent in each stretch of `labels` positions, each fabric in each stretch of `fabrics` positions, against practice
-/// and fatigue. Where this is impossible, a bounded search comes as close as it can.
-std::vector<std::vector<Rendering>> drawRunningOrders(const StudySize& size, Random& random);
+/// and fatigue. Where this is impossible, a bounded search comes as close as it can. Fabrics that are drawn only do not repeat.
+std::vector<std::vector<Rendering>> drawRunningOrders(const StudySize& size, FabricOrder fabrics, Random& random);
 
 /// [participant][place]: the number of the instruction, from 0. Each instruction stands equally often at each place and follows
 /// each other one equally often, as far as the number of participants allows (Williams 1949, Aust J Chem 2, 149): a cycle has

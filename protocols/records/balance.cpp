@@ -268,19 +268,39 @@ BalanceCertificate balanceOf(const Design& design, const Protocol& protocol)
         forEach(trials, [&](int participant, const DesignTrial& t) { ++renderings[{participant, t.label, t.fabric}]; });
         ranges.push_back(rangeOf("presentations of a rendering per participant" + phase, renderings));
         ranges.push_back(rangeOf("ordered pairs of conditions" + phase, orderedPairs(trials, labels, &DesignTrial::label)));
-        ranges.push_back(rangeOf("ordered pairs of fabrics" + phase, orderedPairs(trials, fabrics, &DesignTrial::fabric)));
         ranges.push_back(
             rangeOf("a condition per stretch of the order" + phase, perStretch(trials, labels, fabrics, &DesignTrial::label)));
-        ranges.push_back(
-            rangeOf("a fabric per stretch of the order" + phase, perStretch(trials, fabrics, labels, &DesignTrial::fabric)));
         certificate.immediateRepeats += repeatsIn(trials, protocol);
         const TrayRule rule = trayRuleOf(asked.task);
         const auto* foils = std::get_if<TrueAmongFoils>(&rule);
-        if (!foils) continue;
+        if (!foils) {
+            ranges.push_back(rangeOf("ordered pairs of fabrics" + phase, orderedPairs(trials, fabrics, &DesignTrial::fabric)));
+            ranges.push_back(
+                rangeOf("a fabric per stretch of the order" + phase, perStretch(trials, fabrics, labels, &DesignTrial::fabric)));
+            continue;
+        }
         addChoiceRanges(trials, protocol, foils->pieces, phase, ranges);
         certificate.repeatedFoilPairs += repeatedFoilSets(trials);
     }
     return certificate;
+}
+
+BalanceCertificate balanceOfExamples(const Protocol& protocol)
+{
+    constexpr std::int64_t mostForThree = 5000;
+    const std::int64_t presentations = std::int64_t{protocol.presentations()} * protocol.participants;
+    const std::uint64_t examples = presentations > mostForThree ? 1 : 3;
+    BalanceCertificate joined = balanceOf(drawDesign(protocol, 1), protocol);
+    for (std::uint64_t seed = 2; seed <= examples; ++seed) {
+        const BalanceCertificate next = balanceOf(drawDesign(protocol, seed), protocol);
+        for (std::size_t i = 0; i < joined.ranges.size(); ++i) {
+            joined.ranges[i].min = std::min(joined.ranges[i].min, next.ranges[i].min);
+            joined.ranges[i].max = std::max(joined.ranges[i].max, next.ranges[i].max);
+        }
+        joined.immediateRepeats = std::max(joined.immediateRepeats, next.immediateRepeats);
+        joined.repeatedFoilPairs = std::max(joined.repeatedFoilPairs, next.repeatedFoilPairs);
+    }
+    return joined;
 }
 
 nlohmann::ordered_json jsonOf(const BalanceCertificate& certificate)

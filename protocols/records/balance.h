@@ -37,6 +37,10 @@ struct BalanceCertificate {
 /// Balance of a planned design, or of what was presented.
 BalanceCertificate balanceOf(const Design& design, const Protocol& protocol);
 
+/// Balance of three designs that this version draws for the protocol (of one, for more than 5000 presentations): the least and
+/// the greatest counts of all. It tells what the rules reach. Exact counts of a study's own design would name true pieces.
+BalanceCertificate balanceOfExamples(const Protocol& protocol);
+
 /// "balance", "pieces_per_presentation", "immediate_repeats" and "repeated_foil_pairs".
 nlohmann::ordered_json jsonOf(const BalanceCertificate& certificate);
 

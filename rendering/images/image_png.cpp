@@ -7,6 +7,7 @@
 #include <csetjmp>
 #include <cstdint>
 #include <cstring>
+#include <opencv2/core.hpp>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,8 @@ struct Decoding {
     char message[120] = {};
     png_uint_32 width = 0, height = 0;
     int bitDepth = 0, channels = 0;
+    png_bytep exif = nullptr;  ///< owned by libpng
+    png_uint_32 exifSize = 0;
 };
 
 void keepMessage(char* to, const char* text) { std::strncpy(to, text, 119); }
@@ -77,8 +80,44 @@ bool readRows(Decoding& decoding, png_bytepp rows)
 {
     if (setjmp(png_jmpbuf(decoding.png))) return false;
     png_read_image(decoding.png, rows);
-    png_read_end(decoding.png, nullptr);
+    png_read_end(decoding.png, decoding.info);
+    png_get_eXIf_1(decoding.png, decoding.info, &decoding.exifSize, &decoding.exif);
     return true;
+}
+
+/// The orientation in Exif data, which are a small TIFF file: 1 to 8, and 1 where none is stated.
+unsigned orientationIn(const png_byte* exif, std::size_t size)
+{
+    constexpr unsigned orientationTag = 0x0112;
+    if (exif == nullptr || size < 8) return 1;
+    const bool isLittle = exif[0] == 'I';
+    const auto number = [&](std::size_t at, std::size_t bytes) {
+        std::size_t value = 0;
+        for (std::size_t i = 0; i < bytes && at + bytes <= size; ++i)
+            value |= std::size_t{exif[at + i]} << (8 * (isLittle ? i : bytes - 1 - i));
+        return value;
+    };
+    const std::size_t first = number(4, 4), entries = number(first, 2);
+    for (std::size_t entry = 0; entry < entries; ++entry) {
+        const std::size_t at = first + 2 + 12 * entry;
+        if (at + 12 > size) break;
+        if (number(at, 2) != orientationTag) continue;
+        const auto value = static_cast<unsigned>(number(at + 8, 2));
+        return value >= 1 && value <= 8 ? value : 1;
+    }
+    return 1;
+}
+
+/// The image as a camera's mark asks to show it.
+cv::Mat turned(const cv::Mat& image, unsigned orientation)
+{
+    cv::Mat upright = image;
+    if (orientation >= 5) cv::transpose(image, upright);  // 5 to 8 have rows and columns exchanged
+    constexpr int leftRight = 1, upDown = 0, both = -1;
+    if (orientation == 2 || orientation == 6) cv::flip(upright, upright, leftRight);
+    if (orientation == 4 || orientation == 8) cv::flip(upright, upright, upDown);
+    if (orientation == 3 || orientation == 7) cv::flip(upright, upright, both);
+    return upright;
 }
 
 struct Encoding {
@@ -168,7 +207,7 @@ cv::Mat readPng(const std::filesystem::path& file)
     std::vector<png_bytep> rows(decoding.height);
     for (int row = 0; row < image.rows; ++row) rows[std::size_t(row)] = image.ptr(row);
     if (!readRows(decoding, rows.data())) throw notAPng(file, decoding.message);
-    return image;
+    return turned(image, orientationIn(decoding.exif, decoding.exifSize));
 }
 
 void writePng(const std::filesystem::path& file, const cv::Mat& image, protocols::Sync sync)

@@ -8,6 +8,7 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/images/image_io.h"
 #include "rendering/images/true_map.h"
@@ -129,7 +130,7 @@ int calibrateOnBalls(const CalibrateCall& call)
     std::printf("%-28s with the gel around the contact, which bends up to its rest surface, the peak is %.2f mm\n", "",
                 validated.peakOverGelMm);
     printTrade(trades, quality);
-    std::printf("\nwrote %s, %s, %s and %s\n", call.out.c_str(), besideOut(call, "-background.png").c_str(),
+    std::printf("\nwrote %s, %s, %s and %s\n", protocols::printable(call.out).c_str(), besideOut(call, "-background.png").c_str(),
                 besideOut(call, "-presses.png").c_str(), besideOut(call, "-quality.json").c_str());
     return 0;
 }
@@ -182,7 +183,7 @@ int calibrateOnSurface(const CalibrateCall& call)
     if (call.json)
         writeJson(call.json, report);
     else
-        std::printf("wrote %s\n", call.out.c_str());
+        std::printf("wrote %s\n", protocols::printable(call.out).c_str());
     return 0;
 }
 

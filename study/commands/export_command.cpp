@@ -39,7 +39,8 @@ int exportStudy(const ExportCall& call)
     const auto store = records::openStudy(study);
     exports::writeExport(store, out, {format, withLog, withSamples, isPublic, licence, authors}, passphraseFrom(passphrase));
     const std::size_t words = isPublic ? exports::answersInWords(store) : 0;
-    std::printf("%s: %s as %s%s\n", out.c_str(), reports::counted(store.answerCount() - words, "answer").c_str(), format.c_str(),
+    std::printf("%s: %s as %s%s\n", protocols::printable(out).c_str(),
+                reports::counted(store.answerCount() - words, "answer").c_str(), format.c_str(),
                 store.unblinding() ? "" : ", blinded (no condition, no fabric)");
     std::printf("  log head %s\n", records::headTextOf(store).c_str());
     if (withLog) std::printf("  log.csv holds the log, acts.csv what was exported and saved; log.txt says how to check both\n");
@@ -68,7 +69,7 @@ int exportPerson(const ExportCall& call)
     protocols::FolderDraft draft(call.out, protocols::Earlier::FilesJoined);
     records::writeParticipantData(store, data, draft.path());
     draft.putInPlace();
-    std::printf("%s: data of %s: %s%s\n", call.out.c_str(), protocols::printable(call.participant).c_str(),
+    std::printf("%s: data of %s: %s%s\n", protocols::printable(call.out).c_str(), protocols::printable(call.participant).c_str(),
                 countsOf(data).c_str(),
                 data["blinded"].get<bool>() ? ", blinded (no condition, no fabric, nothing about right or wrong)" : "");
     for (const auto& act : data["erasures"])

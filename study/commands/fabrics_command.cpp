@@ -50,8 +50,8 @@ int make(const MakeCall& call)
     options.pairing = call.places();
     Progress progress("fabrics");
     const auto dataset = makeProceduralFabrics(call.folder, options, [&](int done, int total) { progress.show(done, total); });
-    std::printf("%s: %zu procedural fabrics with %d photographs, presses and strokes each\n", call.folder.c_str(),
-                dataset.fabrics.size(), options.samples);
+    std::printf("%s: %zu procedural fabrics with %d photographs, presses and strokes each\n",
+                protocols::printable(call.folder).c_str(), dataset.fabrics.size(), options.samples);
     return 0;
 }
 
@@ -61,7 +61,7 @@ int checkDataset(const std::string& folder)
     for (const auto& note : notes) std::printf("note: %s\n", protocols::printable(note).c_str());
     for (const auto& fault : faults) std::printf("%s\n", protocols::printable(fault).c_str());
     std::printf(
-        "%s: %s\n", folder.c_str(),
+        "%s: %s\n", protocols::printable(folder).c_str(),
         faults.empty() ? "no faults" : (std::to_string(faults.size()) + (faults.size() == 1 ? " fault" : " faults")).c_str());
     return static_cast<int>(faults.empty() ? protocols::ExitCode::Done : protocols::ExitCode::WorkFailed);
 }

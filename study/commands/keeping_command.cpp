@@ -31,7 +31,8 @@ int erase(const std::string& study, const database::Erasure& erasure)
                 erasure.answersToo ? "facts, debriefing, answers and notes" : "facts and debriefing",
                 erasure.participant.value.c_str());
     for (const auto& file : record.found) std::printf("  still in %s\n", protocols::printable(file).c_str());
-    std::printf("  %s: what was removed, where it was searched, and which copies may exist\n", certificate.c_str());
+    std::printf("  %s: what was removed, where it was searched, and which copies may exist\n",
+                protocols::printable(certificate.string()).c_str());
     return static_cast<int>(record.found.empty() ? protocols::ExitCode::Done : protocols::ExitCode::WorkFailed);
 }
 
@@ -59,8 +60,10 @@ int rescue(const std::string& study, const std::string& from)
                                    "name it with --from FILE"});
     const fs::path file = from.empty() ? files.back() : fs::path(from);
     const auto done = database::StudyStore::rescue(folder, file);
-    std::printf("%s: brought back from %s, new entries of the log: %zu\n", study.c_str(), file.c_str(), done.events);
-    if (!done.earlier.empty()) std::printf("  the database that stood there is now %s\n", done.earlier.c_str());
+    std::printf("%s: brought back from %s, new entries of the log: %zu\n", protocols::printable(study).c_str(),
+                protocols::printable(file.string()).c_str(), done.events);
+    if (!done.earlier.empty())
+        std::printf("  the database that stood there is now %s\n", protocols::printable(done.earlier.string()).c_str());
     return 0;
 }
 

@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -21,6 +20,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/kept_memory.h"
 #include "protocols/files/open_files.h"
+#include "protocols/files/owner_only.h"
 #include "protocols/files/safe_text.h"
 #include "study/commands/command_line.h"
 #include "study/commands/parts/explanation.h"
@@ -32,10 +32,10 @@ using protocols::ExitCode;
 using study::commands::Action;
 using study::commands::Surroundings;
 
-/// New files get mode 0600 and folders 0700. Other programs of the same user cannot read the memory, which holds keys.
+/// Files and folders are closed to other accounts. Other programs of the same user cannot read the memory, which holds keys.
 void keepToOneself()
 {
-    ::umask(0077);
+    protocols::keepFilesToOwner();
     ::prctl(PR_SET_DUMPABLE, 0);
 }
 
@@ -45,7 +45,8 @@ bool screenIsThere()
            std::getenv("QT_QPA_PLATFORM") != nullptr;
 }
 
-/// Prints only faults: the offscreen platform also warns about functions that it lacks, but nobody sees that window.
+/// Prints only faults. Qt also warns about pictures that its readers refuse, for which we have a message of our own, and about
+/// functions that the offscreen platform lacks.
 void printFaultsOnly(QtMsgType type, const QMessageLogContext&, const QString& text)
 {
     if (type == QtCriticalMsg || type == QtFatalMsg) std::fprintf(stderr, "vis2hap: %s\n", qPrintable(text));
@@ -73,6 +74,7 @@ void endWithoutScreen(QtMsgType type, const QMessageLogContext&, const QString&)
 
 std::unique_ptr<QCoreApplication> surroundingsFor(Surroundings kind, int& argc, char** argv)
 {
+    qInstallMessageHandler(printFaultsOnly);
     if (kind == Surroundings::None) return nullptr;
     if (kind == Surroundings::Core) return std::make_unique<QCoreApplication>(argc, argv);
     if (kind == Surroundings::Window && !screenIsThere()) throw screenFault("");

@@ -3,6 +3,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include <QString>
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/foreign/text_encoding.h"
 #include "protocols/files/utf8.h"
 #include "protocols/files/whole_file.h"
 
@@ -61,6 +63,14 @@ private:
 
 bool hasTerminal() { return ::isatty(STDIN_FILENO) != 0 && ::isatty(STDERR_FILENO) != 0; }
 
+/// The same letters give the same bytes on every keyboard: one may send ü as one character, another as u and two dots.
+std::string inOneForm(const std::string& typed, const std::string& where)
+{
+    if (protocols::firstByteThatIsNotUtf8(typed))
+        throw protocols::badInput({"the passphrase is not UTF-8", where, "text in UTF-8", "save the file as UTF-8"});
+    return QString::fromStdString(typed).normalized(QString::NormalizationForm_C).toStdString();
+}
+
 std::optional<std::string> asked(const std::string& question)
 {
     std::fprintf(stderr, "%s: ", question.c_str());
@@ -68,14 +78,13 @@ std::optional<std::string> asked(const std::string& question)
     const Unechoed hidden;
     const bool isThere = static_cast<bool>(std::getline(std::cin, line));
     std::fputc('\n', stderr);
-    return isThere ? std::optional(line) : std::nullopt;
+    return isThere ? std::optional(inOneForm(line, "terminal")) : std::nullopt;
 }
 
-/// The first line of the file, without its end.
+/// The first line of the file, without its end. Windows writes such files in UTF-16, too.
 std::string firstLineOf(const std::string& file)
 {
-    const std::string whole = protocols::readWholeFile(file);
-    std::string text(protocols::withoutByteOrderMark(whole));
+    std::string text = protocols::decodedText(protocols::readWholeFile(file), file).text;
     text = text.substr(0, text.find('\n'));
     if (text.ends_with('\r')) text.pop_back();
     return text;
@@ -83,8 +92,8 @@ std::string firstLineOf(const std::string& file)
 
 std::optional<std::string> givenBeforehand(const PassphraseOption& option)
 {
-    if (!option.file.empty()) return firstLineOf(option.file);
-    if (const char* value = std::getenv(variable)) return std::string(value);
+    if (!option.file.empty()) return inOneForm(firstLineOf(option.file), option.file);
+    if (const char* value = std::getenv(variable)) return inOneForm(value, variable);
     return std::nullopt;
 }
 

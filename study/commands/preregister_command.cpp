@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "database/preregistrations.h"
+#include "protocols/files/safe_text.h"
 #include "reports/data/registration.h"
 #include "study/commands/command_line.h"
 #include "study/commands/parts/json_output.h"
@@ -32,13 +33,13 @@ void printDone(const PreregisterCall& call, const making::Preregistered& done)
 {
     const std::string what =
         done.record.number == 1 ? "preregistered" : "amendment, registration " + std::to_string(done.record.number);
-    std::printf("%s: %s%s on %s, %s\n", call.study.c_str(), done.isNew ? "" : "nothing has changed; ", what.c_str(),
-                done.record.wallTime.c_str(),
+    std::printf("%s: %s%s on %s, %s\n", protocols::printable(call.study).c_str(), done.isNew ? "" : "nothing has changed; ",
+                what.c_str(), done.record.wallTime.c_str(),
                 reports::timingText(done.record.answersBefore, done.record.afterUnblinding).c_str());
     for (const auto& change : done.changes) std::printf("  changed: %s\n", change.c_str());
     std::printf("  SHA-256 %s  %s\n", done.record.jsonSha256().c_str(), done.files[1].filename().c_str());
     std::printf("  SHA-256 %s  %s\n", done.record.textSha256().c_str(), done.files[0].filename().c_str());
-    for (const auto& file : done.written) std::printf("  written: %s\n", file.c_str());
+    for (const auto& file : done.written) std::printf("  written: %s\n", protocols::printable(file.string()).c_str());
     if (done.isNew) std::printf("next: paste the text into the form of a registry, and keep both files with the study\n");
 }
 

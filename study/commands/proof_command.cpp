@@ -34,7 +34,9 @@ int writeDataSheet(const SheetCall& call)
     if (call.target) writeJson(call.target, sheet);
     if (!call.out.empty()) {
         protocols::writeWholeFile(call.out, records::textOfDataSheet(sheet));
-        if (!call.target) std::printf("%s: data sheet of %s\n", call.out.c_str(), call.study.c_str());
+        if (!call.target)
+            std::printf("%s: data sheet of %s\n", protocols::printable(call.out).c_str(),
+                        protocols::printable(call.study).c_str());
     } else if (!call.target) {
         std::fputs(protocols::printableLines(records::textOfDataSheet(sheet)).c_str(), stdout);
     }

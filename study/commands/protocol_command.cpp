@@ -40,7 +40,8 @@ int check(const ProtocolCall& call)
         return checked.faults.empty() ? 0 : badFile;
     }
     for (const protocols::ProtocolFault& fault : checked.faults)
-        std::printf("%s:%zu:%zu: %s\n", call.file.c_str(), fault.line, fault.column, protocols::printable(fault.text).c_str());
+        std::printf("%s:%zu:%zu: %s\n", protocols::printable(call.file).c_str(), fault.line, fault.column,
+                    protocols::printable(fault.text).c_str());
     if (checked.faults.empty())
         std::printf("%s: no fault; `vis2hap protocol show %s` draws the session\n", call.file.c_str(),
                     protocols::shellWord(call.file).c_str());

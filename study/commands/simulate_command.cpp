@@ -10,6 +10,7 @@
 
 #include "database/keys.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
@@ -147,7 +148,7 @@ int simulateIntoStudy(const SimulateCall& call)
             progress.show(static_cast<int>(done), static_cast<int>(participants.size()), participants[done - 1].value);
         });
     }
-    std::printf("%s: %zu simulated participants answered%s\n", call.study.c_str(), participants.size(),
+    std::printf("%s: %zu simulated participants answered%s\n", protocols::printable(call.study).c_str(), participants.size(),
                 call.plant.empty() ? "" : (" with the planted effects of " + call.plant).c_str());
     std::printf("  log head %s\n", textOf(store.head()).c_str());
     return 0;

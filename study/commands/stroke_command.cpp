@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/display/stroke.h"
 #include "rendering/images/image_io.h"
@@ -48,8 +49,9 @@ int stroke(const StrokeCall& call)
     protocols::writeWholeFile(call.csv, rendering::strokeCsv(samples));
     double sum = 0;
     for (const auto& sample : samples) sum += sample.tangentialN / sample.normalN;
-    std::printf("%s: %zu samples over %.2f mm in %.3f s, mean coefficient of friction %.3f\n", call.csv.c_str(), samples.size(),
-                samples.back().positionMm, samples.back().timeS, sum / static_cast<double>(samples.size()));
+    std::printf("%s: %zu samples over %.2f mm in %.3f s, mean coefficient of friction %.3f\n",
+                protocols::printable(call.csv).c_str(), samples.size(), samples.back().positionMm, samples.back().timeS,
+                sum / static_cast<double>(samples.size()));
     return 0;
 }
 

@@ -74,7 +74,8 @@ int makeNew(const making::NewStudy& request, StageTimes& stages)
     std::printf("  %s\n", records::displayResponseSentence(made.facts).c_str());
     if (!made.facts.familiarisation.empty())
         std::printf("  fabrics for familiarisation: %s\n", protocols::printable(listOf(made.facts.familiarisation)).c_str());
-    std::printf("balance of the running orders:\n%s", describe(made.balance).c_str());
+    std::printf("balance of other running orders by the same rules (those of this study are sealed):\n%s",
+                describe(made.balance).c_str());
     if (made.balanceWithEvenSlots)
         std::printf("what few swaps change:\n%s", describePrice(made.balance, *made.balanceWithEvenSlots).c_str());
     const std::string word = protocols::shellWord(request.study.string());
@@ -98,7 +99,7 @@ int plan(const std::string& study, const std::string& csv)
 {
     const auto store = records::openStudy(study);
     protocols::writeWholeFile(csv, records::runningOrdersCsv(store));
-    std::printf("%s: running orders of %zu slots\n", csv.c_str(), store.slots().size());
+    std::printf("%s: running orders of %zu slots\n", protocols::printable(csv).c_str(), store.slots().size());
     return 0;
 }
 
@@ -122,13 +123,13 @@ int amend(const Amendment& call)
     const auto kept = store.protocolVersions().back();
     if (call.undo) {
         protocols::writeWholeFile(file, kept.json);
-        std::printf("%s: restored (version %d)\n", file.c_str(), kept.version);
+        std::printf("%s: restored (version %d)\n", protocols::printable(file.string()).c_str(), kept.version);
         return 0;
     }
     const std::string written = protocols::readWholeFile(file), text(protocols::withoutByteOrderMark(written));
     if (protocols::sha256(written) == kept.sha256 || protocols::sha256(text) == kept.sha256) {
         if (protocols::sha256(written) != kept.sha256) protocols::writeWholeFile(file, text);
-        std::printf("%s: unchanged (version %d)\n", file.c_str(), kept.version);
+        std::printf("%s: unchanged (version %d)\n", protocols::printable(file.string()).c_str(), kept.version);
         return 0;
     }
     const std::string madeBy = store.facts().programVersion;

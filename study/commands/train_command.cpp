@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/safe_text.h"
 #include "rendering/fabrics/dataset.h"
 #include "rendering/models/cloth/cloth_check.h"
 #include "rendering/models/fair_control.h"
@@ -236,7 +237,7 @@ int fitCheck(const TrainCall& call)
     std::printf("of %d drawn photographs that the fit did not see, %.1f %% are refused and %.1f %% unusual\n",
                 checkFigurePictures, 100 * figures.clothRefused, 100 * figures.clothUnusual);
     std::printf("of %d drawn pictures of other things, %.1f %% are refused\nwrote %s\n", checkFigurePictures,
-                100 * figures.othersRefused, out.c_str());
+                100 * figures.othersRefused, protocols::printable(out).c_str());
     return 0;
 }
 

@@ -83,7 +83,7 @@ void print(const std::string& study, const database::StudyStore& store, const re
     const auto& faults = findings.faults;
     for (const auto& fault : faults) std::printf("%s\n", protocols::printable(fault).c_str());
     for (const auto& note : findings.notes) std::printf("note: %s\n", protocols::printable(note).c_str());
-    std::printf("%s: %s (%zu answers, %zu stimuli, hash chain, keys, protocol)\n", study.c_str(),
+    std::printf("%s: %s (%zu answers, %zu stimuli, hash chain, keys, protocol)\n", protocols::printable(study).c_str(),
                 faults.empty() ? "sound" : (std::to_string(faults.size()) + (faults.size() == 1 ? " fault" : " faults")).c_str(),
                 store.answerCount(), store.stimulusHashes().size());
     if (heads > 0 && faults.empty()) std::printf("  the log contains %s\n", heads == 1 ? "the given head" : "all given heads");
@@ -124,8 +124,9 @@ int unblind(const std::string& study, const std::string& who, const std::string&
 {
     database::StudyStore store({study}, database::StudyStore::Access::Write);
     if (const auto earlier = store.unblinding()) {
-        std::printf("%s: already unblinded by %s on %s (%s)\n", study.c_str(), protocols::printable(earlier->who).c_str(),
-                    earlier->wallTime.c_str(), protocols::printable(earlier->why).c_str());
+        std::printf("%s: already unblinded by %s on %s (%s)\n", protocols::printable(study).c_str(),
+                    protocols::printable(earlier->who).c_str(), earlier->wallTime.c_str(),
+                    protocols::printable(earlier->why).c_str());
         return 0;
     }
     const auto done = database::unblind(store, {who, why, session::SystemClock().wallTime()}, passphraseFrom(passphrase));

@@ -69,7 +69,6 @@ public:
           m_fabrics(static_cast<std::size_t>(fabricsIn(trays))),
           m_slots(trays[0][0].size()),
           m_place(trays.size() * m_fabrics),
-          m_pair(m_fabrics * m_fabrics),
           m_set(0)
     {
         Sets sets;
@@ -93,8 +92,6 @@ public:
             if (round + 1 == rounds) break;
             m_place.fitTo(trials / static_cast<double>(m_place.weight.size()));
             m_set.fitTo(trials / static_cast<double>(m_set.weight.size()));
-            m_pair.fitTo((trials - static_cast<double>(m_trays.size())) /
-                         static_cast<double>(pairKinds(static_cast<int>(m_fabrics))));
         }
         return belief;
     }
@@ -109,10 +106,8 @@ private:
     {
         const int a = m_trays[participant][at][from];
         const int b = m_trays[participant][at + 1][to];
-        return a == b && !mayRepeat(static_cast<int>(m_fabrics)) ? 0.0 : m_pair.weight[pairCell(a, b)];
+        return a == b && !mayRepeat(static_cast<int>(m_fabrics)) ? 0.0 : 1.0;
     }
-
-    std::size_t pairCell(int a, int b) const { return static_cast<std::size_t>(a) * m_fabrics + static_cast<std::size_t>(b); }
 
     static void normalise(std::vector<double>& values)
     {
@@ -157,21 +152,6 @@ private:
                 m_set.expected[m_setIds[participant][at][slot]] += belief[at][slot];
             }
         }
-        for (std::size_t at = 0; at + 1 < length; ++at) countSteps(participant, at, forward[at], own[at + 1], backward[at + 1]);
-    }
-
-    void countSteps(std::size_t participant, std::size_t at, const std::vector<double>& before, const std::vector<double>& own,
-                    const std::vector<double>& after)
-    {
-        std::vector<double> joint(m_slots * m_slots);
-        for (std::size_t from = 0; from < m_slots; ++from)
-            for (std::size_t to = 0; to < m_slots; ++to)
-                joint[from * m_slots + to] = before[from] * step(participant, at, from, to) * own[to] * after[to];
-        normalise(joint);
-        for (std::size_t from = 0; from < m_slots; ++from)
-            for (std::size_t to = 0; to < m_slots; ++to)
-                m_pair.expected[pairCell(m_trays[participant][at][from], m_trays[participant][at + 1][to])] +=
-                    joint[from * m_slots + to];
     }
 
     const SeenTrays& m_trays;
@@ -179,7 +159,6 @@ private:
     std::size_t m_slots;
     std::vector<std::vector<std::vector<std::size_t>>> m_setIds;
     Scaled m_place;  ///< [participant][fabric]
-    Scaled m_pair;   ///< [fabric][next fabric]
     Scaled m_set;    ///< [true fabric and foils]
 };
 
@@ -190,9 +169,7 @@ public:
         : m_trays(trays),
           m_fabrics(static_cast<std::size_t>(fabricsIn(trays))),
           m_slots(trays[0][0].size()),
-          m_byFabric(trays.size() * m_fabrics),
-          m_byPair(m_fabrics * m_fabrics),
-          m_byStretch((trays[0].size() / m_fabrics + 1) * m_fabrics)
+          m_byFabric(trays.size() * m_fabrics)
     {
         Sets sets;
         for (const auto& list : trays) {
@@ -278,7 +255,6 @@ private:
         const auto fabric = static_cast<std::size_t>(tray[slot]);
         const std::size_t row = participant * m_fabrics + fabric;
         tally(m_byFabric, row, sign, 1.0);
-        tally(m_byStretch, at / m_fabrics * m_fabrics + fabric, sign, 0.2);
         const std::size_t set = m_setIds[participant][at][slot];
         tally(m_bySet, set, sign, 0.7);
         tally(m_byOwnSet, participant * m_setKinds + set, sign, 2.0);
@@ -288,10 +264,7 @@ private:
     {
         const auto from = static_cast<std::size_t>(m_trays[participant][at][m_chosen[participant][at]]);
         const auto to = static_cast<std::size_t>(m_trays[participant][at + 1][m_chosen[participant][at + 1]]);
-        if (from == to && !mayRepeat(static_cast<int>(m_fabrics)))
-            m_cost += sign * 8.0;
-        else
-            tally(m_byPair, from * m_fabrics + to, sign, 0.5);
+        if (from == to && !mayRepeat(static_cast<int>(m_fabrics))) m_cost += sign * 8.0;
     }
 
     const SeenTrays& m_trays;
@@ -300,11 +273,9 @@ private:
     std::size_t m_setKinds = 0;
     std::vector<std::vector<std::vector<std::size_t>>> m_setIds;
     std::vector<std::vector<std::size_t>> m_chosen;
-    std::vector<int> m_byFabric;   ///< [participant][fabric]
-    std::vector<int> m_byPair;     ///< [fabric][next fabric]
-    std::vector<int> m_byStretch;  ///< [stretch][fabric]
-    std::vector<int> m_bySet;      ///< [fabric and foils]
-    std::vector<int> m_byOwnSet;   ///< [participant][fabric and foils]
+    std::vector<int> m_byFabric;  ///< [participant][fabric]
+    std::vector<int> m_bySet;     ///< [fabric and foils]
+    std::vector<int> m_byOwnSet;  ///< [participant][fabric and foils]
     double m_cost = 0;
     std::size_t m_participant = 0, m_first = 0, m_second = 0, m_firstWas = 0, m_secondWas = 0;
 };

@@ -3,7 +3,10 @@
 #include <QBuffer>
 #include <QImageReader>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
+#include <mutex>
 #include <string>
 #include <string_view>
 
@@ -52,6 +55,54 @@ bool hasEndOfJpeg(std::string_view bytes)
         if (marker == startOfScan) at = endOfCodedPixels(bytes, at);
     }
     return false;
+}
+
+/// What Qt's reader of JPEG files reports on this thread: it decodes damaged pixels all the same.
+thread_local std::string* jpegReport = nullptr;
+QtMessageHandler handlerBefore = nullptr;
+
+void takeJpegReport(QtMsgType type, const QMessageLogContext& context, const QString& text)
+{
+    if (jpegReport != nullptr && context.category != nullptr && std::strcmp(context.category, "qt.gui.imageio.jpeg") == 0)
+        *jpegReport += text.toStdString() + '\n';
+    else if (handlerBefore != nullptr)
+        handlerBefore(type, context, text);
+}
+
+/// Keeps the reports of this thread while it lives.
+class JpegReports {
+public:
+    explicit JpegReports(std::string& reports)
+    {
+        static std::once_flag isInstalled;
+        std::call_once(isInstalled, [] { handlerBefore = qInstallMessageHandler(takeJpegReport); });
+        jpegReport = &reports;
+    }
+    ~JpegReports() { jpegReport = nullptr; }
+    JpegReports(const JpegReports&) = delete;
+    JpegReports& operator=(const JpegReports&) = delete;
+};
+
+/// Some cameras fill the end of the image up with a few bytes that mean nothing. Many are pixels that were lost.
+bool isPadding(const std::string& line)
+{
+    constexpr unsigned mostBytes = 16;
+    unsigned bytes = 0, marker = 0;
+    return std::sscanf(line.c_str(), "Corrupt JPEG data: %u extraneous bytes before marker 0x%x", &bytes, &marker) == 2 &&
+           marker == endOfImage && bytes <= mostBytes;
+}
+
+/// Other reports than these are of the header.
+void requireSoundPixels(const std::string& reports, const std::filesystem::path& file)
+{
+    for (const char* fault : {"Corrupt JPEG data", "Premature end"}) {
+        const std::size_t at = reports.find(fault);
+        if (at == std::string::npos) continue;
+        const std::string line = reports.substr(at, reports.find('\n', at) - at);
+        if (isPadding(line)) continue;
+        throw protocols::badInput({"is a damaged JPEG (" + line + ")", file.string(), "a JPEG whose pixels are all sound",
+                                   "copy it from the camera again, or take the photograph again"});
+    }
 }
 
 /// A number of a BMP file, whose lowest byte stands first.
@@ -106,10 +157,13 @@ cv::Mat decodeByQt(const std::filesystem::path& file)
     QImageReader reader(&buffer);
     reader.setAutoTransform(true);
     QImageReader::setAllocationLimit(1024);  // MiB; enough for the largest camera pictures
+    std::string reports;
+    const JpegReports kept(reports);
     const QImage image = reader.read().convertToFormat(QImage::Format_RGB888);
     if (image.isNull())
         throw protocols::badInput({"the image cannot be read (" + reader.errorString().toStdString() + ")", file.string(),
                                    readableFormats(), "convert it to PNG"});
+    requireSoundPixels(reports, file);
     const cv::Mat pixels(image.height(), image.width(), CV_8UC3, const_cast<uchar*>(image.constBits()),
                          static_cast<size_t>(image.bytesPerLine()));
     return pixels.clone();

@@ -130,13 +130,13 @@ void writeStudy(const NewStudy& request, const protocols::Allocation& allocation
     draft.putInPlace();
 }
 
-std::optional<protocols::BalanceCertificate> balanceWithEvenSlots(protocols::Protocol protocol, std::uint64_t designSeed)
+std::optional<protocols::BalanceCertificate> balanceWithEvenSlots(protocols::Protocol protocol)
 {
     bool fewSwaps = false;
     for (auto& phase : protocol.phases)
         fewSwaps |= std::exchange(phase.trayAim, protocols::TrayAim::EvenSlots) == protocols::TrayAim::FewSwaps;
     if (!fewSwaps) return std::nullopt;
-    return balanceOf(protocols::drawDesign(protocol, designSeed), protocol);
+    return balanceOfExamples(protocol);
 }
 
 }  // namespace
@@ -174,8 +174,8 @@ MadeStudy makeStudy(const NewStudy& request, const StudyProgress& progress)
     const auto secret = request.keySeed ? protocols::SecretKey::ofSeed(*request.keySeed) : protocols::SecretKey::drawn();
     const auto designSeed = designSeedOf(secret, request.seed);
     const auto design = protocols::drawDesign(material.protocol, designSeed);
-    made.balance = balanceOf(design, material.protocol);
-    made.balanceWithEvenSlots = balanceWithEvenSlots(material.protocol, designSeed);
+    made.balance = balanceOfExamples(material.protocol);
+    made.balanceWithEvenSlots = balanceWithEvenSlots(material.protocol);
     made.facts.plannedBalance = jsonOf(made.balance).dump();
     const auto allocation =
         allocate(material.protocol, design, material.fabrics, secret, static_cast<int>(familiarisation.names.size()));

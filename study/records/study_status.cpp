@@ -194,8 +194,9 @@ ordered_json statusOf(const database::StudyStore& store, const database::Passphr
     json["states"] = states;
     json.update(plannedBalanceIn(facts));
     const auto key = readKeyForAggregates(store, passphrase);
-    json["balance_presented"] = key ? jsonOf(realisedBalance(store, answers, protocol, *key))["balance"] : ordered_json();
-    if (!key) json["why"] = {{"balance_presented", "the study has a passphrase, and none was given"}};
+    const bool isShown = key && store.unblinding();  // the difference of two such counts names a trial
+    json["balance_presented"] = isShown ? jsonOf(realisedBalance(store, answers, protocol, *key))["balance"] : ordered_json();
+    if (!isShown) json["why"] = {{"balance_presented", "shown after the unblinding, because its counts name single trials"}};
     json["passphrase"] = facts.hasPassphrase;
     json["head"] = headTextOf(store);
     json["stamps"] = stampsOf(store, facts);
@@ -212,7 +213,9 @@ std::string textOf(const ordered_json& status)
                  status["minutes_per_participant"].get<double>(), status["sittings_per_participant"].get<int>());
     text += preregistrationText(status["preregistration"]);
     text += peopleText(status);
-    text += "balance of the running orders:\n" + balanceText(status["balance"]);
+    if (!status["balance"].empty())
+        text += "balance of other running orders by the same rules (those of this study are sealed):\n" +
+                balanceText(status["balance"]);
     if (status["balance_presented"].is_null())
         text += "balance of the presentations so far: " + word(status["why"], "balance_presented") + "\n";
     else if (!status["balance_presented"].empty())

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/foreign/text_encoding.h"
@@ -84,17 +85,47 @@ bool hasDecimalCommas(const CsvTable& table, std::size_t column)
     return hasComma;
 }
 
-/// Returns whether any column had decimal commas.
-bool writePoints(CsvTable& table)
+/// Whether "1.988" and the like, and whole numbers, are all that a column holds. Beside decimal commas they may be thousands.
+bool mayHaveThousandsPoints(const CsvTable& table, std::size_t column)
 {
-    bool any = false;
+    const auto isGrouped = [](std::string_view cell) {
+        if (!cell.empty() && (cell.front() == '-' || cell.front() == '+')) cell.remove_prefix(1);
+        const std::size_t point = cell.find('.');
+        return point >= 1 && point <= 3 && cell.front() != '0' && cell.size() == point + 4;
+    };
+    bool hasGroups = false;
+    for (const auto& row : table.rows) {
+        const std::string_view cell = withoutBlanks(row[column]);
+        if (isMissing(cell)) continue;
+        const bool isWhole = cell.find('.') == std::string::npos;
+        if (!numberIn(std::string(cell)) || (!isWhole && !isGrouped(cell))) return false;
+        hasGroups = hasGroups || !isWhole;
+    }
+    return hasGroups;
+}
+
+/// `hadCommas`: of each column.
+void requireNoThousandsPoints(const CsvTable& table, const std::vector<bool>& hadCommas)
+{
+    for (std::size_t column = 0; column < table.columns.size(); ++column)
+        if (!hadCommas[column] && mayHaveThousandsPoints(table, column))
+            throw badInput({"numbers such as 1.988 in the column \"" + table.columns[column] +
+                                "\" may be thousands, because other columns have decimal commas",
+                            table.where, "numbers without points between thousands",
+                            "save the table with one sign for decimals, and none between thousands"});
+}
+
+/// Returns for each column whether it had decimal commas.
+std::vector<bool> writePoints(CsvTable& table)
+{
+    std::vector<bool> hadCommas(table.columns.size());
     for (std::size_t column = 0; column < table.columns.size(); ++column) {
-        if (!hasDecimalCommas(table, column)) continue;
-        any = true;
+        hadCommas[column] = hasDecimalCommas(table, column);
+        if (!hadCommas[column]) continue;
         for (auto& row : table.rows)
             if (std::string number = withPoint(row[column]); !number.empty()) row[column] = std::move(number);
     }
-    return any;
+    return hadCommas;
 }
 
 void requireNoZeroByte(std::string_view text, const std::string& where)
@@ -121,7 +152,10 @@ ForeignTable foreignTableFrom(std::string_view bytes, const std::string& where, 
     for (auto& row : foreign.table.rows)
         for (std::string& cell : row)
             if (const auto plain = cellWithoutGuard(cell); plain.size() != cell.size()) cell = std::string(plain);
-    const bool commas = separator.sign != ',' && writePoints(foreign.table);
+    std::vector<bool> hadCommas;
+    if (separator.sign != ',') hadCommas = writePoints(foreign.table);
+    const bool commas = std::ranges::find(hadCommas, true) != hadCommas.end();
+    if (commas) requireNoThousandsPoints(foreign.table, hadCommas);
     foreign.taken = std::string(separator.name) + (commas ? ", decimal commas, " : ", decimal points, ") + decoded.encoding;
     foreign.isUsual = separator.sign == ',' && !commas && decoded.encoding == "UTF-8";
     return foreign;

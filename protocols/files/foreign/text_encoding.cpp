@@ -57,18 +57,25 @@ private:
 
 bool isHigh(char c) { return (static_cast<unsigned char>(c) & 0x80U) != 0; }
 
-/// Bytes above 127 stand in runs of even length, each byte at least 0xA1: the common characters of GB 2312, a part of GB18030.
-/// Accented letters of a European text stand alone or beside ASCII.
+/// Bytes above 127 stand in runs of even length, each byte at least 0xA1: the characters of GB 2312, a part of GB18030. At least
+/// half of them are of its first level, the common ones. Accented letters of a European text stand alone or beside ASCII; two in
+/// a row, as in "Größe", would be a rare character.
 bool isPairedAsChinese(std::string_view bytes)
 {
+    std::size_t common = 0, rare = 0;
     for (std::size_t at = 0; at < bytes.size();) {
         std::size_t run = 0;
         for (; at < bytes.size() && isHigh(bytes[at]); ++at, ++run)
             if (static_cast<unsigned char>(bytes[at]) < 0xA1) return false;
         if (run % 2 == 1) return false;
+        for (std::size_t lead = at - run; lead < at; lead += 2) {
+            const auto first = static_cast<unsigned char>(bytes[lead]);
+            common += first >= 0xB0 && first <= 0xD7 ? 1 : 0;
+            rare += first > 0xD7 ? 1 : 0;
+        }
         at += run == 0 ? 1 : 0;
     }
-    return true;
+    return common >= rare;
 }
 
 bool endsLinesByReturnAlone(std::string_view bytes)

@@ -5,6 +5,7 @@
 
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/foreign/foreign_table.h"
 #include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/fabrics/recordings/column_names.h"
@@ -39,40 +40,39 @@ struct CsvColumn {
 };
 
 /// Column of a role. Throws badInput where two columns fit.
-std::optional<std::size_t> placeFor(const protocols::CsvReader& reader, const ColumnRole& role)
+std::optional<std::size_t> placeFor(const protocols::CsvTable& table, const ColumnRole& role)
 {
     std::optional<std::size_t> found;
-    for (std::size_t i = 0; i < reader.columns().size(); ++i) {
-        const std::string name = nameAndUnit(reader.columns()[i]).name;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        const std::string name = nameAndUnit(table.columns[i]).name;
         if (std::find(role.names.begin(), role.names.end(), name) == role.names.end()) continue;
         if (found)
             throw protocols::badInput(
-                {"both \"" + reader.columns()[*found] + "\" and \"" + reader.columns()[i] + "\" could be the " + role.what,
-                 reader.where(), "one column each for time, normal and tangential force",
-                 "name the axes with --normal and --tangential"});
+                {"both \"" + table.columns[*found] + "\" and \"" + table.columns[i] + "\" could be the " + role.what, table.where,
+                 "one column each for time, normal and tangential force", "name the axes with --normal and --tangential"});
         found = i;
     }
     return found;
 }
 
-std::optional<CsvColumn> forceFor(const protocols::CsvReader& reader, const ColumnRole& role, const FrictionOptions& options)
+std::optional<CsvColumn> forceFor(const protocols::CsvTable& table, const ColumnRole& role, const FrictionOptions& options)
 {
-    const auto place = placeFor(reader, role);
+    const auto place = placeFor(table, role);
     if (!place) return std::nullopt;
-    const std::string& name = reader.columns()[*place];
-    return CsvColumn{*place, newtonsOf(name, options, reader.where()), name};
+    const std::string& name = table.columns[*place];
+    return CsvColumn{*place, newtonsOf(name, options, table.where), name};
 }
 
 /// Column of an axis that the user named, with or without its unit.
-CsvColumn columnOf(const protocols::CsvReader& reader, const ForceAxis& axis, const FrictionOptions& options)
+CsvColumn columnOf(const protocols::CsvTable& table, const ForceAxis& axis, const FrictionOptions& options)
 {
     const std::string wanted = lowerCase(axis.column);
-    for (std::size_t i = 0; i < reader.columns().size(); ++i) {
-        const std::string& name = reader.columns()[i];
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        const std::string& name = table.columns[i];
         if (lowerCase(name) != wanted && nameAndUnit(name).name != wanted) continue;
-        return {i, axis.sign * newtonsOf(name, options, reader.where()), name};
+        return {i, axis.sign * newtonsOf(name, options, table.where), name};
     }
-    throw protocols::badInput({"has no column \"" + axis.column + "\"", reader.where(), "a column of the header row",
+    throw protocols::badInput({"has no column \"" + axis.column + "\"", table.where, "a column of the header row",
                                "name a column that the header row contains"});
 }
 
@@ -81,17 +81,17 @@ struct ForceColumns {
     std::vector<CsvColumn> tangential;
 };
 
-ForceColumns forceColumns(const protocols::CsvReader& reader, const FrictionOptions& options)
+ForceColumns forceColumns(const protocols::CsvTable& table, const FrictionOptions& options)
 {
     ForceColumns found;
-    found.normal = options.normal ? columnOf(reader, *options.normal, options) : forceFor(reader, normalRole, options);
-    for (const ForceAxis& axis : options.tangential) found.tangential.push_back(columnOf(reader, axis, options));
+    found.normal = options.normal ? columnOf(table, *options.normal, options) : forceFor(table, normalRole, options);
+    for (const ForceAxis& axis : options.tangential) found.tangential.push_back(columnOf(table, axis, options));
     if (!found.tangential.empty()) return found;
-    const auto tangential = forceFor(reader, tangentialRole, options);
-    const auto x = forceFor(reader, xRole, options), y = forceFor(reader, yRole, options);
+    const auto tangential = forceFor(table, tangentialRole, options);
+    const auto x = forceFor(table, xRole, options), y = forceFor(table, yRole, options);
     if (tangential && (x || y))
         throw protocols::badInput(
-            {"both \"" + tangential->name + "\" and \"" + (x ? x : y)->name + "\" could be the tangential force", reader.where(),
+            {"both \"" + tangential->name + "\" and \"" + (x ? x : y)->name + "\" could be the tangential force", table.where,
              "only one of them", "name the axes with --tangential"});
     for (const auto& column : {tangential, x, y})
         if (column) found.tangential.push_back(*column);
@@ -106,17 +106,6 @@ double secondsOf(const std::string& header, const std::string& where)
         if (unit == name) return seconds;
     throw protocols::badInput(
         {"the unit of the column \"" + header + "\" is unknown", where, "s, ms or us", "rename the column"});
-}
-
-/// The usual separator that occurs most often in the header row.
-char separatorIn(std::string_view text)
-{
-    const std::string_view header = text.substr(0, text.find('\n'));
-    const auto countOf = [&](char c) { return std::count(header.begin(), header.end(), c); };
-    char best = ',';
-    for (const char candidate : {';', '\t'})
-        if (countOf(candidate) > countOf(best)) best = candidate;
-    return best;
 }
 
 /// Speed in a file name such as "Denim_F150_V-10mmps_0"; the sign is the direction.
@@ -140,27 +129,26 @@ std::string joined(const std::vector<std::string>& names)
 
 std::vector<RawRecord> readFrictionCsv(const std::filesystem::path& file, const FrictionOptions& options)
 {
-    const std::string bytes = protocols::readWholeFile(file);
-    protocols::CsvReader reader(bytes, file.string(), separatorIn(bytes));
-    const auto time = placeFor(reader, timeRole), coefficient = placeFor(reader, coefficientRole);
-    const ForceColumns forces = forceColumns(reader, options);
+    const protocols::CsvTable table = protocols::readForeignTable(file).table;
+    const auto time = placeFor(table, timeRole), coefficient = placeFor(table, coefficientRole);
+    const ForceColumns forces = forceColumns(table, options);
     const bool both = forces.normal && !forces.tangential.empty();
     if (!time || (!both && !coefficient))
-        throw protocols::badInput({"has the columns " + joined(reader.columns()), reader.where(),
+        throw protocols::badInput({"has the columns " + joined(table.columns), table.where,
                                    "columns for time, normal and tangential force (or time and mu)",
                                    "rename the columns, or name them with --normal and --tangential"});
-    const double seconds = secondsOf(reader.columns()[*time], reader.where());
+    const double seconds = secondsOf(table.columns[*time], table.where);
     RawRecord record{.where = file.string(), .instrument = "friction-csv"};
-    while (reader.next()) {
-        record.timeS.push_back(seconds * reader.number(*time));
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+        record.timeS.push_back(seconds * numberAt(table, row, *time));
         if (!both) {
-            record.values.push_back(reader.number(*coefficient));
+            record.values.push_back(numberAt(table, row, *coefficient));
             continue;
         }
-        record.normalN.push_back(forces.normal->factor * reader.number(forces.normal->index));
-        record.values.push_back(forces.tangential[0].factor * reader.number(forces.tangential[0].index));
+        record.normalN.push_back(forces.normal->factor * numberAt(table, row, forces.normal->index));
+        record.values.push_back(forces.tangential[0].factor * numberAt(table, row, forces.tangential[0].index));
         if (forces.tangential.size() == 2)
-            record.secondTangentialN.push_back(forces.tangential[1].factor * reader.number(forces.tangential[1].index));
+            record.secondTangentialN.push_back(forces.tangential[1].factor * numberAt(table, row, forces.tangential[1].index));
     }
     std::vector<std::string> names;
     for (const CsvColumn& column : forces.tangential) names.push_back(readable(column.name));

@@ -203,8 +203,12 @@ std::optional<NewStudyRequest> NewStudyPage::request()
         return refuse(m_passphrase, tr("The passphrase is too short. Type 8 characters or more, such as four words."));
     if (m_passphrase->text() != m_passphraseAgain->text())
         return refuse(m_passphraseAgain, tr("The two passphrases differ. Type the same one twice."));
-    NewStudyRequest filled{
-        pathOf(*m_study), pathOf(*m_dataset), std::nullopt, std::nullopt, *seed, m_passphrase->text().toStdString()};
+    NewStudyRequest filled{pathOf(*m_study),
+                           pathOf(*m_dataset),
+                           std::nullopt,
+                           std::nullopt,
+                           *seed,
+                           m_passphrase->text().normalized(QString::NormalizationForm_C).toStdString()};
     if (!m_protocol->text().trimmed().isEmpty()) filled.protocol = pathOf(*m_protocol);
     filled.language = m_language->currentData().toString().toStdString();
     if (!m_participants->text().trimmed().isEmpty()) {

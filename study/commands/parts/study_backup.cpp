@@ -107,7 +107,6 @@ std::vector<std::string> writeBackup(const database::StudyStore& store, const fs
     // Collect the files of the backup in a temporary folder beside it.
     const protocols::FolderDraft staging(out, protocols::Earlier::Refused);
     try {
-        fs::permissions(staging.path(), fs::perms::owner_all);
         faults = copyFiles(store.folder().folder, staging.path() / name);
         store.copyTo(staging.path() / name / "study.db");
         const fs::path archive = staging.path() / "archive.tar";

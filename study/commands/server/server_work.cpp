@@ -54,7 +54,7 @@ void quietTheLog(const database::ServerAddress& address)
 int toServer(const std::string& folder, const std::string& address, const std::string& station)
 {
     const auto head = moveToServer(StudyFolder{folder}, addressWithStudy(address), stationName(station));
-    std::printf("%s: the answers are on the server now, every row compared\n", folder.c_str());
+    std::printf("%s: the answers are on the server now, every row compared\n", protocols::printable(folder).c_str());
     std::printf("  log head %s\n", textOf(head).c_str());
     std::printf("  keys, protocol and images stay in the folder: keep it, and let nobody at a station read it\n");
     quietTheLog(addressWithStudy(address));
@@ -70,7 +70,7 @@ int toFolder(const std::string& address, const std::string& folder)
     move.program = by.program;
     move.host = by.host;
     const auto head = moveToFolder(database::serverAddressFrom(address), StudyFolder{folder}, move);
-    std::printf("%s: the study is back, and the server's tables are gone\n", folder.c_str());
+    std::printf("%s: the study is back, and the server's tables are gone\n", protocols::printable(folder).c_str());
     std::printf("  log head %s\n", textOf(head).c_str());
     std::printf(
         "  answers, notes and facts may still stand in the server's log, write-ahead log and backups. An administrator of "
@@ -109,7 +109,8 @@ int joinAsStation(const std::string& address, const std::string& given, const st
 {
     const database::JoinedStudy joined =
         joinStudy(database::serverAddressFrom(address), given.empty() ? fs::path() : fs::path(given), stationName(station));
-    std::printf("%s: this is station %s of the study %s\n", joined.folder.c_str(), joined.station.c_str(), joined.name.c_str());
+    std::printf("%s: this is station %s of the study %s\n", protocols::printable(joined.folder.string()).c_str(),
+                joined.station.c_str(), joined.name.c_str());
     std::printf("next: `vis2hap %s` opens it\n", protocols::shellWord(joined.folder.string()).c_str());
     return 0;
 }

@@ -24,7 +24,7 @@ constexpr ColumnWords allColumnWords[] = {
     {"study", "model_sha256", "hash of the weights that generated signals", NotPersonal},
     {"study", "stamps", "sentences that every report must show", NotPersonal},
     {"study", "signals_json", "generated signals compared with measured ones", NotPersonal},
-    {"study", "planned_balance", "balance of the running orders", NotPersonal},
+    {"study", "planned_balance", "balance of other running orders by the same rules", NotPersonal},
     {"study", "created_at", "time of making", NotPersonal},
     {"study", "program_version", "version of the program", NotPersonal},
     {"study", "made_with", "program, compiler, libraries and settings", NotPersonal},

@@ -209,6 +209,10 @@ void ServerMoveTest::wrongAddressesAreOneLine_data()
                                       << "refused this login";
     QTest::newRow("a password") << "postgresql://owner:secret@127.0.0.1/lab?study=a"
                                 << "holds a password";
+    QTest::newRow("a password as a setting") << "postgresql://owner@127.0.0.1/lab?study=a&password=secret"
+                                             << "holds a password";
+    QTest::newRow("an unknown setting") << "postgresql://owner@127.0.0.1/lab?study=a&options=-csearch_path%3Dx"
+                                        << "is unknown in an address";
     QTest::newRow("no database") << "postgresql://owner@127.0.0.1?study=a"
                                  << "names no database";
     QTest::newRow("a study with a quote") << "postgresql://owner@127.0.0.1/lab?study=a%22b"

@@ -3,6 +3,7 @@
 
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <sys/xattr.h>
 #include <unistd.h>
 
 #include <QTemporaryDir>
@@ -12,6 +13,7 @@
 #include <map>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/owner_only.h"
 #include "protocols/files/temporary_folder.h"
 #include "tests/support/error_text.h"
 #include "tests/support/observed_disk.h"
@@ -136,6 +138,35 @@ private Q_SLOTS:
         }
         QCOMPARE(contentsOf(folder()), before);
         QVERIFY(!fs::exists(folder() / "x"));
+    }
+
+    /// The usual way to share a folder of a lab: new files in it get rights for others, whatever the umask is. The program runs
+    /// in a process of its own here, because it closes its files for good.
+    void anAclOfTheLabDoesNotOpenWhatIsMadeForTheOwner()
+    {
+        const fs::path lab = folder() / "lab";
+        fs::create_directories(lab);
+        // Version 2; user rwx, group r-x, others r-x: (tag, rights, id) each.
+        const QByteArray acl = QByteArray::fromHex("0200000001000700ffffffff04000500ffffffff20000500ffffffff");
+        if (::setxattr(lab.c_str(), "system.posix_acl_default", acl.constData(), static_cast<std::size_t>(acl.size()), 0) != 0)
+            QSKIP("this file system has no access control lists");
+        const pid_t child = ::fork();
+        if (child == 0) {
+            keepFilesToOwner();
+            FolderDraft draft(lab / "study", Earlier::Refused);
+            fill(draft, newReport);
+            fs::create_directories(draft.path() / "plain");
+            draft.putInPlace();
+            writeWholeFile(lab / "single.json", "{}");
+            ::_exit(0);
+        }
+        int status = -1;
+        QCOMPARE(::waitpid(child, &status, 0), child);
+        QCOMPARE(status, 0);
+        QCOMPARE(fs::status(lab / "study").permissions(), fs::perms(0700));
+        QCOMPARE(fs::status(lab / "single.json").permissions(), fs::perms(0600));
+        for (const auto& entry : fs::recursive_directory_iterator(lab / "study"))
+            QCOMPARE(entry.status().permissions(), entry.is_directory() ? fs::perms(0700) : fs::perms(0600));
     }
 
     void folderThatIsNotEmptyIsRefused()

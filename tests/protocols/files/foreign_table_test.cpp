@@ -63,6 +63,41 @@ private Q_SLOTS:
         QCOMPARE(foreign.taken, std::string("commas, decimal points, GB18030"));
     }
 
+    /// Two accented letters in a row are one rare character of GB 2312.
+    void germanWordsAreNotTakenForChinese()
+    {
+        const ForeignTable foreign = foreignTableFrom(
+            "Gr\xF6\xDF"
+            "e;S\xFC\xDF"
+            "er\n3,5;2\n",
+            "t.csv");
+        QCOMPARE(foreign.table.columns, (std::vector<std::string>{"Gr\u00F6\u00DFe", "S\u00FC\u00DFer"}));
+    }
+
+    void pointsThatMayBeThousandsAreRefused_data()
+    {
+        QTest::addColumn<QByteArray>("cells");
+        QTest::addColumn<bool>("isRefused");
+        QTest::newRow("thousands or thousandths") << QByteArray("1.988 987 2.104") << true;
+        QTest::newRow("with signs") << QByteArray("-1.988 +2.104 NA") << true;
+        QTest::newRow("another number of decimals") << QByteArray("1.988 2.5 3") << false;
+        QTest::newRow("below one") << QByteArray("1.988 0.104 3") << false;
+        QTest::newRow("whole numbers") << QByteArray("1988 987 2104") << false;
+        QTest::newRow("dates") << QByteArray("27.11.2026 1.988 2.104") << false;
+    }
+    void pointsThatMayBeThousandsAreRefused()
+    {
+        QFETCH(const QByteArray, cells);
+        QFETCH(const bool, isRefused);
+        std::string text = "force;ms\n";
+        for (const auto& cell : cells.split(' ')) text += "0,5;" + cell.toStdString() + "\n";
+        const QString error = errorOf([&] { foreignTableFrom(text, "t.csv"); });
+        QCOMPARE(error.contains("may be thousands"), isRefused);
+        QVERIFY(isRefused || error.isEmpty());
+        // Without decimal commas nothing is in doubt.
+        QVERIFY(errorOf([&] { foreignTableFrom("force;ms\n0.5;1.988\n", "t.csv"); }).isEmpty());
+    }
+
     /// A name may look like a number with a comma; a column of names is not changed.
     void onlyColumnsOfNumbersLoseTheirCommas()
     {

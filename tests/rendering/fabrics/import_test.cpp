@@ -215,6 +215,14 @@ private Q_SLOTS:
         QVERIFY(std::abs(record.sampleRateHz - 10) < 1e-6);
     }
 
+    /// As a German tribometer or spreadsheet writes it.
+    void frictionWithDecimalCommasIsTheSame()
+    {
+        write(m_in / "Felt_1.csv", "sep=;\r\nZeit [s];Normal [N];Tangential [N]\r\n0,0;10,0;2,5\r\n0,5;10,0;3,5\r\n1,0;10;4\r\n");
+        import(ImportKind::FrictionCsv, {m_in});
+        QCOMPARE(readFriction(readDataset(m_out), FabricId("F01"), 0).values, (std::vector<double>{0.25, 0.35, 0.4}));
+    }
+
     void aTribometerGivesCoefficientsStepByStep()
     {
         write(m_in / "disc_1.txt", tribometerText);
@@ -275,7 +283,7 @@ private Q_SLOTS:
         row("unknown unit", "friction-csv", "Z_1.csv", "t,normal (lbf),tangential\n0,5,1\n1,5,1\n", "unit");
         row("doubled role", "friction-csv", "Z_1.csv", "t,normal,fn,tangential\n0,5,1,1\n1,5,1,1\n", "both");
         row("one row", "friction-csv", "Z_1.csv", "t,mu\n0,0.1\n", "1 rows");
-        row("binary", "friction-csv", "Z_1.csv", QByteArray("\x00\x01\x02\xff", 4), "columns");
+        row("binary", "friction-csv", "Z_1.csv", QByteArray("\x00\x01\x02\xff", 4), "zero byte");
         row("no tribometer", "tribometer", "Z_1.txt", "words\nwords\n", "Step Time");
         row("tribometer cut in a row", "tribometer", "Z_1.txt",
             QByteArray(tribometerText).left(QByteArray(tribometerText).indexOf("3\t0.2\t3") + 9), "column");

@@ -60,6 +60,38 @@ private Q_SLOTS:
         QCOMPARE(int(readPng(file).at<cv::Vec3b>(0, 0)[2]), 30);
     }
 
+    /// A phone writes 6 where it was held upright. Programs that convert its JPEG to PNG keep the mark.
+    void pngIsTurnedAsItsMarkSays_data()
+    {
+        // Grey values by rows: as stored, they are 10, 20 and 30, 40.
+        QTest::addColumn<int>("mark");
+        QTest::addColumn<QByteArray>("shown");
+        const char* rows[] = {"\x0a\x14\x1e\x28", "\x14\x0a\x28\x1e", "\x28\x1e\x14\x0a", "\x1e\x28\x0a\x14",
+                              "\x0a\x1e\x14\x28", "\x1e\x0a\x28\x14", "\x28\x14\x1e\x0a", "\x14\x28\x0a\x1e"};
+        for (int mark = 1; mark <= 8; ++mark) QTest::addRow("mark %d", mark) << mark << QByteArray(rows[mark - 1], 4);
+    }
+    void pngIsTurnedAsItsMarkSays()
+    {
+        QFETCH(const int, mark);
+        QFETCH(const QByteArray, shown);
+        QByteArray bytes = QByteArray::fromHex(
+            "89504e470d0a1a0a0000000d494844520000000200000002080000000057dd52f80000001a655849664d4d002a00000008000101120003000000"
+            "010006000000000000d6674b690000000e49444154789c63e0126190d3000000ec0065e0f85cd30000000049454e44ae426082");
+        const qsizetype chunk = bytes.indexOf("eXIf");
+        bytes[chunk + 4 + 19] = static_cast<char>(mark);
+        std::uint32_t crc = ~0U;  // of the chunk (PNG specification, annex D)
+        for (const char byte : bytes.mid(chunk, 4 + 26)) {
+            crc ^= static_cast<std::uint8_t>(byte);
+            for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1U) != 0 ? 0xEDB88320U : 0U);
+        }
+        crc = ~crc;
+        for (int i = 0; i < 4; ++i) bytes[chunk + 4 + 26 + i] = static_cast<char>(crc >> (24 - 8 * i));
+        const fs::path file = pathOf(m_folder) / "turned.png";
+        write(file, bytes.toStdString());
+        const cv::Mat image = readPng(file);
+        QCOMPARE(QByteArray(reinterpret_cast<const char*>(image.data), 4), shown);
+    }
+
     void pngPalettesAndTransparencyAreUndone()
     {
         // One red pixel through a palette with a tRNS chunk; Python's struct and zlib packed the chunks.

@@ -56,6 +56,31 @@ private Q_SLOTS:
         QVERIFY(bytesOf(at("sheets/scale-card.html")).contains("<html lang=\"en\">"));  // the card is for participants
     }
 
+    /// ü is one character on one keyboard, and u with two dots on another; Windows writes files in UTF-16 or with a mark.
+    void aPassphraseOpensHoweverItsLettersAreWritten()
+    {
+        const QString study = playedStudy(), key = at("sealed");
+        const auto words = [&](const QByteArray& bytes) {
+            QFile file(at("words.txt"));
+            if (file.open(QIODevice::WriteOnly)) file.write(bytes);
+            return file.fileName();
+        };
+        mustRun({"study", "signing-key", "--out", key, "--passphrase-file", words("Schl\xC3\xBCssel \xE4\xB8\x8A\r\n")});
+        const auto opens = [&](const QByteArray& bytes, int number) {
+            const auto run = runProgram({"study", "sign", study, "--key", key, "--out", at(QString("head%1.txt").arg(number)),
+                                         "--passphrase-file", words(bytes)});
+            return run.exitCode == 0;
+        };
+        const QString text = QString::fromUtf8("Schl\xC3\xBCssel \xE4\xB8\x8A");
+        QVERIFY(opens(text.toUtf8(), 1));
+        QVERIFY(opens(text.normalized(QString::NormalizationForm_D).toUtf8() + "\nsecond line", 2));
+        QByteArray wide("\xFF\xFE", 2);
+        for (const QChar c : text + "\r\n")
+            wide += QByteArray(1, char(c.unicode() & 0xFF)) + QByteArray(1, char(c.unicode() >> 8));
+        QVERIFY(opens(wide, 3));
+        QVERIFY(!opens("Schlussel \xE4\xB8\x8A", 4) && !opens("Schl\xC3\xBCssel", 5));
+    }
+
     void aSignedHeadIsChecked()
     {
         const QString study = playedStudy(), key = at("lab"), statement = at("head.txt");

@@ -92,6 +92,41 @@ private Q_SLOTS:
         QCOMPARE(importing(whole + whole.left(500), out).exitCode, 0);
     }
 
+    /// A card that loses bytes leaves the end in place; Qt decodes what follows as grey.
+    void aDamagedPhotographIsRefused()
+    {
+        const QString photo = at("damaged.jpg");
+        QImage image(200, 150, QImage::Format_RGB888);
+        for (int i = 0; i < 200 * 150; ++i) image.setPixel(i % 200, i / 200, qRgb(i * 13 % 256, i * 7 % 256, i % 256));
+        QVERIFY(image.save(photo));
+        const auto written = [&](const QByteArray& bytes) {
+            QFile file(photo);
+            return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size();
+        };
+        QFile file(photo);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray whole = file.readAll();
+        file.close();
+        QVERIFY(written(whole.left(whole.size() / 2) + "\xFF\xD9"));
+        for (const QStringList& command : {QStringList{"import", "photos", photo, "--out", at("of-damaged")},
+                                           QStringList{"view", photo, "--out", at("of-damaged.png")}}) {
+            const auto ended = runProgram(command);
+            QCOMPARE(ended.exitCode, 2);
+            QVERIFY2(ended.err.startsWith("vis2hap: ") && ended.err.contains("is a damaged JPEG") && ended.err.count('\n') == 1,
+                     qPrintable(ended.err));
+        }
+        QByteArray holed = whole;
+        holed.replace(whole.size() / 2, 2000, QByteArray(2000, '\0'));
+        QVERIFY(written(holed));
+        QCOMPARE(runProgram({"view", photo, "--out", at("of-damaged.png")}).exitCode, 2);
+        // Some cameras pad the end of the image.
+        QByteArray padded = whole;
+        padded.insert(whole.size() - 2, QByteArray("\x11\x22\x33"));
+        QVERIFY(written(padded));
+        const auto ended = runProgram({"view", photo, "--out", at("of-padded.png")});
+        QVERIFY2(ended.exitCode == 0 && !ended.err.contains("qt."), qPrintable(ended.err));
+    }
+
     void aPipeInThePlaceOfAPictureIsRefused()
     {
         for (const char* name : {"pipe.jpg", "pipe.bmp"}) {

@@ -21,7 +21,10 @@ struct Room {
 const QList<Room>& rooms()
 {
     static const QList<Room> table{
-        {"protocols/files/", "the ground floor: errors, whole files, CSV, strict and stored JSON, SHA-256", {}},
+        {"protocols/process/", "settings of the whole process: who may open new files, how memory is kept", {}},
+        {"protocols/files/",
+         "the ground floor: errors, whole files, CSV, strict and stored JSON, SHA-256",
+         {"protocols/process/"}},
         {"protocols/files/foreign/", "tables of other programs: encoding, separator, decimal mark", {"protocols/files/"}},
         {"protocols/texts/", "the texts that are built into the program, the editions of protocols", {}},
         {"protocols/secrets/", "secrets and seals: derived keys, authenticated encryption, passphrases", {"protocols/files/"}},

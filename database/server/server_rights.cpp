@@ -98,6 +98,14 @@ void addImages(const ServerConnection& server, ServerRights& rights)
         if (rights.imagesTo.empty() && std::ranges::find(rights.may, function) != rights.may.end())
             rights.imagesTo = server.call(function, {}).at("images_to").get<std::string>();
     const auto has = [&](const char* role) { return std::ranges::find(rights.roles, role) != rights.roles.end(); };
+    const auto counters = readCounters();
+    const auto mayRead = [&](const std::string& counter) {
+        return yes(server, QStringLiteral("SELECT has_function_privilege(?, 'EXECUTE')"), {toQt(counter)});
+    };
+    if (rights.imagesTo == "display" && has("experimenter") && std::ranges::any_of(counters, mayRead))
+        rights.learns.emplace_back(
+            "which presentations have the same image: it may read how many blocks of the images were read "
+            "(pg_statio_all_tables)");
     if (has("experimenter") && has("display"))
         rights.learns.emplace_back("the image of each of its tickets: the login has the role display, too");
 }
@@ -126,6 +134,12 @@ void addTries(const ServerConnection& server, ServerRights& rights)
 }
 
 }  // namespace
+
+std::vector<std::string> readCounters()
+{
+    return {"pg_stat_get_blocks_fetched(oid)", "pg_stat_get_blocks_hit(oid)", "pg_stat_get_db_blocks_fetched(oid)",
+            "pg_stat_get_db_blocks_hit(oid)"};
+}
 
 ServerRights rightsOf(const ServerAddress& address)
 {

@@ -8,6 +8,9 @@
 
 namespace database {
 
+/// PostgreSQL's counters of the blocks that were read, of a table and of the whole database: "pg_stat_get_blocks_hit(oid)".
+std::vector<std::string> readCounters();
+
 struct ServerRights {
     std::string study, login;
     std::vector<std::string> roles;  ///< of the study: "experimenter", "monitor", "analyst", "display", "owner"

@@ -7,10 +7,11 @@
 
 #include "database/disk/server_note.h"
 #include "database/server/server_connection.h"
+#include "database/server/server_rights.h"
 #include "database/server/server_scripts.h"
 #include "database/server/station_store.h"
 #include "protocols/files/errors.h"
-#include "protocols/files/owner_only.h"
+#include "protocols/process/owner_only.h"
 #include "protocols/secrets/secret_key.h"
 
 namespace database {
@@ -85,6 +86,23 @@ void giveImagesTo(const ServerAddress& address, const std::string& place)
     ServerConnection server(address);
     server.chooseStudy();
     server.run(QStringLiteral("SELECT @schema@.give_images_to(?)"), {toQt(place)});
+}
+
+std::vector<std::string> closeReadCounters(const ServerAddress& address)
+{
+    const ServerConnection server(address);
+    const bool isSuperuser = server.value(QStringLiteral("SELECT rolsuper FROM pg_roles WHERE rolname = session_user")).toBool();
+    std::vector<std::string> missing;
+    for (const std::string& counter : readCounters()) {
+        const QString isOpen = QStringLiteral("SELECT has_function_privilege('public', ?, 'EXECUTE')");
+        if (!server.value(isOpen, {toQt(counter)}).toBool()) continue;
+        const std::string command = "REVOKE EXECUTE ON FUNCTION " + counter + " FROM PUBLIC";
+        if (isSuperuser)
+            server.run(QString::fromStdString(command));
+        else
+            missing.push_back(command);
+    }
+    return missing;
 }
 
 std::vector<std::string> releaseHeld(const ServerAddress& address)

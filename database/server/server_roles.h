@@ -19,6 +19,11 @@ std::vector<std::string> makeRoles(const ServerAddress& address, const std::vect
 /// Throws workFailed while a station is connected.
 void giveImagesTo(const ServerAddress& address, const std::string& place);
 
+/// Takes from all logins the counters of PostgreSQL that tell how many blocks of a table were read: images that look alike to the
+/// rights of a study do not look alike to these. Returns the SQL commands that this login may not give; a superuser of the
+/// server must run them in the database.
+std::vector<std::string> closeReadCounters(const ServerAddress& address);
+
 /// Lets go on what the server holds back until the owner has looked: slots of participants who withdrew at a station, and the
 /// next presentation after three voids in a row. Returns one line for each participant concerned. Only the owner may call it.
 std::vector<std::string> releaseHeld(const ServerAddress& address);

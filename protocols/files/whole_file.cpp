@@ -15,8 +15,8 @@
 #include "protocols/files/disk_sync.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/open_files.h"
-#include "protocols/files/owner_only.h"
 #include "protocols/files/unfinished.h"
+#include "protocols/process/owner_only.h"
 
 namespace protocols {
 

@@ -90,10 +90,35 @@ OrderEffects orderEffectsOf(const StudyAnalysis& analysis, const StudyData& data
     return effects;
 }
 
+/// What may be shown before the unblinding. The one place that decides it: the answers end here.
+StudyAnalysis analyseBlinded(StudyData data, const AnalysisOptions& options)
+{
+    const AnswerCells checked(data);  // a study whose answers contradict its lists has no report
+    StudyAnalysis analysis;
+    analysis.depth = options.depth;
+    analysis.designLimits = designLimits(data, options.depth);
+    StudyData part = finishedPart(data);
+    const AnswerCells cells(part);
+    analysis.blindedMeans = blindedMeans(data);
+    analysis.flags = qualityFlags(part, cells);
+    analysis.screening = screenParticipants(part, cells, analysis.flags);
+    analysis.screening.questions.clear();
+    analysis.screening.why = leftOutWhileBlinded;
+    analysis.order.why = leftOutWhileBlinded;
+    analysis.completeness = completenessOf(data, cells);
+    analysis.data = std::move(data);
+    analysis.data.responses = std::move(part.responses);  // the plan asks what they cover
+    analysis.plan = comparePlan(analysis);
+    forgetAnswers(analysis.data);
+    if (options.progress) options.progress(1, 1, "done");
+    return analysis;
+}
+
 }  // namespace
 
 StudyAnalysis analyse(StudyData data, const AnalysisOptions& options)
 {
+    if (data.blinded) return analyseBlinded(std::move(data), options);
     StudyAnalysis analysis;
     analysis.depth = options.depth;
     const AnswerCells cells(data);

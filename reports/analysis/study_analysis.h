@@ -16,6 +16,7 @@
 #include "reports/analysis/speed_analysis.h"
 #include "reports/analysis/worded_analysis.h"
 #include "reports/cells/anchor_answers.h"
+#include "reports/cells/blinded_means.h"
 #include "reports/cells/touch_by_condition.h"
 #include "reports/data/analysis_options.h"
 #include "reports/data/study_data.h"
@@ -57,9 +58,12 @@ struct StudyAnalysis {
     std::vector<std::string> designLimits;  ///< what is left out or taken for granted, as sentences
     Completeness completeness;
     PlanComparison plan;
+    BlindedMeans blindedMeans;  ///< of a blinded study
 };
 
-/// Throws workFailed where answers contradict the study's own lists (see AnswerCells).
+/// A blinded study has these findings only: blindedMeans, flags, excluded participants, completeness and plan, all over
+/// participants who have finished. Everything else is empty, and so are the answers in `data`. Throws workFailed where answers
+/// contradict the study's own lists (see AnswerCells).
 StudyAnalysis analyse(StudyData data, const AnalysisOptions& options = {});
 
 /// A question whose findings are of one kind.

@@ -26,6 +26,7 @@ constexpr FigureFamily families[] = {matchesFigures, ratingsFigures,  fabricFigu
 std::vector<Figure> reportFigures(const StudyAnalysis& analysis)
 {
     std::vector<Figure> figures;
+    if (analysis.data.blinded) return figures;
     for (const FigureFamily family : families) {
         std::vector<Figure> some = family(analysis, FigureWidth::TwoColumns);
         std::vector<Figure> narrow = family(analysis, FigureWidth::OneColumn);

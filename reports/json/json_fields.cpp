@@ -14,6 +14,11 @@ void putNull(Json& object, const std::string& key, const std::string& why)
     object["why"][key] = why;
 }
 
+void putLeftOut(Json& object, const std::vector<std::string>& keys, const std::string& why)
+{
+    for (const std::string& key : keys) putNull(object, key, why);
+}
+
 void putReasonsLast(Json& object)
 {
     if (!object.contains("why")) return;

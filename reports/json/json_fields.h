@@ -3,6 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "stats/kernels/value.h"
 
@@ -12,6 +13,9 @@ using Json = nlohmann::ordered_json;
 
 /// object[key] = null, object["why"][key] = why.
 void putNull(Json& object, const std::string& key, const std::string& why);
+
+/// Each key is null, with the same reason.
+void putLeftOut(Json& object, const std::vector<std::string>& keys, const std::string& why);
 
 /// Moves "why", where there is one, behind all other keys.
 void putReasonsLast(Json& object);

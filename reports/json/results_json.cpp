@@ -226,8 +226,72 @@ Json withoutFlaggedMember(const StudyAnalysis& analysis)
     return part;
 }
 
+Json blindedRow(const BlindedQuestion& question, const BlindedMean& mean, std::size_t participants)
+{
+    Json row = Json::object();
+    if (question.isChosen()) {
+        row["trials"] = mean.n;
+        putLeftOut(row, {"correct", "matches_per_rendering"}, leftOutWhileBlinded);
+        put(row, "proportion", mean.mean);
+        putLeftOut(row, {"ci95", "p_chance", "p_chance_participants"}, leftOutWhileBlinded);
+    } else if (question.isRated()) {
+        row["n"] = mean.n;
+        put(row, "mean", mean.mean);
+        putLeftOut(row, {"sd"}, leftOutWhileBlinded);
+        row["participants"] = participants;
+        putLeftOut(row, {"ci95"}, leftOutWhileBlinded);
+    } else {
+        row["answers"] = mean.n;
+        row["participants"] = participants;
+    }
+    if (question.step > 0) row["rounded_to"] = question.step;
+    putReasonsLast(row);
+    return row;
+}
+
+/// null with the reason where there are no means.
+Json blindedQuestionsMember(const BlindedMeans& means)
+{
+    Json member = Json::object();
+    if (!means.why.empty()) {
+        putNull(member, "questions", means.why);
+        return member;
+    }
+    member["questions"] = Json::object();
+    for (const BlindedQuestion& question : means.questions)
+        for (const BlindedMean& mean : question.conditions)
+            member["questions"][question.question.id][mean.condition] = blindedRow(question, mean, means.participants);
+    return member;
+}
+
+/// The keys of an unblinded study; what a blinded one must not show is null.
+JsonParts blindedResultsParts(const StudyAnalysis& analysis, const ReportOrigin& origin)
+{
+    const auto* const of = &analysis;
+    const auto leftOut = [](std::vector<std::string> keys) {
+        return JsonMembers{[keys] {
+            Json members = Json::object();
+            putLeftOut(members, keys, leftOutWhileBlinded);
+            return members;
+        }};
+    };
+    return {JsonMember{"schema", [] { return Json(schemaName + "2"); }},
+            JsonMember{"study", [of, origin] { return studyPart(of->data, origin); }},
+            JsonMember{"conditions", [of] { return Json(of->data.conditions); }},
+            JsonMembers{[of] { return blindedQuestionsMember(of->blindedMeans); }},
+            leftOut({"comparisons", "equivalence", "omnibus", "above_chance", "claims", "anchors", "speed_accuracy", "chain",
+                     "signals"}),
+            JsonMember{"quality", [of] { return qualityPart(of->flags); }},
+            JsonMember{"preregistration", [of] { return preregistrationJson(*of); }},
+            leftOut({"without_flagged"}),
+            JsonMember{"design", [of] { return designPart(*of); }},
+            leftOut({"touch"}),
+            JsonMembers{[of] { return operatorLatencyMember(of->data); }}};
+}
+
 JsonParts resultsParts(const StudyAnalysis& analysis, const ReportOrigin& origin)
 {
+    if (analysis.data.blinded) return blindedResultsParts(analysis, origin);
     const auto* const of = &analysis;
     JsonParts parts{JsonMember{"schema", [] { return Json(schemaName + "2"); }},
                     JsonMember{"study", [of, origin] { return studyPart(of->data, origin); }},

@@ -265,8 +265,65 @@ void addModelParts(JsonParts& parts, const StudyAnalysis& analysis)
     addRatingPart(parts, analysis, "rating_ordinal_by_question", ordinalOf);
 }
 
+std::string scoringName(const QuestionInfo& question)
+{
+    return std::visit(protocols::Overloaded{
+                          [](const RightOrWrong&) { return "choice"; },
+                          [](const NumberOnScale&) { return "rating"; },
+                          [](const OpenWords&) { return "words"; },
+                      },
+                      scoringOf(question.kind));
+}
+
+Json questionsOfBlinded(const StudyData& data)
+{
+    Json questions = Json::array();
+    for (const QuestionInfo& question : data.questions) {
+        Json row{{"id", question.id}, {"text", question.text}, {"kind", scoringName(question)}};
+        if (const Scoring scoring = scoringOf(question.kind); const auto* scale = std::get_if<NumberOnScale>(&scoring))
+            row["scale"] = {scale->min, scale->max};
+        questions.push_back(std::move(row));
+    }
+    return questions;
+}
+
+/// Counts are those of participants who have finished.
+Json blindedDataPart(const StudyAnalysis& analysis)
+{
+    const StudyData& data = analysis.data;
+    Json part{{"participants", data.participants},
+              {"finished", analysis.blindedMeans.participants},
+              {"fabrics", data.fabrics},
+              {"conditions", data.conditions},
+              {"questions", questionsOfBlinded(data)},
+              {"alternatives", firstAlternatives(data)},
+              {"scripted", data.scripted},
+              {"stamps", data.stamps},
+              {"responses", analysis.completeness.present},
+              {"expected_responses", analysis.completeness.expected},
+              {"missing_responses", analysis.completeness.missing()}};
+    putLeftOut(part, {"missing_by_condition"}, leftOutWhileBlinded);
+    part["voided_presentations"] = data.voided;
+    putReasonsLast(part);
+    return part;
+}
+
+JsonParts blindedStatisticsParts(const StudyAnalysis& analysis)
+{
+    return {JsonMember{"schema", [] { return Json("vis2hap.statistics/1"); }},
+            JsonMember{"data", [of = &analysis] { return blindedDataPart(*of); }}, JsonMembers{[] {
+                Json members = Json::object();
+                putLeftOut(members,
+                           {"questions", "lmm_contrasts", "lmm_variances", "lmm_leave_one_fabric_out", "rating_ordinal",
+                            "rating_ordinal_by_question", "false_claims", "screening", "response_times", "order_effects"},
+                           leftOutWhileBlinded);
+                return members;
+            }}};
+}
+
 JsonParts statisticsParts(const StudyAnalysis& analysis)
 {
+    if (analysis.data.blinded) return blindedStatisticsParts(analysis);
     const auto* const of = &analysis;
     JsonParts parts{JsonMember{"schema", [] { return Json("vis2hap.statistics/1"); }},
                     JsonMember{"data", [of] { return dataPart(*of); }}};

@@ -31,9 +31,10 @@ std::vector<DocumentNotice> noticesOf(const StudyAnalysis& analysis)
     if (data.scripted)
         notices.push_back({"<b>SCRIPTED participants.</b> The answers were written into a file beforehand.", true});
     if (data.blinded)
-        notices.push_back(
-            {"<b>This report is blinded.</b> Conditions carry masked labels. Signals, groups and planned contrasts are left out "
-             "until the study is unblinded."});
+        notices.push_back({"<b>This report is blinded.</b> Conditions carry masked labels. " +
+                           (analysis.blindedMeans.why.empty() ? "It shows rounded means of the participants who have finished."
+                                                              : protocols::escapedMarkup(analysis.blindedMeans.why)) +
+                           " " + restAfterUnblinding});
     for (std::size_t i = 0; i < data.stamps.size() && i < mostStampsAbove; ++i)
         notices.push_back({protocols::escapedMarkup(data.stamps[i])});
     if (data.stamps.size() > mostStampsAbove)
@@ -50,9 +51,11 @@ std::string footerOf(const StudyData& data, const std::string& logHead)
     const std::string hash = data.protocolSha256.empty()
                                  ? ""
                                  : " Protocol SHA-256: <code>" + protocols::escapedMarkup(data.protocolSha256) + "</code>.";
-    return "All numbers with full digits are in <code>results.json</code>, <code>statistics.json</code>, "
-           "<code>tables/</code> and <code>figures/</code> beside this page." +
-           hash + head;
+    const std::string files =
+        data.blinded ? "The same numbers are in <code>results.json</code> and <code>tables/</code> beside this page."
+                     : "All numbers with full digits are in <code>results.json</code>, <code>statistics.json</code>, "
+                       "<code>tables/</code> and <code>figures/</code> beside this page.";
+    return files + hash + head;
 }
 
 void addItems(DocumentSection& section, const std::string& question, const std::vector<ReportTable>& tables,

@@ -2,6 +2,7 @@
 
 #include "reports/formats/table_cells.h"
 #include "reports/formats/table_formats.h"
+#include "reports/text/plain_words.h"
 
 namespace reports {
 namespace {
@@ -46,13 +47,47 @@ Table overviewTable(const StudyAnalysis& analysis)
     return table;
 }
 
+/// "Q1 share right" or "Q2 mean".
+std::string meanColumn(const BlindedQuestion& question)
+{
+    return question.question.id + (question.isChosen() ? " share right" : " mean");
+}
+
+/// Rounded means under K-labels.
+Table blindedTable(const StudyAnalysis& analysis)
+{
+    const BlindedMeans& means = analysis.blindedMeans;
+    Table table{"overview",
+                "Rounded means of the " + counted(means.participants, "participant") + " who have finished",
+                {"condition"},
+                {}};
+    for (const std::string& condition : analysis.data.conditions) table.rows.push_back({conditionCell(condition)});
+    for (const BlindedQuestion& question : means.questions) {
+        table.columns.emplace_back(question.question.id + " n");
+        if (question.step > 0) table.columns.emplace_back(meanColumn(question));
+        for (std::size_t i = 0; i < table.rows.size(); ++i) {
+            const BlindedMean& mean = question.conditions[i];
+            table.rows[i].push_back(countCell(mean.n));
+            if (question.step > 0) table.rows[i].push_back(numberCell(mean.mean, question.decimals()));
+        }
+    }
+    return table;
+}
+
 }  // namespace
 
 std::vector<ReportTable> overviewTables(const StudyAnalysis& analysis)
 {
-    return {{.table = overviewTable(analysis), .section = PageSection::Summary}};
+    if (!analysis.data.blinded) return {{.table = overviewTable(analysis), .section = PageSection::Summary}};
+    if (!analysis.blindedMeans.why.empty()) return {};
+    return {{.table = blindedTable(analysis), .section = PageSection::Summary}};
 }
 
-std::string overviewText(const StudyAnalysis& analysis) { return toText(overviewTable(analysis)); }
+std::string overviewText(const StudyAnalysis& analysis)
+{
+    if (!analysis.data.blinded) return toText(overviewTable(analysis));
+    const std::string& why = analysis.blindedMeans.why;
+    return (why.empty() ? toText(blindedTable(analysis)) : why + "\n") + restAfterUnblinding + "\n";
+}
 
 }  // namespace reports

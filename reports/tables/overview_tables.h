@@ -9,9 +9,10 @@
 
 namespace reports {
 
+/// Of a blinded study rounded means; none where too few participants have finished.
 std::vector<ReportTable> overviewTables(const StudyAnalysis& analysis);
 
-/// The same as text for a terminal.
+/// The same as text for a terminal; of a blinded study also the sentence that says what is left out.
 std::string overviewText(const StudyAnalysis& analysis);
 
 }  // namespace reports

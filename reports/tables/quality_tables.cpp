@@ -59,6 +59,7 @@ std::vector<ReportTable> qualityTables(const StudyAnalysis& analysis)
         tables.push_back({.table = std::move(screening),
                           .section = PageSection::Quality,
                           .foldedUnder = "Means without flagged participants"});
+    if (analysis.data.blinded) return tables;
     tables.push_back(
         {.table = missingTable(analysis), .section = PageSection::Quality, .foldedUnder = "Missing answers by condition"});
     return tables;

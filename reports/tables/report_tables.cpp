@@ -1,5 +1,6 @@
 #include "reports/tables/report_tables.h"
 
+#include <span>
 #include <utility>
 
 #include "reports/tables/chain_tables.h"
@@ -55,13 +56,21 @@ constexpr TableFamily families[] = {together<overviewTables>,
                                     together<falseClaimTables>,
                                     together<measuredSizeTables>};
 
+constexpr TableFamily blindedFamilies[] = {together<overviewTables>, together<planTables>, together<qualityTables>};
+
+std::span<const TableFamily> familiesOf(const StudyAnalysis& analysis)
+{
+    if (analysis.data.blinded) return blindedFamilies;
+    return families;
+}
+
 }  // namespace
 
 void forEachTable(const StudyAnalysis& analysis, const TakeTable& take)
 {
     // A question called "planned" would get the file name of the planned contrasts.
     FileNames names;
-    for (const TableFamily family : families)
+    for (const TableFamily family : familiesOf(analysis))
         family(analysis, [&](ReportTable one) {
             one.table.name = names.unique(one.table.name);
             one.onPage = one.onPage && one.table.rows.size() <= mostRowsOnPage;

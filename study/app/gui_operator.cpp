@@ -40,6 +40,7 @@ const Plan& GuiOperator::plan() const { return controller().plan(); }
 
 std::optional<Refusal> GuiOperator::perform(const EventBody& event)
 {
+    controller().waitOutDeadTime();
     if (isOfferedPreparation() && !controller().view().state.paused && !std::holds_alternative<SittingPrepared>(event))
         click(QStringLiteral("secondButton"));
     const int sentBefore = controller().eventsSent();

@@ -1,5 +1,6 @@
 #include "study/app/main_window.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QKeyEvent>
 #include <QScreen>
@@ -92,6 +93,7 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
             tr("The display of the last time, %1, is not connected: an operator could open its plain images. Choose "
                "another display here, or start the program with --plain-images.")
                 .arg(QString::fromStdString(remembered)));
+    qApp->installEventFilter(this);
 }
 
 MainWindow::~MainWindow() = default;
@@ -500,6 +502,7 @@ void MainWindow::leaveSession()
     if (!m_session || !pauseForLeaving()) return;
     const bool isFinished = std::holds_alternative<session::Finished>(m_session->view().state.stage);
     m_session.reset();
+    m_leftAtNs = m_options.clock->monotonicNs();
     if (m_rehearsal) {
         m_rehearsal.reset();
         m_rehearsalFolder.reset();
@@ -513,6 +516,11 @@ void MainWindow::leaveSession()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
+    if (m_session && !m_pages->session->mayClose()) {
+        m_pages->setCurrentWidget(m_pages->session);
+        event->ignore();
+        return;
+    }
     if (m_session && !pauseForLeaving()) {
         event->ignore();
         return;
@@ -529,10 +537,34 @@ void MainWindow::closeEvent(QCloseEvent* event)
 void MainWindow::keyPressEvent(QKeyEvent* event)
 {
     // Handles the keys of the session page when none of its controls has the focus.
-    if (m_pages->currentWidget() == m_pages->session && event->modifiers() == Qt::NoModifier && !event->isAutoRepeat() &&
+    if (m_pages->currentWidget() == m_pages->session && event->modifiers() == Qt::NoModifier && !m_heldKeys.isRepeat(*event) &&
         m_pages->session->pressKey(event->key()))
         return;
     QWidget::keyPressEvent(event);
+}
+
+bool MainWindow::confirmsWhenHeld(int key, const QWidget& target) const
+{
+    if (isEnter(key)) return true;
+    if (key == Qt::Key_Space) return !target.testAttribute(Qt::WA_InputMethodEnabled);  // Space presses buttons and boxes
+    return m_pages->currentWidget() == m_pages->session && m_pages->keys->keys().isExtraKey(key);
+}
+
+bool MainWindow::hasJustLeftSession() const
+{
+    constexpr std::int64_t bounceNs = 700'000'000;  // the usual dead time of a protocol
+    return m_leftAtNs && m_pages->currentWidget() == m_pages->study && m_options.clock->monotonicNs() - *m_leftAtNs < bounceNs;
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() != QEvent::KeyPress && event->type() != QEvent::KeyRelease) return QWidget::eventFilter(watched, event);
+    const auto& key = static_cast<const QKeyEvent&>(*event);
+    const bool isRepeat = m_heldKeys.isRepeat(key);
+    const auto* target = qobject_cast<QWidget*>(watched);
+    if (event->type() != QEvent::KeyPress || !target || target->window() != this) return QWidget::eventFilter(watched, event);
+    // The Enter that left a session may bounce. It must not enrol the next participant.
+    return (isRepeat && confirmsWhenHeld(key.key(), *target)) || (isEnter(key.key()) && hasJustLeftSession());
 }
 
 }  // namespace study::app

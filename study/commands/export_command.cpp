@@ -1,5 +1,5 @@
 // vis2hap export STUDY --out DIR [--format csv|json|script|psych-ds] [--public] [--with-log] [--with-samples]: answers after the
-// unblinding, before it progress and aggregates. With --participant ID the data of one person, for this person.
+// unblinding, before it progress and rounded means. With --participant ID the data of one person, for this person.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>

@@ -18,10 +18,10 @@
 #include <new>
 
 #include "protocols/files/errors.h"
-#include "protocols/files/kept_memory.h"
 #include "protocols/files/open_files.h"
-#include "protocols/files/owner_only.h"
 #include "protocols/files/safe_text.h"
+#include "protocols/process/kept_memory.h"
+#include "protocols/process/owner_only.h"
 #include "study/commands/command_line.h"
 #include "study/commands/parts/explanation.h"
 #include "study/commands/parts/safe_outputs.h"

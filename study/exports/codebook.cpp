@@ -105,9 +105,9 @@ constexpr ColumnMeaning flagMeanings[] = {
 constexpr ColumnMeaning aggregateMeanings[] = {
     {"question", "text", "", any, "id of the question"},
     {"condition", "text", "", any, "label of a condition, whose name is blinded"},
-    {"n", "whole number", "", from(0), "answers to the question under the label"},
-    {"correct", "whole number", "", from(0), "right answers; empty for ratings"},
-    {"mean", "number", "points of the scale", any, "mean rating; empty for other questions"},
+    {"n", "whole number", "", from(0), "answers to the question under the label, of participants who have finished"},
+    {"share", "number", "", from(0), "share of right answers, rounded to 0.05; empty for other questions"},
+    {"mean", "number", "points of the scale", any, "mean rating, rounded; empty for other questions"},
 };
 
 /// Adds a value that is not in the list yet.

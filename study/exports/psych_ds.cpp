@@ -120,7 +120,9 @@ std::string describedProgress(const database::StudyStore& store, const database:
 {
     return "Progress of the study \"" + facts.name + "\" with " + participantsOf(store) +
            ". The study is blinded, so these tables hold no single answer, no fabric and no condition." +
-           (hasAggregates ? " Sums over all participants stand under labels that hide the conditions." : "");
+           (hasAggregates ? " Rounded means stand under labels that hide the conditions. They are over participants who have "
+                            "finished, from 3 on."
+                          : "");
 }
 
 /// Words of the operator are left out of public exports and of blinded ones.
@@ -141,7 +143,7 @@ const char* contentOf(const std::string& table)
     if (table == "progress") return "the progress, one row a running order";
     if (table == "balance") return "the balance of the running orders";
     if (table == "flags") return "flags on the quality of the data";
-    return "sums over all participants, one row a question and label";
+    return "rounded means over participants who have finished, one row a question and label";
 }
 
 std::string fileTable(const PsychDsDataset& dataset)

@@ -251,13 +251,14 @@ std::vector<ExportedTable> openTables(const Export& job)
             tableOf("participants", csvOf(participantRows(job), {"slot", "participant", "kind", "state", "protocol_version"}))};
 }
 
-/// Progress, balance and flags; with the key also aggregates under K-labels.
-std::vector<ExportedTable> blindedTables(const reports::ProgressReport& report, const std::optional<ordered_json>& aggregates)
+/// Progress, balance and flags; with the key also rounded means under K-labels.
+std::vector<ExportedTable> blindedTables(const reports::ProgressReport& report,
+                                         const std::optional<records::Aggregates>& aggregates)
 {
     std::vector<ExportedTable> tables;
     for (const auto& table : report.tables) tables.push_back(tableOf(table.name, toCsv(table)));
     if (aggregates)
-        tables.push_back(tableOf("conditions", csvOf(*aggregates, {"question", "condition", "n", "correct", "mean"})));
+        tables.push_back(tableOf("conditions", csvOf(aggregates->rows, {"question", "condition", "n", "share", "mean"})));
     return tables;
 }
 
@@ -357,7 +358,7 @@ void writeOpen(const Export& job, const ExportForm& form)
     write(job, "codebook.csv", codebookCsv(columns));
 }
 
-/// Progress, balance and flags; with the key also aggregates under K-labels.
+/// Progress, balance and flags; with the key also rounded means under K-labels.
 void writeBlinded(const Export& job, const ExportForm& form, const std::optional<reports::StudyData>& data)
 {
     const auto report = records::blindedReport(job.store);
@@ -367,8 +368,10 @@ void writeBlinded(const Export& job, const ExportForm& form, const std::optional
     if (form.format == "psych-ds") return writeDataset(job, form, tables, blindedCodebookOf(job.protocol, data.has_value()));
     ordered_json json = headOf(job);
     json["progress"] = ordered_json::parse(report.results)["progress"];
-    json["conditions"] = aggregates.value_or(ordered_json());
-    if (!data) json["why"] = {{"conditions", "the study is blinded, and nobody gave its passphrase"}};
+    const bool hasRows = aggregates && aggregates->why.empty();
+    json["conditions"] = hasRows ? aggregates->rows : ordered_json();
+    if (!hasRows)
+        json["why"] = {{"conditions", aggregates ? aggregates->why : "the study is blinded, and nobody gave its passphrase"}};
     write(job, "export.json", json.dump(1) + "\n");
 }
 

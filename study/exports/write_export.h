@@ -1,4 +1,4 @@
-// The files of an export: answers after the unblinding, before it progress and aggregates.
+// The files of an export: answers after the unblinding, before it progress and rounded means.
 #pragma once
 
 #include <filesystem>

@@ -1,8 +1,8 @@
 #include "study/records/blinded_report.h"
 
-#include <map>
 #include <nlohmann/json.hpp>
 
+#include "reports/cells/blinded_means.h"
 #include "reports/formats/table_cells.h"
 #include "study/records/display_response_record.h"
 #include "study/records/stored_study.h"
@@ -47,7 +47,7 @@ Table progressTable(const ordered_json& status)
 
 Table balanceTable(const ordered_json& status)
 {
-    Table table{"balance", "Planned balance of the running orders", {"what", "least", "greatest"}, {}};
+    Table table{"balance", "Balance of other running orders by the same rules", {"what", "least", "greatest"}, {}};
     for (const auto& range : status["balance"])
         table.rows.push_back({textCell(textIn(range, "what")), countIn(range, "min"), countIn(range, "max")});
     return table;
@@ -92,35 +92,20 @@ reports::ProgressReport blindedReport(const database::StudyStore& store)
     return report;
 }
 
-ordered_json aggregatesOf(const reports::StudyData& data)
+Aggregates aggregatesOf(const reports::StudyData& data)
 {
-    struct Sum {
-        std::size_t n = 0, correct = 0;
-        double sum = 0;
-        bool isRating = false;
-    };
-    std::map<std::pair<std::string, std::string>, Sum> sums;
-    for (const auto& response : data.responses) {
-        Sum& sum = sums[{response.question, response.condition}];
-        if (const auto* rated = std::get_if<reports::RatedAnswer>(&response.content)) {
-            sum.isRating = true;
-            sum.sum += rated->rating;
-        } else if (const auto* chosen = std::get_if<reports::ChosenAnswer>(&response.content)) {
-            sum.correct += chosen->correct;
+    const reports::BlindedMeans means = reports::blindedMeans(data);
+    Aggregates aggregates{ordered_json::array(), means.why};
+    for (const reports::BlindedQuestion& question : means.questions)
+        for (const reports::BlindedMean& mean : question.conditions) {
+            const ordered_json value = mean.mean.exists() ? ordered_json(*mean.mean) : ordered_json();
+            aggregates.rows.push_back({{"question", question.question.id},
+                                       {"condition", mean.condition},
+                                       {"n", mean.n},
+                                       {"share", question.isChosen() ? value : ordered_json()},
+                                       {"mean", question.isRated() ? value : ordered_json()}});
         }
-        ++sum.n;
-    }
-    ordered_json rows = ordered_json::array();
-    for (const auto& question : data.questions)
-        for (const auto& condition : data.conditions) {
-            const auto found = sums.find({question.id, condition});
-            const Sum sum = found == sums.end() ? Sum{} : found->second;
-            ordered_json row{{"question", question.id}, {"condition", condition}, {"n", sum.n}};
-            row["correct"] = sum.isRating || sum.n == 0 ? ordered_json() : ordered_json(sum.correct);
-            row["mean"] = sum.isRating ? ordered_json(sum.sum / static_cast<double>(sum.n)) : ordered_json();
-            rows.push_back(row);
-        }
-    return rows;
+    return aggregates;
 }
 
 }  // namespace study::records

@@ -1,7 +1,8 @@
-// What a blinded study shows to who lacks its passphrase: progress, balance and flags.
+// What a blinded study shows: progress, balance and flags; to who gives its passphrase also rounded means under K-labels.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
+#include <string>
 
 #include "database/study_store.h"
 #include "reports/data/study_data.h"
@@ -11,8 +12,14 @@ namespace study::records {
 
 reports::ProgressReport blindedReport(const database::StudyStore& store);
 
-/// Answers under K-labels, one row a question and condition: "question", "condition", "n", "correct" (choices) and "mean"
-/// (ratings). `data`: of a blinded study.
-nlohmann::ordered_json aggregatesOf(const reports::StudyData& data);
+/// What a blinded study shows under K-labels to who gives its passphrase.
+struct Aggregates {
+    /// One row a question and condition: "question", "condition", "n", "share" (choices) and "mean" (ratings). Both are rounded,
+    /// over participants who have finished (reports/cells/blinded_means.h). Empty where too few have.
+    nlohmann::ordered_json rows;
+    std::string why;  ///< one sentence: why there are no rows; empty where there are
+};
+/// `data`: of a blinded study.
+Aggregates aggregatesOf(const reports::StudyData& data);
 
 }  // namespace study::records

@@ -57,7 +57,9 @@ void describeProtocol(const protocols::Protocol& protocol, reports::StudyData& d
 
 void describeParticipants(const database::StudyStore& store, reports::StudyData& data)
 {
+    data.finished.emplace();
     for (const auto& enrolment : store.enrolments()) {
+        if (enrolment.state == database::SlotState::Finished) data.finished->insert(enrolment.participant.value);
         const bool hasWithdrawn = enrolment.state == database::SlotState::Withdrawn;
         (hasWithdrawn ? data.withdrawn : data.participants).push_back(enrolment.participant.value);
         data.simulated = data.simulated || enrolment.kind == database::ParticipantKind::Simulated;

@@ -199,7 +199,7 @@ private Q_SLOTS:
         QVERIFY(fs::is_directory(path("report") / "figures"));
     }
 
-    void wordsStandUnderMaskedConditions()
+    void wordsOfABlindedStudyAreCountedOnly()
     {
         StudyData data = studyOf({{"Q1", "", builders::amongThree}, {"Feel", "", protocols::FreeText{}}});
         data.blinded = true;
@@ -207,8 +207,7 @@ private Q_SLOTS:
         data.conditions = {"K1", "K2", "K3"};
         for (StudyResponse& response : data.responses) response.condition = masks.at(response.condition);
         writeReport(analyse(data), path("report"));
-        const auto table = protocols::readForeignTable(path("report") / "tables" / "worded_answers.csv").table;
-        QCOMPARE(table.rows[0][2], std::string("K1"));
+        QVERIFY(!fs::exists(path("report") / "tables" / "worded_answers.csv"));
         QVERIFY(protocols::readWholeFile(path("report") / "index.html").find("v_grey") == std::string::npos);
     }
 

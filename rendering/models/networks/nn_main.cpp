@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "protocols/files/errors.h"
-#include "protocols/files/kept_memory.h"
+#include "protocols/process/kept_memory.h"
 #include "rendering/models/exchange.h"
 #include "rendering/models/lab/lab_training.h"
 #include "rendering/models/networks/inference.h"

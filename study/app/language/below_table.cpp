@@ -28,6 +28,7 @@ constexpr const char* table[] = {
     QT_TRANSLATE_NOOP(
         "study::app::Below",
         "The last step was only just taken, so this key confirmed nothing. Put the pieces on the tray, then confirm it."),
+    QT_TRANSLATE_NOOP("study::app::Below", "The last step was only just taken, so this key confirmed nothing. Press it again."),
     QT_TRANSLATE_NOOP("study::app::Below", "The piece in slot %1 is not confirmed. It must be %2."),
     QT_TRANSLATE_NOOP("study::app::Below", "Slot %1 holds %2. It must be %3."),
     QT_TRANSLATE_NOOP("study::app::Below", "More pieces were confirmed than the tray has slots."),

@@ -90,4 +90,6 @@ void CorrectionPanel::discardEntry() { showAnswer(m_which); }
 
 QWidget& CorrectionPanel::firstFocus() { return m_entry->firstFocus(); }
 
+bool CorrectionPanel::hasUnstoredText() const { return !m_entry->isEmpty() || FormPanel::hasUnstoredText(); }
+
 }  // namespace study::app

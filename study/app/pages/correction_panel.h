@@ -24,6 +24,7 @@ public:
     bool pressKey(int key) override;
     QWidget& firstFocus() override;
     void discardEntry() override;
+    bool hasUnstoredText() const override;
 
 protected:
     bool isReady() override;

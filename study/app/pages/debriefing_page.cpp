@@ -50,6 +50,8 @@ bool DebriefingPage::pressKey(int key)
     return true;
 }
 
+bool DebriefingPage::hasUnstoredText() const { return !m_notes->words().isEmpty(); }
+
 QWidget& DebriefingPage::firstFocus() { return *m_notes; }
 
 }  // namespace study::app

@@ -107,4 +107,6 @@ bool FormPanel::pressKey(int key)
 
 QWidget& FormPanel::firstFocus() { return *m_reason; }
 
+bool FormPanel::hasUnstoredText() const { return !m_reason->words().isEmpty(); }
+
 }  // namespace study::app

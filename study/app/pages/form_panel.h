@@ -20,6 +20,7 @@ public:
     int largestType() const override { return 160; }
     bool pressKey(int key) override;
     QWidget& firstFocus() override;
+    bool hasUnstoredText() const override;
 
 Q_SIGNALS:
     void closeRequested();

@@ -13,6 +13,7 @@
 #include "study/app/pages/reason_panel.h"
 #include "study/app/pages/stage_stack.h"
 #include "study/app/pages/tray_page.h"
+#include "study/app/pieces/flow_layout.h"
 #include "study/app/pieces/pieces.h"
 #include "study/app/pieces/session_footer.h"
 #include "study/app/pieces/session_header.h"
@@ -26,6 +27,7 @@ SessionPage::SessionPage(QWidget* parent)
       m_header(new SessionHeader(this)),
       m_stages(new StageStack(this)),
       m_message(new MessageBar("sessionMessage", this)),
+      m_guard(new QWidget(this)),
       m_footer(new SessionFooter(this))
 {
     setObjectName("sessionPage");
@@ -35,6 +37,7 @@ SessionPage::SessionPage(QWidget* parent)
     column->setSpacing(0);
     column->addWidget(m_header);
     column->addWidget(m_stages, 1);
+    column->addWidget(m_guard);
     column->addWidget(m_footer);
     connect(m_stages, &StageStack::eventRequested, this, &SessionPage::eventRequested);
     connect(m_stages, &StageStack::answerMarked, this, &SessionPage::answerMarked);
@@ -45,6 +48,7 @@ SessionPage::SessionPage(QWidget* parent)
     connect(&m_stages->guide(), &GuidePage::leaveRequested, this, &SessionPage::leaveRequested);
     connect(&m_stages->guide(), &GuidePage::preparationDeclined, this, &SessionPage::goOnUnprepared);
     connectPanels();
+    fillGuard();
     bindKeysWhileWriting();
     qApp->installEventFilter(this);
 }
@@ -65,6 +69,50 @@ void SessionPage::connectPanels()
     connect(m_footer, &SessionFooter::correctionRequested, this, &SessionPage::correctionRequested);
     connect(m_footer, &SessionFooter::pauseRequested, this, [this] { Q_EMIT eventRequested(Paused{}); });
     connect(m_footer, &SessionFooter::leaveRequested, this, &SessionPage::leaveRequested);
+}
+
+void SessionPage::fillGuard()
+{
+    m_guard->setObjectName("closeGuard");
+    auto* question = label("guardQuestion", Type::Body, m_guard, Weight::Bold);
+    setRole(*question, "hint");
+    question->setText(tr("Your text is not stored yet. Store it first, or close the window without it."));
+    auto* give = button("closeAnywayButton", tr("Close without storing"), m_guard);
+    auto* stayHere = button("stayButton", tr("Stay (Esc)"), m_guard);
+    auto* column = new QVBoxLayout(m_guard);
+    column->setContentsMargins(28, 8, 28, 8);
+    column->addWidget(question);
+    column->addLayout(actionsRow({stayHere, give}));
+    connect(stayHere, &QPushButton::clicked, this, &SessionPage::stay);
+    connect(give, &QPushButton::clicked, this, &SessionPage::closeWithoutText);
+    m_guard->hide();
+}
+
+bool SessionPage::hasUnstoredText() const
+{
+    return (m_panel && m_panel->hasUnstoredText()) || m_stages->pageOf(m_view.state.stage).hasUnstoredText();
+}
+
+bool SessionPage::mayClose()
+{
+    if (m_isTextGivenUp || !hasUnstoredText()) return true;
+    m_guard->show();
+    m_guard->findChild<QPushButton*>("stayButton")->setFocus();
+    return false;
+}
+
+void SessionPage::stay()
+{
+    m_guard->hide();
+    pageInFront().firstFocus().setFocus();
+}
+
+void SessionPage::closeWithoutText()
+{
+    m_guard->hide();
+    m_isTextGivenUp = true;
+    window()->close();
+    m_isTextGivenUp = false;  // the window stays open if its pause cannot be stored
 }
 
 void SessionPage::bindKeysWhileWriting()
@@ -140,6 +188,7 @@ StagePage& SessionPage::pageInFront() const { return m_panel ? *m_panel : pageOf
 
 void SessionPage::bringForward(StagePage& page)
 {
+    m_guard->hide();
     page.take(*m_message);
     m_stages->bringForward(page);
     m_footer->setWriting(!m_panel && page.isForWriting());
@@ -208,6 +257,10 @@ void SessionPage::showMessage(const QString& text, Tone tone)
 
 bool SessionPage::pressKey(int pressed)
 {
+    if (pressed == Qt::Key_Escape && m_guard->isVisible()) {
+        stay();
+        return true;
+    }
     const int key = m_facts.keys.meantBy(pressed);
     if (key != pressed) {  // a pedal confirms what the page asks, whatever button has the focus
         if (!pageInFront().pressKey(key)) m_footer->pressKey(key);
@@ -231,7 +284,7 @@ void SessionPage::keyPressEvent(QKeyEvent* event)
 {
     const bool isPlain = (event->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == 0;
     // A key held down must not run through several presentations.
-    const bool isTaken = isPlain && (event->isAutoRepeat() || pressKey(event->key()));
+    const bool isTaken = isPlain && (m_heldKeys.isRepeat(*event) || pressKey(event->key()));
     if (!isTaken) QWidget::keyPressEvent(event);
 }
 
@@ -258,6 +311,7 @@ bool SessionPage::isHeld() const
 
 bool SessionPage::eventFilter(QObject* watched, QEvent* event)
 {
+    if (event->type() == QEvent::KeyRelease) m_heldKeys.isRepeat(static_cast<const QKeyEvent&>(*event));
     const bool isEntry = event->type() == QEvent::KeyPress || event->type() == QEvent::MouseButtonPress;
     const auto* target = qobject_cast<QWidget*>(watched);
     if (isEntry && isHeld() && target && (target == this || isAncestorOf(target))) return true;
@@ -276,7 +330,7 @@ bool SessionPage::takesKeyFirst(const QKeyEvent& event)
     }
     const bool isPlain = (event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == 0;
     if (!isPlain || !m_facts.keys.isExtraKey(event.key())) return false;
-    if (!event.isAutoRepeat()) pressKey(event.key());
+    if (!m_heldKeys.isRepeat(event)) pressKey(event.key());
     return true;
 }
 

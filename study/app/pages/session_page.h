@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include "study/app/state/answer_mark.h"
+#include "study/app/state/held_keys.h"
 #include "study/app/state/scanner_entry.h"
 #include "study/app/state/session_controller.h"
 #include "study/participant/participant_act.h"
@@ -40,6 +41,9 @@ public:
     void showPattern(const std::optional<TestPattern>& pattern);
     const session::View& shownView() const { return m_view; }
 
+    /// False if the operator typed a text that is not stored; the page then asks what to do with it.
+    bool mayClose();
+
     /// True while the page offers the refresher and the checklist of a later sitting.
     bool offersPreparation() const;
 
@@ -65,6 +69,10 @@ private:
     bool isScannedByMistake(const QKeyEvent& event);
     bool isHeld() const;
     void connectPanels();
+    void fillGuard();
+    bool hasUnstoredText() const;
+    void stay();
+    void closeWithoutText();
     void bindKeysWhileWriting();
     StagePage& pageOf(const session::View& view) const;
     StagePage& pageInFront() const;
@@ -82,12 +90,15 @@ private:
     bool m_isPreparationDeclined = false;
     bool m_isMendable = false;  ///< the message is about an entry, so it goes with the next change of that entry
     ScannerEntry m_scanner;
+    HeldKeys m_heldKeys;
+    bool m_isTextGivenUp = false;  ///< the operator closes the window without it
     QElapsedTimer m_sinceHeld;
     StagePage* m_panel = nullptr;  ///< open panel; null if none
 
     SessionHeader* m_header;
     StageStack* m_stages;
     MessageBar* m_message;
+    QWidget* m_guard;  ///< asks what to do with a text that is not stored
     SessionFooter* m_footer;
 };
 

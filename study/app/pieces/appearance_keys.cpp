@@ -48,7 +48,8 @@ AppearanceKeys::AppearanceKeys(std::shared_ptr<QSettings> settings, QWidget& win
     bind(QKeySequence(Qt::CTRL | Qt::Key_Minus), [this] { reduce(); });
     bind(QKeySequence(Qt::CTRL | Qt::Key_0), [this] { set({m_appearance.theme, 100}); });
     bind(QKeySequence(Qt::CTRL | Qt::Key_D), [this] { changeTheme(); });
-    if (growth == Growth::WithWindow) {
+    // A monitor of its own program has no main window, so its text grows with the monitor itself.
+    if (growth == Growth::WithWindow || !qApp->property(sizeName).isValid()) {
         qApp->setProperty(sizeName, window.size());
         window.installEventFilter(this);
     }

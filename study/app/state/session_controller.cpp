@@ -11,6 +11,8 @@ using session::StoredAnswer;
 
 namespace {
 
+constexpr char tooSoon[] = "The last step was only just taken, so this key confirmed nothing. Press it again.";
+
 /// Confirms an action that changes nothing else on the page.
 QString confirmationOf(const session::EventBody& event)
 {
@@ -35,6 +37,26 @@ QString withNextStep(const QString& trouble, bool isPaused)
                : SessionController::tr("%1. Your last entry was not stored. Fix the problem, then enter it again.").arg(trouble);
 }
 
+template <class... Bodies>
+bool isOneOf(const session::EventBody& event)
+{
+    return (std::holds_alternative<Bodies>(event) || ...);
+}
+
+/// The operator confirms the page in front, and another page follows.
+bool confirmsPage(const session::EventBody& event)
+{
+    using namespace session;
+    return isEnteredByOperator(event) &&
+           isOneOf<Begun, Consented, FactsGiven, FamiliarisationDone, ScaleTrainingDone, ChecklistDone, SittingPrepared,
+                   TrayReady, BreakEnded, Resumed, Debriefed>(event);
+}
+
+bool isStepOfOperator(const session::EventBody& event)
+{
+    return session::isEnteredByOperator(event) && !std::holds_alternative<session::Touched>(event);
+}
+
 /// Whether another question, or none, is asked now.
 bool isOtherQuestion(const session::Stage& before, const session::Stage& now)
 {
@@ -53,7 +75,8 @@ SessionController::SessionController(database::SessionStore& store, const protoc
       m_display(std::move(display)),
       m_clock(std::move(clock)),
       m_driver(store, participant, kind, images, *m_display, *m_clock, operatedBy),
-      m_view(m_driver.view())
+      m_view(m_driver.view()),
+      m_lastStepAtNs(m_clock->monotonicNs())
 {
     m_display->onTouched([this](const rendering::Touch& touch) { displayTouched(touch); });
     m_display->onReleased([this](const rendering::Touch& release) { displayReleased(release); });
@@ -119,6 +142,17 @@ void SessionController::attendDisplay()
     }
 }
 
+/// The rule is not part of the engine, which must accept the older logs that it replays.
+bool SessionController::isBounced(const session::EventBody& event) const
+{
+    const session::State& state = m_view.state;
+    const std::int64_t nowNs = m_clock->monotonicNs();
+    const bool isNewTray =
+        std::holds_alternative<session::PlacingTray>(state.stage) && nowNs - state.trayAskedAtNs < state.deadTimeNs;
+    if (isNewTray && std::holds_alternative<session::TrayReady>(event)) return false;  // the engine says more about it
+    return m_lastStepAtNs && confirmsPage(event) && nowNs - *m_lastStepAtNs < state.deadTimeNs;
+}
+
 void SessionController::send(const session::EventBody& asked)
 {
     session::EventBody event = asked;
@@ -133,13 +167,14 @@ void SessionController::send(const session::EventBody& asked)
             Q_EMIT patternShown(std::nullopt);
         } else
             clearPattern();  // The pattern must not be felt after the checklist.
-        m_lastOutcome->refusal = m_driver.send(event);
+        m_lastOutcome->refusal = isBounced(event) ? session::Refusal{tooSoon} : m_driver.send(event);
         m_view = m_driver.view();
     } catch (const std::exception& fault) {
         m_lastOutcome->fault = std::current_exception();
         trouble = inOwnLanguage(fault.what());
         m_view = m_driver.view();
     }
+    if (!m_lastOutcome->refusal && isStepOfOperator(event)) m_lastStepAtNs = m_clock->monotonicNs();
     if (isOtherQuestion(askedBefore, m_view.state.stage)) forgetStamps();
     Q_EMIT viewChanged();
     reportOutcome(trouble);

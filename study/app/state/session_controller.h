@@ -44,6 +44,7 @@ public:
     ~SessionController() override;
 
     /// Sends the event to the engine. Never throws: refusals and faults are reported by signal and kept in lastOutcome().
+    /// A confirmation within the protocol's dead time after the operator's last step is refused here: its key may have bounced.
     void send(const session::EventBody& event);
     /// Stamps the first touch if the presentation waits for one; otherwise does nothing.
     void displayTouched(const rendering::Touch& touch = {});
@@ -54,6 +55,8 @@ public:
     void showPattern(const std::optional<TestPattern>& pattern, std::optional<double> mmPerPixel);
     /// Takes back the stamp that the first key of an entry made.
     void unmarkEntry();
+    /// The next event is not a bounced key. A script waits as long as a person does, but its clock may stand still.
+    void waitOutDeadTime() { m_lastStepAtNs.reset(); }
     /// The stamps of the next answer, as a script states them.
     void setStamps(const session::AnswerStamps& stamps) { m_scriptedStamps = stamps; }
 
@@ -76,6 +79,7 @@ Q_SIGNALS:
 private:
     const protocols::Question& questionOf(const session::StoredAnswer& answer) const;
     Correctable correctableOf(const session::StoredAnswer& answer) const;
+    bool isBounced(const session::EventBody& event) const;
     void clearPattern();
     void reportOutcome(const QString& trouble);
     void watchDisplay();
@@ -92,7 +96,8 @@ private:
     std::optional<std::int64_t> m_begunAtNs, m_releasedAtNs;  ///< of the present question
     session::BegunBy m_begunBy = session::BegunBy::Entry;
     std::optional<session::AnswerStamps> m_scriptedStamps;
-    std::optional<TestPattern> m_pattern;  ///< that can be felt
+    std::optional<std::int64_t> m_lastStepAtNs;  ///< the operator opened the session or made the last accepted entry
+    std::optional<TestPattern> m_pattern;        ///< that can be felt
     std::optional<EventOutcome> m_lastOutcome;
     int m_eventsSent = 0;
 };

@@ -592,6 +592,10 @@
         <translation>Der letzte Schritt ist eben erst geschehen; diese Taste hat nichts bestätigt. Legen Sie die Proben auf das Tablett und bestätigen Sie es dann.</translation>
     </message>
     <message>
+        <source>The last step was only just taken, so this key confirmed nothing. Press it again.</source>
+        <translation>Der letzte Schritt ist eben erst geschehen; diese Taste hat nichts bestätigt. Drücken Sie sie noch einmal.</translation>
+    </message>
+    <message>
         <source>The piece in slot %1 is not confirmed. It must be %2.</source>
         <translation>Die Probe in Feld %1 ist nicht bestätigt. Es muss %2 sein.</translation>
     </message>
@@ -4560,6 +4564,18 @@ Noch ist nichts gewählt.</translation>
 </context>
 <context>
     <name>study::app::SessionPage</name>
+    <message>
+        <source>Your text is not stored yet. Store it first, or close the window without it.</source>
+        <translation>Ihr Text ist noch nicht gespeichert. Speichern Sie ihn zuerst, oder schließen Sie das Fenster ohne ihn.</translation>
+    </message>
+    <message>
+        <source>Close without storing</source>
+        <translation>Schließen ohne zu speichern</translation>
+    </message>
+    <message>
+        <source>Stay (Esc)</source>
+        <translation>Bleiben (Esc)</translation>
+    </message>
     <message>
         <source>The participant agreed on their own screen.</source>
         <translation>Die Versuchsperson hat auf ihrem eigenen Bildschirm eingewilligt.</translation>

@@ -592,6 +592,10 @@
         <translation>上一步刚刚完成，所以这次按键没有确认任何内容。请先把布样放上托盘，再确认。</translation>
     </message>
     <message>
+        <source>The last step was only just taken, so this key confirmed nothing. Press it again.</source>
+        <translation>上一步刚刚完成，所以这次按键没有确认任何内容。请再按一次。</translation>
+    </message>
+    <message>
         <source>The piece in slot %1 is not confirmed. It must be %2.</source>
         <translation>%1格的布样尚未确认，应为%2。</translation>
     </message>
@@ -4560,6 +4564,18 @@ Nothing is chosen yet.</source>
 </context>
 <context>
     <name>study::app::SessionPage</name>
+    <message>
+        <source>Your text is not stored yet. Store it first, or close the window without it.</source>
+        <translation>您输入的文本尚未保存。请先保存，或不保存而关闭窗口。</translation>
+    </message>
+    <message>
+        <source>Close without storing</source>
+        <translation>不保存并关闭</translation>
+    </message>
+    <message>
+        <source>Stay (Esc)</source>
+        <translation>留在这里 (Esc)</translation>
+    </message>
     <message>
         <source>The participant agreed on their own screen.</source>
         <translation>参与者已在自己的屏幕上表示同意。</translation>

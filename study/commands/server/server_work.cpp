@@ -51,6 +51,20 @@ void quietTheLog(const database::ServerAddress& address)
         std::printf("  sudo -u postgres psql -c '%s'\n", protocols::printable(command).c_str());
 }
 
+/// Keeps logins from telling images apart by how they are read, or says who can.
+void closeCounters(const database::ServerAddress& address)
+{
+    const auto missing = closeReadCounters(address);
+    if (missing.empty()) return;
+    std::printf(
+        "counters of reading: every login may see how many blocks are read, which tells the same image again. An administrator "
+        "of "
+        "the server prevents it:\n");
+    for (const std::string& command : missing)
+        std::printf("  sudo -u postgres psql -d '%s' -c '%s'\n", protocols::printable(address.database).c_str(),
+                    protocols::printable(command).c_str());
+}
+
 int toServer(const std::string& folder, const std::string& address, const std::string& station)
 {
     const auto head = moveToServer(StudyFolder{folder}, addressWithStudy(address), stationName(station));
@@ -135,6 +149,7 @@ int grantRoles(const std::string& address, const std::vector<std::string>& grant
     }
     if (imagesTo.empty()) return 0;
     giveImagesTo(database::serverAddressFrom(address), imagesTo);
+    if (imagesTo == "display") closeCounters(database::serverAddressFrom(address));
     std::printf(imagesTo == "display" ? "images: to the display's own login; stations get tickets\n"
                                       : "images: to the stations\n");
     return 0;

@@ -227,6 +227,14 @@ void OwnDisplayTest::aTicketHoldsForThePresentPresentationOnly()
 void OwnDisplayTest::rolesAreKeptApart()
 {
     studyOnServer("rights", "display");
+    // The same image needs the same blocks again, so these counters would tell it.
+    const auto open = rightsOf(as("hand", "rights")).learns;
+    QVERIFY(open.size() == 1 && open.front().find("pg_statio_all_tables") != std::string::npos);
+    QCOMPARE(closeReadCounters(as("hand", "rights")).size(), std::size_t{4});
+    QCOMPARE(closeReadCounters(as("owner", "rights")), std::vector<std::string>());
+    QVERIFY(!errorOf([&] {
+                 (void)ServerConnection(as("hand", "rights")).value("SELECT toast_blks_hit FROM pg_statio_all_tables LIMIT 1");
+             }).isEmpty());
     const auto hand = rightsOf(as("hand", "rights")), device = rightsOf(as("device", "rights"));
     QCOMPARE(hand.learns, std::vector<std::string>());
     QCOMPARE(hand.imagesTo, std::string("display"));

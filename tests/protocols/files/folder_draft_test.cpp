@@ -13,8 +13,8 @@
 #include <map>
 
 #include "protocols/files/errors.h"
-#include "protocols/files/owner_only.h"
 #include "protocols/files/temporary_folder.h"
+#include "protocols/process/owner_only.h"
 #include "tests/support/error_text.h"
 #include "tests/support/observed_disk.h"
 

@@ -1,6 +1,7 @@
 // Keys that operators choose, barcode scanners, and the latency task, in the real window.
 #include <QLabel>
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSettings>
 #include <QTest>
@@ -32,6 +33,27 @@ void deviceTypes(OpenWindow& open, const QString& text, Qt::Key end, ulong gapMs
     atMs += 10000;
     for (const QChar character : text) deviceKey(open, character.toUpper().unicode(), character, atMs += gapMs);
     deviceKey(open, end, end == Qt::Key_Tab ? "\t" : "\r", atMs + gapMs);
+}
+
+/// Holds a key for a second, as X11 sends it: every repeat is a release and a press at the same time, and no repeat by its flag.
+void holdKey(OpenWindow& open, int key, const QString& text)
+{
+    static ulong atMs = 5000000;
+    const auto send = [&](QEvent::Type type) {
+        QKeyEvent event(type, key, Qt::NoModifier, text);
+        event.setTimestamp(atMs);
+        QWidget* focused = open.window().focusWidget();
+        QApplication::sendEvent(focused ? focused : &open.window(), &event);
+        QApplication::processEvents();
+    };
+    atMs += 10000;
+    send(QEvent::KeyPress);
+    atMs += 500;
+    for (int repeat = 0; repeat < 15; ++repeat, atMs += 33) {
+        send(QEvent::KeyRelease);
+        send(QEvent::KeyPress);
+    }
+    send(QEvent::KeyRelease);
 }
 
 bool isTouched(OpenWindow& open)
@@ -335,6 +357,120 @@ private Q_SLOTS:
         pressKey(open, Qt::Key_Escape);
         QCOMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
         QVERIFY(dynamic_cast<database::StudyStore&>(open.window().study()->store()).faults().empty());
+    }
+
+    void aHeldEnterConfirmsOnePage_data()
+    {
+        QTest::addColumn<QString>("stage");
+        for (const char* stage : {"Enrolled", "Consenting", "OnBreak", "Debriefing"}) QTest::newRow(stage) << stage;
+    }
+    void aHeldEnterConfirmsOnePage()
+    {
+        QFETCH(QString, stage);
+        OpenWindow open(newStudy());
+        open.window().startSession(protocols::ParticipantId("P01"));
+        open.playTo(stage.toStdString());
+        const int before = open.window().session()->eventsSent();
+        holdKey(open, Qt::Key_Return, "\r");
+        QVERIFY(open.window().session());
+        QCOMPARE(open.window().session()->eventsSent(), before + 1);
+    }
+
+    void aHeldEnterStoresOneAnswerAndVoidsNothing()
+    {
+        const auto folder = newStudy();
+        OpenWindow open(folder);
+        open.enrolAndBegin();
+        open.playTo("Presenting", "Q1");
+        pressKey(open, Qt::Key_A);
+        holdKey(open, Qt::Key_Return, "\r");
+        QCOMPARE(answersIn(folder).size(), std::size_t(1));
+        QCOMPARE(nameOf(open.view().state), std::string("PlacingTray"));
+        pressKey(open, Qt::Key_V);
+        holdKey(open, Qt::Key_Enter, "\r");
+        QVERIFY2(open.message().contains("Write a short reason"), qPrintable(open.message()));
+        for (const auto& stored : storedIn(folder)) QVERIFY(!stored.voided);
+    }
+
+    void aHeldEnterStoresNoEmptyWords()
+    {
+        StudyRecipe recipe;
+        recipe.protocol =
+            R"({"schema": "vis2hap.protocol/1", "name": "Words", "participants": 2, "fabrics": ["F01", "F02", "F03"],
+            "conditions": ["v_grey", "h&f"], "seconds_per_presentation": 30, "dead_time_seconds": 0,
+            "phases": [{"questions": ["Pick", "Why"], "alternatives": 2, "free_text": ["Why"]}],
+            "question_texts": {"Pick": "Which of the two?", "Why": "What did you feel?"}})";
+        const auto folder = newStudy(recipe);
+        OpenWindow open(folder);
+        open.enrolAndBegin();
+        open.playTo("Presenting", "Why");
+        holdKey(open, Qt::Key_Return, "\r");
+        QCOMPARE(answersIn(folder).size(), std::size_t(1));
+        QCOMPARE(open.view().question->id.value, std::string("Why"));
+    }
+
+    void aHeldEnterEnrolsNobodyElse()
+    {
+        OpenWindow open(newStudy({.participants = 4}));
+        open.window().startSession(protocols::ParticipantId("P01"));
+        open.playToEnd();
+        holdKey(open, Qt::Key_Return, "\r");
+        QCOMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
+        QCOMPARE(open.window().study()->store().enrolments().size(), std::size_t(1));
+        open.clock().advanceSeconds(2);
+        holdKey(open, Qt::Key_Return, "\r");  // enrols, and begins nothing
+        QVERIFY(open.window().session());
+        QCOMPARE(nameOf(open.view().state), std::string("Enrolled"));
+    }
+
+    void aHeldPedalConfirmsOnce()
+    {
+        OpenWindow open(newStudy(), remembering("held.ini"));
+        bindByThePage(open, KeyAct::Confirm, Qt::Key_F13);
+        pressKey(open, Qt::Key_Escape);
+        open.window().startSession(protocols::ParticipantId("P01"));
+        holdKey(open, Qt::Key_F13, {});
+        QCOMPARE(open.window().session()->eventsSent(), 1);
+        open.playTo("Presenting", "Q2");  // a text field has the focus
+        open.playTo("PlacingTray");
+        const int before = open.window().session()->eventsSent();
+        holdKey(open, Qt::Key_F13, {});
+        QCOMPARE(open.window().session()->eventsSent(), before + 1);
+    }
+
+    void aHeldDigitShowsOneFabricOnce()
+    {
+        OpenWindow open(newStudy({.familiarisationImages = 2}));
+        open.window().startSession(protocols::ParticipantId("P01"));
+        open.playTo("Familiarising");
+        const int before = open.window().session()->eventsSent();
+        holdKey(open, Qt::Key_1, "1");
+        QCOMPARE(open.window().session()->eventsSent(), before + 1);
+    }
+
+    void aHeldSpacePressesOneButton()
+    {
+        OpenWindow open(newStudy());
+        open.window().startSession(protocols::ParticipantId("P01"));
+        open.widget<QPushButton>("confirmButton").setFocus();
+        holdKey(open, Qt::Key_Space, " ");
+        QCOMPARE(open.window().session()->eventsSent(), 1);
+    }
+
+    void lettersAndBackspaceRepeatInAText()
+    {
+        OpenWindow open(newStudy());
+        open.enrolAndBegin();
+        pressKey(open, Qt::Key_N);
+        auto& field = open.widget<QPlainTextEdit>("reasonField");
+        holdKey(open, Qt::Key_X, "x");
+        QCOMPARE(field.toPlainText(), QString(16, 'x'));
+        holdKey(open, Qt::Key_Space, " ");
+        QCOMPARE(field.toPlainText().size(), 32);
+        holdKey(open, Qt::Key_Left, {});
+        QCOMPARE(field.textCursor().position(), 16);
+        holdKey(open, Qt::Key_Backspace, "\b");
+        QCOMPARE(field.toPlainText(), QString(16, ' '));
     }
 };
 

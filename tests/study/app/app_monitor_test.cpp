@@ -43,7 +43,21 @@ private Q_SLOTS:
     void erasedParticipantsHaveNoStage();
     void aStudyInAFolderHasNoStations();
     void startsOnTheScreen();
+    void largerTextWorksInAMonitorAlone();
 };
+
+void AppMonitorTest::largerTextWorksInAMonitorAlone()
+{
+    qApp->setProperty("vis2hapMainWindow", QVariant());  // as in `vis2hap --monitor`: no main window has been there
+    MonitorWindow monitor(newStudy(wholeStudy()).folder, {});
+    monitor.show();
+    QTest::qWait(50);
+    const double before = QApplication::font().pointSizeF();
+    QTest::keyClick(&monitor, Qt::Key_Equal, Qt::ControlModifier);
+    QVERIFY(QApplication::font().pointSizeF() > before);
+    QTest::keyClick(&monitor, Qt::Key_0, Qt::ControlModifier);
+    QCOMPARE(QApplication::font().pointSizeF(), before);
+}
 
 void AppMonitorTest::startsOnTheScreen()
 {

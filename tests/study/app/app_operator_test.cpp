@@ -1,6 +1,8 @@
 // Events that an experimenter meets during a session: corrections, notes, voids, a withdrawal, a display that fails, a key
 // held down. Through the real widgets.
 #include <QLabel>
+#include <QPlainTextEdit>
+#include <QPushButton>
 #include <QTest>
 
 #include "study/app/state/tray_steps.h"
@@ -31,7 +33,187 @@ private Q_SLOTS:
     void heldKeyStoresOneAnswer();
     void displayFaultPausesAndLosesNothing();
     void enterStoresNothingBeforeAChoice();
+    void aBouncedEnterAfterAPanelArmsNothing_data();
+    void aBouncedEnterAfterAPanelArmsNothing();
+    void aBouncedEnterConfirmsNoPage();
+    void aDeadTimeOfZeroHoldsNothingBack();
+    void whatTheParticipantEntersHoldsNothingBack();
+    void theEnterThatLeavesASessionEnrolsNobody_data();
+    void theEnterThatLeavesASessionEnrolsNobody();
+    void closingAsksAboutATextThatIsNotStored_data();
+    void closingAsksAboutATextThatIsNotStored();
+    void aStoredTextIsNotAskedAbout();
+
+private:
+    /// Opens the panel by its key and types a reason; on the debriefing page (no key) types the comment.
+    static void typeReason(OpenWindow& open, int key);
 };
+
+namespace {
+
+constexpr double bounceSeconds = 0.06;
+
+void addPanels()
+{
+    QTest::addColumn<int>("key");
+    QTest::newRow("note") << int(Qt::Key_N);
+    QTest::newRow("flag") << int(Qt::Key_F);
+    QTest::newRow("void") << int(Qt::Key_V);
+    QTest::newRow("correction") << int(Qt::Key_L);
+}
+
+}  // namespace
+
+void AppOperatorTest::typeReason(OpenWindow& open, int key)
+{
+    if (key != 0) pressKey(open, static_cast<Qt::Key>(key));
+    if (key == Qt::Key_L) {
+        typeText(open, "B");
+        open.widget<QPlainTextEdit>("reasonField").setFocus();
+    }
+    typeText(open, "the lorry again");
+}
+
+void AppOperatorTest::aBouncedEnterAfterAPanelArmsNothing_data() { addPanels(); }
+
+void AppOperatorTest::aBouncedEnterAfterAPanelArmsNothing()
+{
+    QFETCH(int, key);
+    OpenWindow open(newStudy({.deadTimeSeconds = 0.7}));
+    open.enrolAndBegin();
+    open.playTo("Presenting", "Q1");
+    open.playTo("PlacingTray");
+    open.clock().advanceSeconds(5);
+    typeReason(open, key);
+    const auto stored = [&] { return open.window().study()->store().events(protocols::ParticipantId("P01")).size(); };
+    const std::size_t before = stored();
+    pressKey(open, Qt::Key_Return);
+    QCOMPARE(stored(), before + 1);
+    open.clock().advanceSeconds(bounceSeconds);
+    pressKey(open, Qt::Key_Return);
+    QCOMPARE(nameOf(open.view().state), std::string("PlacingTray"));
+    QCOMPARE(stored(), before + 1);
+    QVERIFY2(open.message().contains("only just"), qPrintable(open.message()));
+    open.clock().advanceSeconds(0.7);
+    pressKey(open, Qt::Key_Return);
+    QCOMPARE(nameOf(open.view().state), std::string("Presenting"));
+}
+
+void AppOperatorTest::aBouncedEnterConfirmsNoPage()
+{
+    const auto folder = newStudy({.deadTimeSeconds = 0.7});
+    OpenWindow open(folder);
+    open.window().startSession(protocols::ParticipantId("P01"));
+    std::set<std::string> stages;
+    while (!std::holds_alternative<Finished>(open.view().state.stage)) {
+        const State shown = open.view().state;
+        open.clock().advanceSeconds(bounceSeconds);
+        pressKey(open, Qt::Key_Return);
+        QVERIFY2(open.view().state == shown, nameOf(shown).c_str());
+        stages.insert(nameOf(shown));
+        open.perform(open.nextEvent());
+    }
+    for (const char* stage : {"Enrolled", "Consenting", "PlacingTray", "Presenting", "OnBreak", "Debriefing"})
+        QVERIFY2(stages.contains(stage), stage);
+    QCOMPARE(answersIn(folder).size(), std::size_t(24));
+}
+
+void AppOperatorTest::aDeadTimeOfZeroHoldsNothingBack()
+{
+    OpenWindow open(newStudy({.deadTimeSeconds = 0}));
+    open.enrolAndBegin();
+    typeReason(open, Qt::Key_N);
+    pressKey(open, Qt::Key_Return);
+    pressKey(open, Qt::Key_Return);
+    QCOMPARE(nameOf(open.view().state), std::string("Presenting"));
+}
+
+void AppOperatorTest::whatTheParticipantEntersHoldsNothingBack()
+{
+    OpenWindow open(newStudy({.deadTimeSeconds = 0.7}));
+    open.window().startSession(protocols::ParticipantId("P01"));
+    open.perform(Begun{});
+    QCOMPARE(nameOf(open.view().state), std::string("Consenting"));
+    open.window().session()->send(Consented{EnteredBy::Participant});  // at once: this is another person's hand
+    QVERIFY(nameOf(open.view().state) != "Consenting");
+    open.playTo("PlacingTray");
+    open.clock().advanceSeconds(0.7);
+    open.window().session()->displayTouched();
+    pressKey(open, Qt::Key_Return);
+    QCOMPARE(nameOf(open.view().state), std::string("Presenting"));
+}
+
+void AppOperatorTest::theEnterThatLeavesASessionEnrolsNobody_data()
+{
+    QTest::addColumn<bool>("isFinished");
+    QTest::newRow("finished") << true;
+    QTest::newRow("withdrawn") << false;
+}
+
+void AppOperatorTest::theEnterThatLeavesASessionEnrolsNobody()
+{
+    QFETCH(bool, isFinished);
+    OpenWindow open(newStudy());
+    open.enrolAndBegin();
+    if (isFinished)
+        open.playToEnd();
+    else
+        open.perform(WithdrawnEvent{"tired"});
+    pressKey(open, Qt::Key_Return);
+    QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
+    open.clock().advanceSeconds(bounceSeconds);
+    pressKey(open, Qt::Key_Return);
+    QCOMPARE(open.window().study()->store().enrolments().size(), std::size_t(1));
+    open.clock().advanceSeconds(0.7);
+    pressKey(open, Qt::Key_Return);
+    QCOMPARE(open.window().study()->store().enrolments().size(), std::size_t(2));
+}
+
+void AppOperatorTest::closingAsksAboutATextThatIsNotStored_data()
+{
+    addPanels();
+    QTest::newRow("debriefing") << 0;
+}
+
+void AppOperatorTest::closingAsksAboutATextThatIsNotStored()
+{
+    QFETCH(int, key);
+    OpenWindow open(newStudy());
+    open.enrolAndBegin();
+    open.playTo("Presenting", "Q1");
+    open.playTo(key == 0 ? "Debriefing" : "PlacingTray");
+    typeReason(open, key);
+    auto& field = open.widget<QPlainTextEdit>(key == 0 ? "debriefingField" : "reasonField");
+
+    open.window().close();
+    QVERIFY(open.window().isVisible());
+    QVERIFY(!open.view().state.paused);
+    QCOMPARE(open.window().focusWidget()->objectName(), QString("stayButton"));  // so that Enter loses nothing
+    pressKey(open, Qt::Key_Escape);
+    QVERIFY(open.window().isVisible() && field.isVisible());
+    QCOMPARE(field.toPlainText(), QString("the lorry again"));
+
+    open.window().close();
+    pressKey(open, Qt::Key_Return);
+    QVERIFY(open.window().isVisible() && field.isVisible());
+    QCOMPARE(field.toPlainText(), QString("the lorry again"));
+
+    open.window().close();
+    open.widget<QPushButton>("closeAnywayButton").click();
+    QVERIFY(!open.window().isVisible());
+    QVERIFY(open.view().state.paused);
+}
+
+void AppOperatorTest::aStoredTextIsNotAskedAbout()
+{
+    OpenWindow open(newStudy());
+    open.enrolAndBegin();
+    typeReason(open, Qt::Key_N);
+    pressKey(open, Qt::Key_Return);
+    pressKey(open, Qt::Key_N);  // an empty panel holds nothing
+    open.window().close();
+    QVERIFY(!open.window().isVisible());
+}
 
 void AppOperatorTest::lastAnswerIsCorrectedWithItsReason()
 {

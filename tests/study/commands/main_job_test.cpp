@@ -285,6 +285,12 @@ void MainJobTest::reportsStayBlindedUntilTheStudyIsUnblinded()
     QVERIFY(page.open(QIODevice::ReadOnly));
     const auto text = QString::fromUtf8(page.readAll());
     for (const char* id : {"v_grey", "v_shape", "t_grey", "h_g&amp;f_g", "h&amp;f"}) QVERIFY2(!text.contains(id), id);
+    QVERIFY(results["questions"].is_null());
+    QVERIFY2(text.contains("2 participants have finished, and at least 3 are needed"), "there are no means yet");
+    mustRun({"export", study, "--out", path("blinded-export"), "--format", "json"});
+    const auto exported = readJson(path("blinded-export/export.json"));
+    QVERIFY(exported["conditions"].is_null());
+    QCOMPARE(exported["why"]["conditions"].get<std::string>(), results["why"]["questions"].get<std::string>());
 }
 
 void MainJobTest::aSealedStudyShowsProgressOnly()

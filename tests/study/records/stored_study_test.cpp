@@ -9,7 +9,9 @@
 #include "database/evidence/acts.h"
 #include "database/preregistrations.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
+#include "reports/write_report.h"
 #include "study/records/blinded_report.h"
 #include "study/records/shown_origin.h"
 #include "study/records/study_faults.h"
@@ -53,6 +55,61 @@ std::string refusalsOf(const database::StudyFolder& folder)
     tried([](const auto& store) { preregistrationsOf(store); });
     tried([](const auto& store) { chainedActsOf(store); });
     return refusals;
+}
+
+/// Four participants, three fabrics, three conditions: 9 choices, then 9 presentations with three ratings. The key lies open,
+/// which shows as much as its passphrase.
+const tests::support::StudyRecipe fourPeople{.conditions = {"v_grey", "h&f", "f"}, .participants = 4};
+
+/// "S01" and so on; as many as `finished` play to the end, one more gives `answers` answers.
+database::StudyFolder played(const std::filesystem::path& place, int finished, int answers)
+{
+    const auto folder = tests::support::buildStudy(place, fourPeople);
+    const auto name = [](int number) { return "S0" + std::to_string(number); };
+    for (int one = 1; one <= finished; ++one) OpenSession(folder, name(one)).playToEnd();
+    if (answers > 0) OpenSession(folder, name(finished + 1)).playUntilAnswers(answers);
+    return folder;
+}
+
+reports::StudyData maskedData(const database::StudyFolder& folder)
+{
+    return *study::records::studyData(study::records::openStudy(folder.folder), {});
+}
+
+/// The files of the report that the key makes, by their names.
+std::map<std::string, std::string> reportFiles(const database::StudyFolder& folder, const std::filesystem::path& out)
+{
+    reports::writeReport(reports::analyse(maskedData(folder)), out);
+    std::map<std::string, std::string> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(out))
+        if (entry.is_regular_file())
+            files[entry.path().lexically_relative(out).string()] = protocols::readWholeFile(entry.path());
+    return files;
+}
+
+std::set<std::string> namesOf(const std::map<std::string, std::string>& files)
+{
+    std::set<std::string> names;
+    for (const auto& [name, text] : files) names.insert(name);
+    return names;
+}
+
+/// Exact mean ratings under K-labels, of one participant and of all, that no rounded number looks like: "5.6666".
+std::set<std::string> exactMeans(const reports::StudyData& data)
+{
+    std::map<std::tuple<std::string, std::string, std::string>, std::pair<double, int>> sums;
+    for (const auto& response : data.responses)
+        if (const auto* rated = std::get_if<reports::RatedAnswer>(&response.content))
+            for (const std::string& participant : {response.participant, std::string("all")}) {
+                auto& [sum, n] = sums[{participant, response.question, response.condition}];
+                sum += rated->rating;
+                ++n;
+            }
+    std::set<std::string> means;
+    for (const auto& [of, sum] : sums)
+        if (const std::string text = protocols::shortest(sum.first / sum.second); text.size() > 6)
+            means.insert(text.substr(0, 6));
+    return means;
 }
 
 }  // namespace
@@ -102,6 +159,85 @@ private Q_SLOTS:
         QVERIFY(page.find("Head of the log: " + textOf(store.head())) != std::string::npos);
         QVERIFY(page.find("The data have no flags.") != std::string::npos && page.find("Flags on the data") == std::string::npos);
         QCOMPARE(protocols::readWholeFile(report / "tables/flags.csv"), "participant,flag,reason\r\n");
+    }
+
+    /// Who holds two reports and study.db learns the K-label of a trial from any number by condition that its answer changes.
+    void oneAnswerOfARunningSessionChangesNoFileOfABlindedReport()
+    {
+        QTemporaryDir place;
+        const std::filesystem::path root = place.path().toStdString();
+        const auto folder = played(root / "study", 3, 15);
+        const auto before = reportFiles(folder, root / "before");
+        alter(folder,
+              "UPDATE responses SET rating_tenths = (rating_tenths + 50) % 101 WHERE id = (SELECT max(id) FROM responses WHERE "
+              "participant = 'S04' AND rating_tenths IS NOT NULL)");
+        const auto after = reportFiles(folder, root / "after");
+        QCOMPARE(namesOf(after), namesOf(before));
+        for (const auto& [name, text] : before) QVERIFY2(after.at(name) == text, name.c_str());
+        OpenSession(folder, "S04").playUntilAnswers(16);
+        const auto later = reportFiles(folder, root / "later");
+        for (const char* name : {"tables/overview.csv", "tables/overview.tex", "statistics.json"})
+            QVERIFY2(later.at(name) == before.at(name), name);
+        QCOMPARE(nlohmann::json::parse(later.at("results.json"))["questions"],
+                 nlohmann::json::parse(before.at("results.json"))["questions"]);
+    }
+
+    void noFileOfABlindedReportHoldsAnExactMean()
+    {
+        QTemporaryDir place;
+        const std::filesystem::path root = place.path().toStdString();
+        const auto folder = played(root / "study", 3, 15);
+        const auto means = exactMeans(maskedData(folder));
+        QVERIFY(means.size() > 15);
+        const auto files = reportFiles(folder, root / "report");
+        for (const auto& [name, text] : files)
+            for (const std::string& mean : means) QVERIFY2(text.find(mean) == std::string::npos, (name + ": " + mean).c_str());
+        const auto results = nlohmann::json::parse(files.at("results.json"));
+        for (const auto& [label, row] : results["questions"]["Q2"].items()) {
+            QCOMPARE(row["n"].get<int>(), 3 * 3);
+            const double tenths = row["mean"].get<double>() * 10;
+            QVERIFY2(std::abs(tenths - std::round(tenths)) < 1e-9, label.c_str());
+        }
+        QVERIFY(results["claims"].is_null() && !results["why"]["claims"].get<std::string>().empty());
+        QVERIFY(files.at("index.html").find("by condition after the unblinding.") != std::string::npos);
+    }
+
+    void aBlindedReportOfTwoFinishedParticipantsSaysWhyItHasNoMeans()
+    {
+        QTemporaryDir place;
+        const std::filesystem::path root = place.path().toStdString();
+        const auto folder = played(root / "study", 2, 15);
+        const auto files = reportFiles(folder, root / "report");
+        const std::string why = "There are no means under K-labels yet: 2 participants have finished, and at least 3 are needed.";
+        QVERIFY(files.at("index.html").find(why) != std::string::npos);
+        const auto results = nlohmann::json::parse(files.at("results.json"));
+        QVERIFY(results["questions"].is_null());
+        QCOMPARE(results["why"]["questions"].get<std::string>(), why);
+        QVERIFY(!files.contains("tables/overview.csv"));
+    }
+
+    /// A session may still void or correct its last answer before it is over.
+    void exportedMeansWaitForTheEndOfASession()
+    {
+        QTemporaryDir place;
+        const auto folder = played(place.filePath("study").toStdString(), 2, 0);
+        const auto aggregates = [&] { return study::records::aggregatesOf(maskedData(folder)); };
+        {
+            OpenSession session(folder, "S03");
+            session.stepUntil("Debriefing");
+            QVERIFY(aggregates().rows.empty());
+            QCOMPARE(aggregates().why,
+                     "There are no means under K-labels yet: 2 participants have finished, and at least 3 are needed.");
+            session.playToEnd();
+        }
+        const auto after = aggregates();
+        QVERIFY(after.why.empty());
+        QCOMPARE(after.rows.size(), std::size_t{4 * 3});
+        for (const auto& row : after.rows) {
+            QCOMPARE(row["n"].get<int>(), 3 * 3);
+            QCOMPARE(row["share"].is_null(), row["question"] != "Q1");
+            QCOMPARE(row["mean"].is_null(), row["question"] == "Q1");
+        }
     }
 
     void sittingsWithoutADisplayAreStated()

@@ -1,4 +1,4 @@
-#include "protocols/files/owner_only.h"
+#include "protocols/process/owner_only.h"
 
 #include <sys/stat.h>
 #include <sys/xattr.h>

@@ -1,0 +1,146 @@
+#include "reports/cells/blinded_means.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "reports/text/plain_words.h"
+
+namespace reports {
+namespace {
+
+using AnswersByPerson = std::map<std::string, std::size_t>;
+
+AnswersByPerson answersByPerson(const std::vector<StudyResponse>& responses)
+{
+    AnswersByPerson counts;
+    for (const StudyResponse& response : responses) ++counts[response.participant];
+    return counts;
+}
+
+std::size_t answersOfOne(const StudyData& data)
+{
+    std::size_t answers = 0;
+    for (const QuestionInfo& question : data.questions)
+        answers += answersPerCellOf(data, question) * data.conditions.size() * data.fabrics.size();
+    return answers;
+}
+
+/// Who has given every answer. Catch trials and anchors may come last, so those with fewer of them are still running.
+std::set<std::string> completeParticipants(const StudyData& data)
+{
+    std::set<std::string> complete(data.participants.begin(), data.participants.end());
+    const auto keepThoseWith = [&](AnswersByPerson counts, std::size_t fewest) {
+        std::erase_if(complete, [&](const std::string& one) { return counts[one] < fewest; });
+    };
+    keepThoseWith(answersByPerson(data.responses), answersOfOne(data));
+    for (const auto* extra : {&data.catchResponses, &data.mismatchedResponses, &data.repeatedResponses}) {
+        const AnswersByPerson counts = answersByPerson(*extra);
+        std::size_t most = 0;
+        for (const auto& [participant, answers] : counts) most = std::max(most, answers);
+        keepThoseWith(counts, most);
+    }
+    return complete;
+}
+
+/// 0.1 on scales up to 10 units long, 1 on those up to 100. Ratings are tenths, so no scale has a finer step.
+double stepOn(const NumberOnScale& scale)
+{
+    double step = 0.1;
+    while (scale.max - scale.min > 100 * step * (1 + 1e-9)) step *= 10;
+    return step < 1 ? 0.1 : std::round(step);
+}
+
+/// The multiple of the step in its shortest digits: 0.3, not 0.30000000000000004.
+double roundedTo(double step, double value)
+{
+    return step < 1 ? std::round(value * std::round(1 / step)) / std::round(1 / step) : std::round(value / step) * step;
+}
+
+double stepOf(const QuestionInfo& question)
+{
+    return std::visit(protocols::Overloaded{
+                          [](const RightOrWrong&) { return shareStep; },
+                          [](const NumberOnScale& scale) { return stepOn(scale); },
+                          [](const OpenWords&) { return 0.0; },
+                      },
+                      scoringOf(question.kind));
+}
+
+double worthOf(const AnswerContent& content)
+{
+    return std::visit(protocols::Overloaded{
+                          [](const ChosenAnswer& choice) { return choice.correct ? 1.0 : 0.0; },
+                          [](const RatedAnswer& rated) { return rated.rating; },
+                          [](const WordedAnswer&) { return 0.0; },
+                      },
+                      content);
+}
+
+BlindedQuestion blindedQuestion(const StudyData& data, const QuestionInfo& question)
+{
+    std::map<std::string, std::pair<std::size_t, double>> sums;
+    for (const StudyResponse& response : data.responses)
+        if (response.question == question.id) {
+            auto& [n, sum] = sums[response.condition];
+            ++n;
+            sum += worthOf(response.content);
+        }
+    BlindedQuestion blinded{question, stepOf(question), {}};
+    for (const std::string& condition : data.conditions) {
+        const auto [n, sum] = sums[condition];
+        const char* const why = hasNumbers(question) ? "nobody answered" : "words have no mean";
+        blinded.conditions.push_back({condition, n,
+                                      n == 0 || blinded.step == 0
+                                          ? stats::Value::undefined(why)
+                                          : stats::Value(roundedTo(blinded.step, sum / static_cast<double>(n)))});
+    }
+    return blinded;
+}
+
+}  // namespace
+
+int BlindedQuestion::decimals() const { return isChosen() ? 2 : step < 1 ? 1 : 0; }
+
+StudyData finishedPart(StudyData data)
+{
+    std::set<std::string> finished = data.finished ? *data.finished : completeParticipants(data);
+    if (data.finished) {
+        // Erased answers count for nobody.
+        const AnswersByPerson counts = answersByPerson(data.responses);
+        std::erase_if(finished, [&](const std::string& one) { return !counts.contains(one); });
+    }
+    const auto isRunning = [&](const auto& of) { return !finished.contains(of.participant); };
+    std::erase_if(data.participants, [&](const std::string& one) { return !finished.contains(one); });
+    for (auto* responses : {&data.responses, &data.catchResponses, &data.mismatchedResponses, &data.repeatedResponses})
+        std::erase_if(*responses, isRunning);
+    std::erase_if(data.touches, isRunning);
+    return data;
+}
+
+BlindedMeans blindedMeans(const StudyData& data)
+{
+    const StudyData part = finishedPart(data);
+    BlindedMeans means;
+    means.participants = part.participants.size();
+    if (means.participants < fewestFinished) {
+        means.why = "There are no means under K-labels yet: " + counted(means.participants, "participant") +
+                    (means.participants == 1 ? " has" : " have") + " finished, and at least " + std::to_string(fewestFinished) +
+                    " are needed.";
+        return means;
+    }
+    for (const QuestionInfo& question : part.questions) means.questions.push_back(blindedQuestion(part, question));
+    return means;
+}
+
+void forgetAnswers(StudyData& data)
+{
+    for (auto* responses : {&data.responses, &data.catchResponses, &data.mismatchedResponses, &data.repeatedResponses})
+        responses->clear();
+    data.touches.clear();
+    data.choicesRepeatedAnew.clear();
+}
+
+}  // namespace reports

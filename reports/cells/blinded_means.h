@@ -1,0 +1,60 @@
+// The only numbers by condition that leave a blinded study: rounded means under K-labels, over participants who have finished.
+// Who has exact means and the answers can work out which K-label each trial has.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/data/study_data.h"
+#include "stats/kernels/value.h"
+
+namespace reports {
+
+/// Means exist from this number of finished participants on.
+inline constexpr std::size_t fewestFinished = 3;
+
+/// Shares of right answers are multiples of this.
+inline constexpr double shareStep = 0.05;
+
+/// Reason of every number by condition that a blinded report has not.
+inline constexpr const char* leftOutWhileBlinded = "left out while the study is blinded";
+
+/// Sentence of every blinded report.
+inline constexpr const char* restAfterUnblinding =
+    "The report shows exact numbers, tests, tables and figures by condition after the unblinding.";
+
+/// Mean rating, or share of right answers, under one label.
+struct BlindedMean {
+    std::string condition;
+    std::size_t n = 0;  ///< answers
+    stats::Value mean;  ///< a multiple of the question's step; undefined for words
+};
+
+struct BlindedQuestion {
+    QuestionInfo question;
+    double step = 0;                      ///< scale units, or shareStep; 0 for words
+    std::vector<BlindedMean> conditions;  ///< in the order of the study
+
+    bool isRated() const { return std::holds_alternative<NumberOnScale>(scoringOf(question.kind)); }
+    bool isChosen() const { return std::holds_alternative<RightOrWrong>(scoringOf(question.kind)); }
+    /// Decimals of a multiple of the step.
+    int decimals() const;
+};
+
+struct BlindedMeans {
+    std::size_t participants = 0;            ///< who have finished
+    std::string why;                         ///< one sentence: why there are no means; empty where there are
+    std::vector<BlindedQuestion> questions;  ///< in the order of the study; empty where there are no means
+};
+
+/// Takes the answers of participants who have finished only. So no single answer of a running session changes it.
+BlindedMeans blindedMeans(const StudyData& data);
+
+/// The study with the participants who have finished and their answers only. A participant has finished whom `finished` names;
+/// where that is unknown, who has given every answer of the study, and as many answers to catch trials and anchors as anybody.
+StudyData finishedPart(StudyData data);
+
+/// Removes everything of the answers: responses, touches, and what is known of trays.
+void forgetAnswers(StudyData& data);
+
+}  // namespace reports

@@ -4,7 +4,10 @@
 #include <set>
 
 #include "database/disk/payload_fields.h"
+#include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
+#include "protocols/protocol.h"
+#include "protocols/protocol_json.h"
 
 namespace database {
 
@@ -242,6 +245,67 @@ void checkNamedActs(const SqliteConnection& sqlite, const Log& log, std::vector<
     }
 }
 
+/// What a question cannot have as its answer, in SQL.
+QString impossibleFor(const protocols::AnswerKind& kind)
+{
+    return std::visit(
+        protocols::Overloaded{
+            [](const protocols::ForcedChoice&) {
+                return QStringLiteral("(rating_tenths IS NOT NULL OR instr(alternatives, '\"' || choice || '\"') = 0)");
+            },
+            [](const protocols::Rating& rating) {
+                const protocols::RatingScale& scale = rating.scale;
+                return QStringLiteral(
+                           "(choice IS NOT NULL OR rating_tenths NOT BETWEEN %1 AND %2 OR (rating_tenths - %1) % %3 <> 0)")
+                    .arg(scale.min.value)
+                    .arg(scale.max.value)
+                    .arg(scale.step.value);
+            },
+            [](const protocols::SameDifferent&) {
+                return QStringLiteral("(rating_tenths IS NOT NULL OR choice NOT IN ('same', 'different'))");
+            },
+            [](const protocols::FreeText&) { return QStringLiteral("rating_tenths IS NOT NULL"); },
+        },
+        kind);
+}
+
+/// By question: what no version of the protocol allows. Empty where a version cannot be read, which is a fault of its own.
+std::map<std::string, QString> impossibleAnswers(const SqliteConnection& sqlite)
+{
+    std::map<std::string, QString> impossible;
+    try {
+        QSqlQuery row =
+            sqlite.run(QStringLiteral("SELECT protocol_json, program_version FROM study UNION ALL "
+                                      "SELECT json, program_version FROM protocol_versions, study"));
+        while (row.next()) {
+            const auto protocol =
+                protocols::keptProtocolFromJson(fromQt(row.value(0)), "the study's protocol", fromQt(row.value(1)));
+            for (const protocols::Phase& phase : protocol.phases)
+                for (const protocols::Question& question : phase.questions) {
+                    QString& rule = impossible[question.id.value];
+                    rule += (rule.isEmpty() ? QString() : QStringLiteral(" AND ")) + impossibleFor(question.kind);
+                }
+        }
+    } catch (const protocols::Error&) {
+        return {};
+    }
+    return impossible;
+}
+
+/// The program stores no answer that the question cannot have; a login of a server that sends what it likes may.
+void checkAnswers(const SqliteConnection& sqlite, std::vector<std::string>& faults)
+{
+    for (const auto& [question, impossible] : impossibleAnswers(sqlite)) {
+        QSqlQuery row =
+            sqlite.run(QStringLiteral("SELECT participant, trial FROM responses WHERE question = ? AND (%1) ORDER BY id LIMIT 20")
+                           .arg(impossible),
+                       {toQt(question)});
+        while (row.next())
+            faults.push_back(fromQt(row.value(0)) + ", trial " + std::to_string(row.value(1).toInt()) + ": the answer to " +
+                             question + " is none that the question can have");
+    }
+}
+
 }  // namespace
 
 std::vector<std::string> faultsOfStates(const SqliteConnection& sqlite, const Log& log)
@@ -254,6 +318,7 @@ std::vector<std::string> faultsOfStates(const SqliteConnection& sqlite, const Lo
     checkProtocols(sqlite, log, faults);
     checkUpgradeSteps(log, faults);
     checkNamedActs(sqlite, log, faults);
+    checkAnswers(sqlite, faults);
     return faults;
 }
 

@@ -1,5 +1,6 @@
 #include "database/study_store.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <optional>
 #include <set>
@@ -86,11 +87,14 @@ struct StudyStore::Connection {
             return protocols::workFailed({"the database is damaged (overwritten while it was open)", folder.database().string(),
                                           "the file that the session began with",
                                           "keep study.db-wal, which holds the newest answers; restore study.db from a backup"});
+        const auto found = rescueFiles(folder);  // none in the folder for temporary files
+        const bool isFound = std::ranges::find(found, keptAside) != found.end();
         return protocols::environmentFault(
             {"the database of the study was deleted, replaced, overwritten or moved while it was open",
              folder.database().string(), "the file that the session began with",
              "every stored answer is kept in " + keptAside.string() + "; close the study, then run vis2hap rescue " +
-                 protocols::shellWord(folder.folder.string())});
+                 protocols::shellWord(folder.folder.string()) +
+                 (isFound ? "" : " --from " + protocols::shellWord(keptAside.string()))});
     }
 
     /// Stops a writer whose files are no longer in place.

@@ -96,6 +96,31 @@ private Q_SLOTS:
         QVERIFY(session.store.faults().empty());
     }
 
+    /// Where nothing can be written beside the study, the file lies in the folder for temporary files, and the command names it.
+    void theCommandThatIsToldFindsTheFile()
+    {
+        const StudyFolder folder = newStudy();
+        const std::filesystem::path above = folder.folder.string() + "-above", moved = above.string() + "-moved";
+        std::filesystem::create_directory(above);
+        std::filesystem::rename(folder.folder, above / "study");
+        const StudyFolder inside{above / "study"};
+        QString told;
+        {
+            OpenSession session(inside, "S01");
+            session.playUntilAnswers(5);
+            std::filesystem::rename(above, moved);
+            told = errorOf([&] { session.playUntilAnswers(6); });
+        }
+        std::filesystem::rename(moved, above);
+        QVERIFY(rescueFiles(inside).empty());
+        const auto at = told.indexOf(" --from ");
+        QVERIFY2(at > 0, qPrintable(told));
+        const std::filesystem::path named = told.mid(at + 8).trimmed().toStdString();
+        StudyStore::rescue(inside, named);
+        QCOMPARE(StudyStore(inside, StudyStore::Access::Read).answers().size(), 5u);
+        std::filesystem::remove(named);
+    }
+
     void anOlderDatabaseIsContinuedAndAnotherOneIsNot()
     {
         const StudyFolder folder = newStudy();

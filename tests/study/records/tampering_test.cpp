@@ -178,6 +178,10 @@ private Q_SLOTS:
                                                    << "1 rows of the table responses hold numbers in is_correction";
         QTest::newRow("correction undone") << "UPDATE responses SET attempt = attempt + 4294967296 WHERE is_correction = 1"
                                            << "hold numbers in attempt";
+        QTest::newRow("rating off the scale") << "UPDATE responses SET rating_tenths = 990 WHERE rating_tenths IS NOT NULL"
+                                              << "is none that the question can have";
+        QTest::newRow("choice off the tray") << "UPDATE responses SET choice = 'F99' WHERE choice IS NOT NULL"
+                                             << "is none that the question can have";
         QTest::newRow("rating far away") << "UPDATE responses SET rating_tenths = rating_tenths - 4294967296"
                                          << "hold numbers in rating_tenths";
         QTest::newRow("version far away") << "UPDATE participants SET protocol_version = protocol_version + 4294967296"

@@ -251,7 +251,7 @@ QString impossibleFor(const protocols::AnswerKind& kind)
     return std::visit(
         protocols::Overloaded{
             [](const protocols::ForcedChoice&) {
-                return QStringLiteral("(rating_tenths IS NOT NULL OR instr(alternatives, '\"' || choice || '\"') = 0)");
+                return QStringLiteral("(rating_tenths IS NOT NULL OR instr(alternatives, json_quote(choice)) = 0)");
             },
             [](const protocols::Rating& rating) {
                 const protocols::RatingScale& scale = rating.scale;

@@ -15,9 +15,9 @@ using WriteDocuments = std::function<void(const ReportDocument& document, const 
 
 /// Writes index.html (self-contained), results.json, statistics.json, tables/*.csv and *.tex, figures/*.svg into `folder`, and
 /// what `documents` writes; where the study is not blinded also reproduce/ (scripts/reproduction.h). A blinded report has rounded
-/// means and no figures (cells/blinded_means.h). The folder is made if it is
-/// missing, and the files of an earlier report are replaced as a whole. Throws environmentFault where it cannot write, badInput
-/// where the folder holds somebody's files of these names; no half-written report is left.
+/// means and no figures (cells/blinded_means.h). The folder is made if it is missing, and the files of an earlier report are
+/// replaced as a whole. Throws environmentFault where it cannot write, badInput where the folder holds somebody's files of these
+/// names; no half-written report is left.
 void writeReport(const StudyAnalysis& analysis, const std::filesystem::path& folder, const ReportOrigin& origin = {},
                  const WriteDocuments& documents = {});
 

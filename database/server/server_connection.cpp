@@ -24,7 +24,16 @@ constexpr const char* callOptions =
 bool mayPassInTheClear(const ServerAddress& address)
 {
     const auto isMode = [](const auto& setting) { return setting.first == "sslmode"; };
-    const std::string& host = address.host;
+    const auto surroundings = [](const char* name) {
+        const char* value = std::getenv(name);
+        return std::string(value == nullptr ? "" : value);
+    };
+    // As the client library chooses it.
+    std::string host = address.host.empty() ? surroundings("PGHOST") : address.host;
+    std::string number = surroundings("PGHOSTADDR");
+    for (const auto& [name, value] : address.settings)
+        if (name == "hostaddr") number = value;
+    if (!number.empty()) host = number;
     const bool isThisComputer =
         host.empty() || host.starts_with('/') || host == "localhost" || host == "127.0.0.1" || host == "::1";
     return !isThisComputer && std::getenv("PGSSLMODE") == nullptr && std::ranges::none_of(address.settings, isMode);
@@ -136,6 +145,10 @@ void ServerConnection::open()
     if (!m_connection.open()) {
         const QString text = m_connection.lastError().databaseText().trimmed();
         const bool isRefused = text.contains(QLatin1String("FATAL"));
+        if (text.contains(QLatin1String("does not support SSL")))
+            throw protocols::environmentFault(
+                {"the server does not encrypt", m_address.text, "a server with ssl = on",
+                 "let its administrator switch it on; sslmode=prefer in the address goes on without, for everybody to read"});
         const protocols::Fault fault{
             (isRefused ? "the server refused this login: " : "the server cannot be reached: ") +
                 partsOf(text).join(QStringLiteral(" ")).toStdString(),

@@ -37,6 +37,9 @@ struct BalanceCertificate {
 /// Balance of a planned design, or of what was presented.
 BalanceCertificate balanceOf(const Design& design, const Protocol& protocol);
 
+/// Mark of a balance that is not the study's own.
+inline constexpr const char* balanceOfOthers = "other designs by the same rules";
+
 /// Balance of three designs that this version draws for the protocol (of one, for more than 5000 presentations): the least and
 /// the greatest counts of all. It tells what the rules reach. Exact counts of a study's own design would name true pieces.
 BalanceCertificate balanceOfExamples(const Protocol& protocol);

@@ -180,8 +180,10 @@ PlanRow primaryRow(const StudyData& data, const std::vector<ContrastDone>& contr
 PlanRow contrastsRow(const StudyData& data, const std::vector<ContrastDone>& contrasts)
 {
     const std::size_t planned = data.plannedDesign->contrasts;
+    if (data.blinded)
+        return {"planned contrasts", planned == 0 ? "none: all pairs" : std::to_string(planned), "left out while blinded",
+                Accord::Unknown};
     if (planned == 0) return {"planned contrasts", "none: all pairs", "all pairs", Accord::AsPlanned};
-    if (data.blinded) return {"planned contrasts", std::to_string(planned), "all pairs while blinded", Accord::Unknown};
     const auto whole = static_cast<std::size_t>(
         std::ranges::count_if(contrasts, [](const ContrastDone& one) { return one.untested.empty() && !one.testedIn.empty(); }));
     const auto none =

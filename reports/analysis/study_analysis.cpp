@@ -93,7 +93,7 @@ OrderEffects orderEffectsOf(const StudyAnalysis& analysis, const StudyData& data
 /// What may be shown before the unblinding. The one place that decides it: the answers end here.
 StudyAnalysis analyseBlinded(StudyData data, const AnalysisOptions& options)
 {
-    const AnswerCells checked(data);  // a study whose answers contradict its lists has no report
+    const AnswerCells all(data);
     StudyAnalysis analysis;
     analysis.depth = options.depth;
     analysis.designLimits = designLimits(data, options.depth);
@@ -105,9 +105,8 @@ StudyAnalysis analyseBlinded(StudyData data, const AnalysisOptions& options)
     analysis.screening.questions.clear();
     analysis.screening.why = leftOutWhileBlinded;
     analysis.order.why = leftOutWhileBlinded;
-    analysis.completeness = completenessOf(data, cells);
+    analysis.completeness = completenessOf(data, all);  // progress: study.db tells it, too
     analysis.data = std::move(data);
-    analysis.data.responses = std::move(part.responses);  // the plan asks what they cover
     analysis.plan = comparePlan(analysis);
     forgetAnswers(analysis.data);
     if (options.progress) options.progress(1, 1, "done");

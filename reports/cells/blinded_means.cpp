@@ -59,10 +59,10 @@ double roundedTo(double step, double value)
     return step < 1 ? std::round(value * std::round(1 / step)) / std::round(1 / step) : std::round(value / step) * step;
 }
 
-double stepOf(const QuestionInfo& question)
+double stepOf(const QuestionInfo& question, std::size_t fewestAnswers)
 {
     return std::visit(protocols::Overloaded{
-                          [](const RightOrWrong&) { return shareStep; },
+                          [&](const RightOrWrong&) { return shareStep(fewestAnswers); },
                           [](const NumberOnScale& scale) { return stepOn(scale); },
                           [](const OpenWords&) { return 0.0; },
                       },
@@ -88,12 +88,17 @@ BlindedQuestion blindedQuestion(const StudyData& data, const QuestionInfo& quest
             ++n;
             sum += worthOf(response.content);
         }
-    BlindedQuestion blinded{question, stepOf(question), {}};
+    std::size_t fewest = data.responses.size();
+    for (const std::string& condition : data.conditions) fewest = std::min(fewest, sums[condition].first);
+    BlindedQuestion blinded{question, stepOf(question, fewest), {}};
     for (const std::string& condition : data.conditions) {
         const auto [n, sum] = sums[condition];
-        const char* const why = hasNumbers(question) ? "nobody answered" : "words have no mean";
+        const bool isTooFew = blinded.isChosen() && n < fewestChoices;
+        const char* const why = !hasNumbers(question) ? "words have no mean"
+                                : n == 0              ? "nobody answered"
+                                                      : "fewer than 12 answers";
         blinded.conditions.push_back({condition, n,
-                                      n == 0 || blinded.step == 0
+                                      n == 0 || isTooFew || blinded.step == 0
                                           ? stats::Value::undefined(why)
                                           : stats::Value(roundedTo(blinded.step, sum / static_cast<double>(n)))});
     }
@@ -101,6 +106,8 @@ BlindedQuestion blindedQuestion(const StudyData& data, const QuestionInfo& quest
 }
 
 }  // namespace
+
+double shareStep(std::size_t answers) { return answers >= 60 ? 0.05 : 0.25; }
 
 int BlindedQuestion::decimals() const { return isChosen() ? 2 : step < 1 ? 1 : 0; }
 

@@ -13,8 +13,10 @@ namespace reports {
 /// Means exist from this number of finished participants on.
 inline constexpr std::size_t fewestFinished = 3;
 
-/// Shares of right answers are multiples of this.
-inline constexpr double shareStep = 0.05;
+/// Shares of right answers are multiples of 0.05 from 60 answers on, and of 0.25 below: each multiple stands for several counts.
+/// There are none below `fewestChoices` answers, of which a quarter would still be an exact count.
+double shareStep(std::size_t answers);
+inline constexpr std::size_t fewestChoices = 12;
 
 /// Reason of every number by condition that a blinded report has not.
 inline constexpr const char* leftOutWhileBlinded = "left out while the study is blinded";
@@ -32,7 +34,7 @@ struct BlindedMean {
 
 struct BlindedQuestion {
     QuestionInfo question;
-    double step = 0;                      ///< scale units, or shareStep; 0 for words
+    double step = 0;                      ///< scale units, or shareStep() of the fewest answers; 0 for words
     std::vector<BlindedMean> conditions;  ///< in the order of the study
 
     bool isRated() const { return std::holds_alternative<NumberOnScale>(scoringOf(question.kind)); }

@@ -7,6 +7,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/temporary_folder.h"
 #include "protocols/records/anchor_trials.h"
+#include "stats/tests/binomial.h"
 #include "study/leaks/cache_marks.h"
 #include "study/leaks/readable_files.h"
 #include "study/leaks/tray_counts.h"
@@ -123,6 +124,22 @@ std::vector<const Guess*> LeakReport::aboveChance() const
         if (guess.pAdjusted < alpha) found.push_back(&guess);
     std::ranges::stable_sort(found, {}, [](const Guess* guess) { return guess->p; });
     return found;
+}
+
+std::optional<LeakReport::Power> LeakReport::power() const
+{
+    const Guess* largest = nullptr;
+    for (const Guess& guess : guesses)
+        if (guess.target == "true piece" && (largest == nullptr || guess.trials > largest->trials)) largest = &guess;
+    if (largest == nullptr) return std::nullopt;
+    Power power{largest->trials, largest->chance};
+    const auto isFound = [&](long long hits) {
+        const double p = *stats::binomialTest(hits, power.trials, power.chance).pGreater;
+        return p * static_cast<double>(guesses.size()) < alpha;  // the first step of Holm's correction
+    };
+    for (long long hits = power.trials; hits > 0 && isFound(hits); --hits)
+        power.share = static_cast<double>(hits) / static_cast<double>(power.trials);
+    return power;
 }
 
 bool LeakReport::learnsNothing() const

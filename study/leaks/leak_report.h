@@ -46,6 +46,14 @@ struct LeakReport {
     } stationKey;
 
     std::vector<const Guess*> aboveChance() const;
+    /// What the verdict can find: a guesser who names this share of the true pieces, of all that were guessed at by one guesser.
+    struct Power {
+        long long trials = 0;
+        double chance = 0;
+        std::optional<double> share = {};  ///< none: not even a guesser who is always right
+    };
+    /// None for a study without choices, and where hits are not counted.
+    std::optional<Power> power() const;
     /// The operator with a shell learns nothing: no finding, no mode, the hits counted, and no guesser above chance.
     bool learnsNothing() const;
 };

@@ -33,6 +33,22 @@ std::string attackedTrials(const LeakReport& report)
            " running orders, in neighbouring pairs that are spread evenly over the study";
 }
 
+std::string percent(double share)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.0f %%", 100 * share);
+    return text;
+}
+
+/// How good a guesser must be to be found: few trials find none.
+std::string powerText(const std::optional<LeakReport::Power>& power)
+{
+    if (!power) return "";
+    const std::string of = std::to_string(power->trials) + " true pieces (chance " + percent(power->chance) + ")";
+    if (!power->share) return "; with only " + of + " even one who names them all would not stand out: this verdict says nothing";
+    return "; one who names " + percent(*power->share) + " or more of " + of + " would stand out";
+}
+
 std::string verdictOfOperator(const LeakReport& report)
 {
     if (report.isUnblinded) return "the study is unblinded: the folder holds the open allocation key";
@@ -41,7 +57,8 @@ std::string verdictOfOperator(const LeakReport& report)
         return std::to_string(above.size()) + " of " + std::to_string(report.guesses.size()) +
                " guessers above chance, first: " + above.front()->attack + " (" + above.front()->what + ")";
     if (!report.hasTruth) return notCounted;
-    const std::string guessers = "not above chance: " + std::to_string(report.guesses.size()) + " guessers";
+    const std::string guessers =
+        "not above chance: " + std::to_string(report.guesses.size()) + " guessers" + powerText(report.power());
     return report.findings.empty() ? guessers : guessers + ", but see the findings";
 }
 
@@ -53,6 +70,12 @@ std::string verdictOfStation(const LeakReport& report)
     if (report.hasTruth) text += ", " + std::to_string(key.hits) + " right";
     return text + "; " + std::to_string(key.images) +
            " unnamed images. Whoever looks at an image, or renders the data set, names its condition";
+}
+
+/// Null where no share of true pieces would stand out.
+ordered_json leastShareFound(const std::optional<LeakReport::Power>& power)
+{
+    return power && power->share ? ordered_json(*power->share) : ordered_json();
 }
 
 const char* verdictOfOwner(const LeakReport& report) { return report.hasTruth ? "everything" : "everything; not opened here"; }
@@ -98,7 +121,10 @@ ordered_json jsonOf(const LeakReport& report)
                            {"p", guess->p},
                            {"p_holm", guess->pAdjusted}});
     ordered_json why = ordered_json::object();
-    if (!report.hasTruth) why["guessers"] = notCounted;
+    if (!report.hasTruth)
+        why["guessers"] = why["least_share_found"] = notCounted;
+    else if (leastShareFound(report.power()).is_null())
+        why["least_share_found"] = report.power() ? "too few trials" : "the study has no choices";
     const auto& station = report.stationKey;
     return {
         {"schema", "vis2hap.leak-check/1"},
@@ -109,6 +135,7 @@ ordered_json jsonOf(const LeakReport& report)
         {"choice_trials", report.choices},
         {"readable_values", report.features},
         {"alpha", alpha},
+        {"least_share_found", leastShareFound(report.power())},
         {"unblinded", report.isUnblinded},
         {"learns_nothing", report.learnsNothing()},
         {"findings", report.findings},

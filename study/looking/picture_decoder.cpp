@@ -2,6 +2,7 @@
 
 #include <QBuffer>
 #include <QImageReader>
+#include <QLoggingCategory>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -59,14 +60,24 @@ bool hasEndOfJpeg(std::string_view bytes)
 
 /// What Qt's reader of JPEG files reports on this thread: it decodes damaged pixels all the same.
 thread_local std::string* jpegReport = nullptr;
+constexpr const char* jpegCategory = "qt.gui.imageio.jpeg";
 QtMessageHandler handlerBefore = nullptr;
 
 void takeJpegReport(QtMsgType type, const QMessageLogContext& context, const QString& text)
 {
-    if (jpegReport != nullptr && context.category != nullptr && std::strcmp(context.category, "qt.gui.imageio.jpeg") == 0)
+    if (jpegReport != nullptr && context.category != nullptr && std::strcmp(context.category, jpegCategory) == 0)
         *jpegReport += text.toStdString() + '\n';
     else if (handlerBefore != nullptr)
         handlerBefore(type, context, text);
+}
+
+QLoggingCategory::CategoryFilter filterBefore = nullptr;
+
+/// No setting of the user's may hide these reports.
+void keepJpegReports(QLoggingCategory* category)
+{
+    if (filterBefore != nullptr) filterBefore(category);
+    if (std::strcmp(category->categoryName(), jpegCategory) == 0) category->setEnabled(QtWarningMsg, true);
 }
 
 /// Keeps the reports of this thread while it lives.
@@ -75,7 +86,10 @@ public:
     explicit JpegReports(std::string& reports)
     {
         static std::once_flag isInstalled;
-        std::call_once(isInstalled, [] { handlerBefore = qInstallMessageHandler(takeJpegReport); });
+        std::call_once(isInstalled, [] {
+            handlerBefore = qInstallMessageHandler(takeJpegReport);
+            filterBefore = QLoggingCategory::installFilter(keepJpegReports);
+        });
         jpegReport = &reports;
     }
     ~JpegReports() { jpegReport = nullptr; }

@@ -176,7 +176,9 @@ MadeStudy makeStudy(const NewStudy& request, const StudyProgress& progress)
     const auto design = protocols::drawDesign(material.protocol, designSeed);
     made.balance = balanceOfExamples(material.protocol);
     made.balanceWithEvenSlots = balanceWithEvenSlots(material.protocol);
-    made.facts.plannedBalance = jsonOf(made.balance).dump();
+    auto told = jsonOf(made.balance);
+    told["of"] = protocols::balanceOfOthers;
+    made.facts.plannedBalance = told.dump();
     const auto allocation =
         allocate(material.protocol, design, material.fabrics, secret, static_cast<int>(familiarisation.names.size()));
     noteAllocation(allocation, familiarisation, made.facts);

@@ -158,6 +158,9 @@ std::string balanceText(const ordered_json& ranges)
 ordered_json plannedBalanceIn(const database::StudyFacts& facts)
 {
     auto planned = protocols::storedOrderedJson(facts.plannedBalance);
+    // Development versions stored the balance of the study's own design.
+    if (planned.is_object() && planned.value("of", "") != protocols::balanceOfOthers)
+        planned = {{"balance", ordered_json::array()}};
     const auto isRange = [](const ordered_json& range) {
         return range.is_object() && range.contains("what") && range["what"].is_string() && range.contains("min") &&
                range["min"].is_number_integer() && range.contains("max") && range["max"].is_number_integer();

@@ -18,7 +18,8 @@ namespace {
 
 std::vector<protocols::FabricId> fabricsOf(const StudyRecipe& recipe)
 {
-    std::vector<protocols::FabricId> fabrics;
+    std::vector<protocols::FabricId> fabrics(recipe.fabricIds.begin(), recipe.fabricIds.end());
+    if (!fabrics.empty()) return fabrics;
     for (int number = 1; number <= recipe.fabrics; ++number)
         fabrics.emplace_back((number < 10 ? "F0" : "F") + std::to_string(number));
     return fabrics;

@@ -16,7 +16,8 @@ namespace tests::support {
 
 /// Options of a test study.
 struct StudyRecipe {
-    int fabrics = 3;  ///< F01, F02, …
+    int fabrics = 3;                          ///< F01, F02, …
+    std::vector<std::string> fabricIds = {};  ///< ids in place of these
     std::vector<std::string> conditions{"v_grey", "h&f"};
     int participants = 2;
     int alternatives = 3;

@@ -104,12 +104,20 @@ bool mayHaveThousandsPoints(const CsvTable& table, std::size_t column)
     return hasGroups;
 }
 
+/// The first cell of a column with a point.
+std::string firstGroup(const CsvTable& table, std::size_t column)
+{
+    for (const auto& row : table.rows)
+        if (row[column].find('.') != std::string::npos) return row[column];
+    return {};
+}
+
 /// `hadCommas`: of each column.
 void requireNoThousandsPoints(const CsvTable& table, const std::vector<bool>& hadCommas)
 {
     for (std::size_t column = 0; column < table.columns.size(); ++column)
         if (!hadCommas[column] && mayHaveThousandsPoints(table, column))
-            throw badInput({"numbers such as 1.988 in the column \"" + table.columns[column] +
+            throw badInput({"numbers such as " + firstGroup(table, column) + " in the column \"" + table.columns[column] +
                                 "\" may be thousands, because other columns have decimal commas",
                             table.where, "numbers without points between thousands",
                             "save the table with one sign for decimals, and none between thousands"});

@@ -129,7 +129,8 @@ std::string joined(const std::vector<std::string>& names)
 
 std::vector<RawRecord> readFrictionCsv(const std::filesystem::path& file, const FrictionOptions& options)
 {
-    const protocols::CsvTable table = protocols::readForeignTable(file).table;
+    const protocols::ForeignTable foreign = protocols::readForeignTable(file);
+    const protocols::CsvTable& table = foreign.table;
     const auto time = placeFor(table, timeRole), coefficient = placeFor(table, coefficientRole);
     const ForceColumns forces = forceColumns(table, options);
     const bool both = forces.normal && !forces.tangential.empty();
@@ -139,6 +140,7 @@ std::vector<RawRecord> readFrictionCsv(const std::filesystem::path& file, const 
                                    "rename the columns, or name them with --normal and --tangential"});
     const double seconds = secondsOf(table.columns[*time], table.where);
     RawRecord record{.where = file.string(), .instrument = "friction-csv"};
+    if (!foreign.isUsual) record.form = foreign.taken;
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
         record.timeS.push_back(seconds * numberAt(table, row, *time));
         if (!both) {

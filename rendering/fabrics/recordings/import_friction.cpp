@@ -60,6 +60,7 @@ std::string describe(const RawRecord& record, const PreparedRecord& prepared)
     std::string line = record.instrument + ", " + std::to_string(record.values.size()) + " rows, " + record.meaning + ", mean " +
                        fourFigures(prepared.mean) + (coefficient ? "" : " (not a coefficient)") + ", " +
                        fourFigures(1 / prepared.stepS) + " Hz";
+    if (!record.form.empty()) line += ", read with " + record.form;
     if (prepared.resampling != "none")
         line += " (own steps " + fourFigures(prepared.base.smallestS * 1000) + " to " +
                 fourFigures(prepared.base.largestS * 1000) + " ms; resampled, " + prepared.resampling + ", to " +

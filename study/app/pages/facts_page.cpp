@@ -36,6 +36,8 @@ void FactsPage::begin(const SessionFacts& facts)
 
 void FactsPage::confirm() { Q_EMIT eventRequested(session::FactsGiven{m_form->given()}); }
 
+bool FactsPage::hasUnstoredText() const { return !m_form->given().empty(); }
+
 bool FactsPage::pressKey(int key)
 {
     if (!isEnter(key)) return false;

@@ -18,6 +18,7 @@ public:
     void begin(const SessionFacts& facts) override;
     void present(const session::View&) override {}
     bool isForWriting() const override { return true; }
+    bool hasUnstoredText() const override;
     bool pressKey(int key) override;
     QWidget& firstFocus() override;
     int largestType() const override { return 190; }

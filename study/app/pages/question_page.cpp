@@ -151,6 +151,8 @@ void QuestionPage::takeEntry(const GivenAnswer& response)
     Q_EMIT hinted(differing);
 }
 
+bool QuestionPage::hasUnstoredText() const { return isForWriting() && !m_entry->isEmpty(); }
+
 bool QuestionPage::isForWriting() const { return std::holds_alternative<WordsForm>(m_entry->form()); }
 
 bool QuestionPage::pressKey(int key)

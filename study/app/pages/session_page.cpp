@@ -45,7 +45,7 @@ SessionPage::SessionPage(QWidget* parent)
     connect(m_stages, &StageStack::hinted, this, [this](const QString& text) { showMessage(text, Tone::Hint); });
     connect(m_stages, &StageStack::mended, this, &SessionPage::clearMendedMessage);
     connect(m_stages, &StageStack::panelCloseRequested, this, &SessionPage::closePanel);
-    connect(&m_stages->guide(), &GuidePage::leaveRequested, this, &SessionPage::leaveRequested);
+    connect(&m_stages->guide(), &GuidePage::leaveRequested, this, &SessionPage::leave);
     connect(&m_stages->guide(), &GuidePage::preparationDeclined, this, &SessionPage::goOnUnprepared);
     connectPanels();
     fillGuard();
@@ -68,7 +68,7 @@ void SessionPage::connectPanels()
     onAsking(&SessionFooter::withdrawRequested, [&reason] { reason.askWhyWithdrawn(); });
     connect(m_footer, &SessionFooter::correctionRequested, this, &SessionPage::correctionRequested);
     connect(m_footer, &SessionFooter::pauseRequested, this, [this] { Q_EMIT eventRequested(Paused{}); });
-    connect(m_footer, &SessionFooter::leaveRequested, this, &SessionPage::leaveRequested);
+    connect(m_footer, &SessionFooter::leaveRequested, this, &SessionPage::leave);
 }
 
 void SessionPage::fillGuard()
@@ -76,15 +76,15 @@ void SessionPage::fillGuard()
     m_guard->setObjectName("closeGuard");
     auto* question = label("guardQuestion", Type::Body, m_guard, Weight::Bold);
     setRole(*question, "hint");
-    question->setText(tr("Your text is not stored yet. Store it first, or close the window without it."));
-    auto* give = button("closeAnywayButton", tr("Close without storing"), m_guard);
+    question->setText(tr("Your text is not stored yet. Store it first, or go on without it."));
+    auto* give = button("closeAnywayButton", tr("Go on without storing"), m_guard);
     auto* stayHere = button("stayButton", tr("Stay (Esc)"), m_guard);
     auto* column = new QVBoxLayout(m_guard);
     column->setContentsMargins(28, 8, 28, 8);
     column->addWidget(question);
     column->addLayout(actionsRow({stayHere, give}));
     connect(stayHere, &QPushButton::clicked, this, &SessionPage::stay);
-    connect(give, &QPushButton::clicked, this, &SessionPage::closeWithoutText);
+    connect(give, &QPushButton::clicked, this, &SessionPage::goOnWithoutText);
     m_guard->hide();
 }
 
@@ -93,9 +93,10 @@ bool SessionPage::hasUnstoredText() const
     return (m_panel && m_panel->hasUnstoredText()) || m_stages->pageOf(m_view.state.stage).hasUnstoredText();
 }
 
-bool SessionPage::mayClose()
+bool SessionPage::mayGoOn(GoingOn goingOn)
 {
     if (m_isTextGivenUp || !hasUnstoredText()) return true;
+    m_goingOn = goingOn;
     m_guard->show();
     m_guard->findChild<QPushButton*>("stayButton")->setFocus();
     return false;
@@ -107,9 +108,20 @@ void SessionPage::stay()
     pageInFront().firstFocus().setFocus();
 }
 
-void SessionPage::closeWithoutText()
+bool SessionPage::mayClose() { return mayGoOn(GoingOn::Close); }
+
+void SessionPage::leave()
+{
+    if (mayGoOn(GoingOn::Leave)) Q_EMIT leaveRequested();
+}
+
+void SessionPage::goOnWithoutText()
 {
     m_guard->hide();
+    if (m_goingOn == GoingOn::Leave) {
+        Q_EMIT leaveRequested();
+        return;
+    }
     m_isTextGivenUp = true;
     window()->close();
     m_isTextGivenUp = false;  // the window stays open if its pause cannot be stored

@@ -72,7 +72,11 @@ private:
     void fillGuard();
     bool hasUnstoredText() const;
     void stay();
-    void closeWithoutText();
+    /// What was asked for, and would lose a text.
+    enum class GoingOn { Close, Leave };
+    bool mayGoOn(GoingOn goingOn);
+    void leave();
+    void goOnWithoutText();
     void bindKeysWhileWriting();
     StagePage& pageOf(const session::View& view) const;
     StagePage& pageInFront() const;
@@ -92,6 +96,7 @@ private:
     ScannerEntry m_scanner;
     HeldKeys m_heldKeys;
     bool m_isTextGivenUp = false;  ///< the operator closes the window without it
+    GoingOn m_goingOn = GoingOn::Close;
     QElapsedTimer m_sinceHeld;
     StagePage* m_panel = nullptr;  ///< open panel; null if none
 

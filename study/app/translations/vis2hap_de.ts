@@ -4565,12 +4565,12 @@ Noch ist nichts gewählt.</translation>
 <context>
     <name>study::app::SessionPage</name>
     <message>
-        <source>Your text is not stored yet. Store it first, or close the window without it.</source>
-        <translation>Ihr Text ist noch nicht gespeichert. Speichern Sie ihn zuerst, oder schließen Sie das Fenster ohne ihn.</translation>
+        <source>Your text is not stored yet. Store it first, or go on without it.</source>
+        <translation>Ihr Text ist noch nicht gespeichert. Speichern Sie ihn zuerst, oder gehen Sie ohne ihn weiter.</translation>
     </message>
     <message>
-        <source>Close without storing</source>
-        <translation>Schließen ohne zu speichern</translation>
+        <source>Go on without storing</source>
+        <translation>Weiter ohne zu speichern</translation>
     </message>
     <message>
         <source>Stay (Esc)</source>

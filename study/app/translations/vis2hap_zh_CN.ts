@@ -4565,12 +4565,12 @@ Nothing is chosen yet.</source>
 <context>
     <name>study::app::SessionPage</name>
     <message>
-        <source>Your text is not stored yet. Store it first, or close the window without it.</source>
-        <translation>您输入的文本尚未保存。请先保存，或不保存而关闭窗口。</translation>
+        <source>Your text is not stored yet. Store it first, or go on without it.</source>
+        <translation>您输入的文本尚未保存。请先保存，或不保存而继续。</translation>
     </message>
     <message>
-        <source>Close without storing</source>
-        <translation>不保存并关闭</translation>
+        <source>Go on without storing</source>
+        <translation>不保存并继续</translation>
     </message>
     <message>
         <source>Stay (Esc)</source>

@@ -42,6 +42,7 @@ private Q_SLOTS:
     void theEnterThatLeavesASessionEnrolsNobody();
     void closingAsksAboutATextThatIsNotStored_data();
     void closingAsksAboutATextThatIsNotStored();
+    void leavingAsksAboutADebriefingThatIsNotStored();
     void aStoredTextIsNotAskedAbout();
 
 private:
@@ -202,6 +203,23 @@ void AppOperatorTest::closingAsksAboutATextThatIsNotStored()
     open.widget<QPushButton>("closeAnywayButton").click();
     QVERIFY(!open.window().isVisible());
     QVERIFY(open.view().state.paused);
+}
+
+void AppOperatorTest::leavingAsksAboutADebriefingThatIsNotStored()
+{
+    OpenWindow open(newStudy());
+    open.enrolAndBegin();
+    open.playTo("Debriefing");
+    typeText(open, "by the sound");
+    QTest::keyClick(open.window().focusWidget(), Qt::Key_Q, Qt::AltModifier);
+    QTRY_VERIFY(open.widget<QPushButton>("stayButton").isVisible());
+    QVERIFY(!open.view().state.paused);
+    open.widget<QPushButton>("stayButton").click();
+    QCOMPARE(open.widget<QPlainTextEdit>("debriefingField").toPlainText(), QString("by the sound"));
+    QTest::keyClick(open.window().focusWidget(), Qt::Key_Q, Qt::AltModifier);
+    open.widget<QPushButton>("closeAnywayButton").click();
+    QTRY_VERIFY(open.window().currentPage()->objectName() != "sessionPage");
+    QVERIFY(open.window().isVisible());
 }
 
 void AppOperatorTest::aStoredTextIsNotAskedAbout()

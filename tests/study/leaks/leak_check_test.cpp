@@ -368,6 +368,22 @@ private Q_SLOTS:
         QVERIFY(QString::fromStdString(textOf(report)).contains("hits cannot be counted"));
     }
 
+    /// "Not above chance" is no news where even who knows everything would not stand out.
+    void aVerdictOnFewTrialsSaysThatItSaysNothing()
+    {
+        QTemporaryDir temporary;
+        StudyRecipe recipe;
+        recipe.participants = 1;
+        recipe.alternatives = 2;
+        const auto folder = buildStudy(fs::path(temporary.path().toStdString()) / "study", recipe);
+        const database::StudyStore store(folder, database::StudyStore::Access::Read);
+        const auto key = readAllocationKeyForTestDriver(store, database::ParticipantKind::Scripted, {});
+        const auto report = leakReport(store, key, {});
+        QVERIFY(report.power() && !report.power()->share);
+        QVERIFY(QString::fromStdString(textOf(report)).contains("this verdict says nothing"));
+        QCOMPARE(jsonOf(report)["why"]["least_share_found"], "too few trials");
+    }
+
     /// The program itself, with its own exports and a real passphrase.
     void theCommandPrintsTheVerdicts()
     {
@@ -388,6 +404,9 @@ private Q_SLOTS:
         QCOMPARE(json["schema"].get<std::string>(), "vis2hap.leak-check/1");
         QVERIFY(json["learns_nothing"].get<bool>());
         QVERIFY(json["guessers"].size() > 10 && json["guessers"][0]["guessers"] > 0);
+        // Of 630 pieces a third is chance; some 2,500 guessers make the limit 5 standard errors higher.
+        const double least = json["least_share_found"];
+        QVERIFY2(least > 0.40 && least < 0.46, qPrintable(QString::number(least)));
         const auto text = support::runProgram({"leak-check", QString::fromStdString(folder.folder.string())});
         QCOMPARE(text.exitCode, 1);
         QVERIFY2(text.out.contains("hits cannot be counted"), qPrintable(text.out));

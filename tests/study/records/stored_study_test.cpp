@@ -176,8 +176,13 @@ private Q_SLOTS:
         for (const auto& [name, text] : before) QVERIFY2(after.at(name) == text, name.c_str());
         OpenSession(folder, "S04").playUntilAnswers(16);
         const auto later = reportFiles(folder, root / "later");
-        for (const char* name : {"tables/overview.csv", "tables/overview.tex", "statistics.json"})
-            QVERIFY2(later.at(name) == before.at(name), name);
+        for (const char* name : {"tables/overview.csv", "tables/overview.tex"}) QVERIFY2(later.at(name) == before.at(name), name);
+        const auto withoutProgress = [](const std::string& text) {
+            auto statistics = nlohmann::json::parse(text);
+            for (const char* count : {"responses", "missing_responses"}) statistics["data"].erase(count);
+            return statistics;
+        };
+        QCOMPARE(withoutProgress(later.at("statistics.json")), withoutProgress(before.at("statistics.json")));
         QCOMPARE(nlohmann::json::parse(later.at("results.json"))["questions"],
                  nlohmann::json::parse(before.at("results.json"))["questions"]);
     }
@@ -235,7 +240,7 @@ private Q_SLOTS:
         QCOMPARE(after.rows.size(), std::size_t{4 * 3});
         for (const auto& row : after.rows) {
             QCOMPARE(row["n"].get<int>(), 3 * 3);
-            QCOMPARE(row["share"].is_null(), row["question"] != "Q1");
+            QVERIFY(row["share"].is_null());  // a quarter of 9 answers would tell how many are right
             QCOMPARE(row["mean"].is_null(), row["question"] == "Q1");
         }
     }

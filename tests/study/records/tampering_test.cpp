@@ -116,6 +116,17 @@ private Q_SLOTS:
             QVERIFY2(note.find("chmod") != std::string::npos, note.c_str());
     }
 
+    /// JSON writes some signs in another way. Nothing of it is a fault.
+    void answersWithSignsOfEveryKindAreSound()
+    {
+        tests::support::StudyRecipe recipe;
+        recipe.fabricIds = {"Gr\u00F6\u00DFe 5\" canvas", "\u5E03 'a' & <b>", "50% wool; #2"};
+        const auto folder = tests::support::buildStudy(m_place.filePath("signs").toStdString(), recipe);
+        OpenSession(folder, "S01").playToEnd();
+        const auto faults = database::StudyStore(folder, database::StudyStore::Access::Read).faults();
+        QVERIFY2(faults.empty(), faults.empty() ? "" : faults.front().c_str());
+    }
+
     void aChangedDatabaseIsFound_data()
     {
         QTest::addColumn<QString>("sql");

@@ -112,11 +112,12 @@ std::map<PresentationKey, int> placesInTime(const std::vector<database::CurrentA
         const auto [entry, isNew] = firstEvents.emplace(keyOf(answer), answer.event);
         if (!isNew) entry->second = std::min(entry->second, answer.event);
     }
-    std::map<std::pair<protocols::ParticipantId, std::int64_t>, PresentationKey> inTime;
-    for (const auto& [key, event] : firstEvents) inTime.emplace(std::pair(std::get<0>(key), event), key);
+    // In a damaged study two presentations may have the same entry of the log.
+    std::set<std::tuple<protocols::ParticipantId, std::int64_t, PresentationKey>> inTime;
+    for (const auto& [key, event] : firstEvents) inTime.emplace(std::get<0>(key), event, key);
     std::map<protocols::ParticipantId, int> counts;
     std::map<PresentationKey, int> places;
-    for (const auto& [when, key] : inTime) places[key] = ++counts[when.first];
+    for (const auto& [participant, event, key] : inTime) places[key] = ++counts[participant];
     return places;
 }
 

@@ -317,6 +317,16 @@ private Q_SLOTS:
         QVERIFY2(refusals.contains(said), qPrintable(refusals));
     }
 
+    /// `verify` says that the study was altered; its status is told all the same.
+    void answersWithOneEntryOfTheLogEndNoCommand()
+    {
+        QTemporaryDir place;
+        const auto folder = tests::support::buildStudy(place.filePath("study").toStdString());
+        OpenSession(folder, "S01").playUntilAnswers(5);
+        alter(folder, "UPDATE responses SET event = (SELECT MIN(event) FROM responses)");
+        QCOMPARE(refusalsOf(folder), std::string());
+    }
+
     void deeplyNestedJsonEndsNoCommand_data()
     {
         QTest::addColumn<QString>("place");

@@ -57,13 +57,13 @@ making::MadeStudy madeWithProgress(const making::NewStudy& request, StageTimes& 
                   [&](const std::string& text) { stages.print(text); }, [&](const std::string& name) { stages.begin(name); }});
 }
 
-int makeNew(const making::NewStudy& request, StageTimes& stages)
+int makeNew(const making::NewStudy& request, StageTimes& stages, bool goesToServer)
 {
     const auto made = madeWithProgress(request, stages);
     stages.end();
     const auto protocol = records::protocolOf(made.facts);
     for (const auto& warning : made.warnings) std::fprintf(stderr, "warning: %s\n", protocols::printable(warning).c_str());
-    std::printf("%s: %s\n", request.study.c_str(), protocols::printable(made.facts.name).c_str());
+    std::printf("%s: %s\n", protocols::printable(request.study.string()).c_str(), protocols::printable(made.facts.name).c_str());
     std::printf("  %d participants, fabrics", protocol.participants);
     for (const auto& fabric : made.facts.fabrics)
         std::printf(" %s (%s)", fabric.value.c_str(), protocols::printable(made.facts.fabricNames.at(fabric)).c_str());
@@ -81,7 +81,8 @@ int makeNew(const making::NewStudy& request, StageTimes& stages)
     const std::string word = protocols::shellWord(request.study.string());
     std::printf("next: `vis2hap study sheets %s --out DIR` writes the labels of the fabric pieces and the cards of the scales\n",
                 word.c_str());
-    std::printf("next: `vis2hap study preregister %s` registers the plan before the first answer\n", word.c_str());
+    if (!goesToServer)  // the plan is registered in a folder
+        std::printf("next: `vis2hap study preregister %s` registers the plan before the first answer\n", word.c_str());
     return 0;
 }
 
@@ -209,7 +210,7 @@ void addNew(CLI::App& study, Action& action)
             const std::string place = call->study.string();
             const bool isOnServer = database::isServerAddress(place);
             if (isOnServer) call->study = folderOfNewStudy(place);
-            const int made = makeNew(*call, stages);
+            const int made = makeNew(*call, stages, isOnServer);
             return isOnServer ? moveNewStudy(call->study.string(), place) : made;
         };
     });

@@ -296,12 +296,15 @@ private Q_SLOTS:
         QTest::addColumn<int>("conditions");
         QTest::addColumn<int>("pieces");
         QTest::addColumn<double>("most");
-        QTest::newRow("3 fabrics, 2 conditions, 2 pieces") << 3 << 2 << 2 << 0.57;
-        QTest::newRow("5 fabrics, 2 conditions, 2 pieces") << 5 << 2 << 2 << 0.57;
-        QTest::newRow("5 fabrics, 2 conditions, 3 pieces") << 5 << 2 << 3 << 0.38;
-        QTest::newRow("3 fabrics, 6 conditions, 2 pieces") << 3 << 6 << 2 << 0.57;
-        QTest::newRow("5 fabrics, 3 conditions, 3 pieces") << 5 << 3 << 3 << 0.38;
-        QTest::newRow("2 fabrics, 4 conditions") << 2 << 4 << 2 << 0.57;
+        QTest::addColumn<bool>("fewSwaps");
+        QTest::newRow("3 fabrics, 2 conditions, 2 pieces") << 3 << 2 << 2 << 0.57 << false;
+        QTest::newRow("5 fabrics, 2 conditions, 2 pieces") << 5 << 2 << 2 << 0.57 << false;
+        QTest::newRow("5 fabrics, 2 conditions, 3 pieces") << 5 << 2 << 3 << 0.38 << false;
+        QTest::newRow("3 fabrics, 6 conditions, 2 pieces") << 3 << 6 << 2 << 0.57 << false;
+        QTest::newRow("5 fabrics, 3 conditions, 3 pieces") << 5 << 3 << 3 << 0.38 << false;
+        QTest::newRow("2 fabrics, 4 conditions") << 2 << 4 << 2 << 0.57 << false;
+        QTest::newRow("few swaps: 5 fabrics, 2 conditions, 2 pieces") << 5 << 2 << 2 << 0.60 << true;
+        QTest::newRow("few swaps: 5 fabrics, 2 conditions, 3 pieces") << 5 << 2 << 3 << 0.40 << true;
     }
     void smallStudiesAreNearChanceForWhoCountsEveryOrder()
     {
@@ -312,7 +315,8 @@ private Q_SLOTS:
         static const std::vector<std::string> names{"v_grey", "f", "h", "h&f", "t_grey", "v_shape"};
         std::string list;
         for (int i = 0; i < conditions; ++i) list += (i ? ", \"" : "\"") + names[static_cast<std::size_t>(i)] + '"';
-        const Protocol protocol = choices(fabrics, list, 0, 0, pieces);
+        Protocol protocol = choices(fabrics, list, 0, 0, pieces);
+        protocol.phases.front().trayAim = trayAim();
         Share share;
         for (const Design& design : designsOf(protocol, 5 * designs())) {
             const auto trays = study::leaks::seenOf(design);

@@ -18,14 +18,14 @@ namespace reports {
 namespace {
 
 /// "choice" for every question with right and wrong answers, whatever its kind.
-std::string scoringName(const QuestionFindings& findings)
+std::string scoringName(const QuestionInfo& question)
 {
     return std::visit(protocols::Overloaded{
-                          [](const ChoiceAnalysis&) { return "choice"; },
-                          [](const RatingAnalysis&) { return "rating"; },
-                          [](const WordedAnalysis&) { return "words"; },
+                          [](const RightOrWrong&) { return "choice"; },
+                          [](const NumberOnScale&) { return "rating"; },
+                          [](const OpenWords&) { return "words"; },
                       },
-                      findings);
+                      scoringOf(question.kind));
 }
 
 /// The range of all rating questions together; the paper's scale where there is none.
@@ -41,7 +41,7 @@ NumberOnScale commonScale(const StudyAnalysis& analysis)
 
 Json questionRow(const QuestionAnalysis& question, const NumberOnScale& common)
 {
-    Json row{{"id", question.question.id}, {"text", question.question.text}, {"kind", scoringName(question.findings)}};
+    Json row{{"id", question.question.id}, {"text", question.question.text}, {"kind", scoringName(question.question)}};
     const auto* ratings = std::get_if<RatingAnalysis>(&question.findings);
     if (ratings != nullptr && ratings->scale != common) row["scale"] = {ratings->scale.min, ratings->scale.max};
     return row;
@@ -263,16 +263,6 @@ void addModelParts(JsonParts& parts, const StudyAnalysis& analysis)
         parts.push_back(JsonMember{"rating_ordinal",
                                    [of = &analysis, ordinalOf] { return ordinalOf(questionsWith<RatingAnalysis>(*of).back()); }});
     addRatingPart(parts, analysis, "rating_ordinal_by_question", ordinalOf);
-}
-
-std::string scoringName(const QuestionInfo& question)
-{
-    return std::visit(protocols::Overloaded{
-                          [](const RightOrWrong&) { return "choice"; },
-                          [](const NumberOnScale&) { return "rating"; },
-                          [](const OpenWords&) { return "words"; },
-                      },
-                      scoringOf(question.kind));
 }
 
 Json questionsOfBlinded(const StudyData& data)

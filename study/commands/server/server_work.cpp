@@ -57,9 +57,8 @@ void closeCounters(const database::ServerAddress& address)
     const auto missing = closeReadCounters(address);
     if (missing.empty()) return;
     std::printf(
-        "counters of reading: every login may see how many blocks are read, which tells the same image again. An administrator "
-        "of "
-        "the server prevents it:\n");
+        "counters of reading: every login may see how many blocks are read, which tells the same image again.\n"
+        "  An administrator of the server prevents it:\n");
     for (const std::string& command : missing)
         std::printf("  sudo -u postgres psql -d '%s' -c '%s'\n", protocols::printable(address.database).c_str(),
                     protocols::printable(command).c_str());

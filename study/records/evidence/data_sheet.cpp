@@ -136,9 +136,8 @@ constexpr Reader readers[] = {
      "everything"},
     {"owner of the passphrase, in the study folder", "everything", "everything"},
     {"readers of exports and reports",
-     "progress, balance and flags; with the passphrase also rounded means under masked labels; with --format script the answers "
-     "by "
-     "trial",
+     "progress, balance and flags; with the passphrase also rounded means under masked labels; "
+     "with --format script the answers by trial",
      "every answer with fabric and condition under participants' codes; reports sum up the facts"},
     {"the participant, through `vis2hap export --participant`", "everything about them, without fabrics and conditions",
      "everything about them"},

@@ -89,13 +89,18 @@ const FabricInfo& Dataset::fabric(const FabricId& id) const
                                known.empty() ? "import or make fabrics first" : "correct the id"});
 }
 
+void requireDatasetFolder(const fs::path& folder)
+{
+    std::error_code problem;
+    if (fs::is_regular_file(folder / "dataset.json", problem) || problem == std::errc::permission_denied) return;
+    throw protocols::badInput({"is not a data set (dataset.json is missing)", folder.string(), "a data set folder",
+                               "make one with `vis2hap fabrics make` or `vis2hap import`"});
+}
+
 Dataset readDataset(const fs::path& folder)
 {
+    requireDatasetFolder(folder);
     const fs::path file = folder / "dataset.json";
-    std::error_code problem;
-    if (!fs::is_regular_file(file, problem))
-        throw protocols::badInput({"is not a data set (dataset.json is missing)", folder.string(), "a data set folder",
-                                   "make one with `vis2hap fabrics make` or `vis2hap import`"});
     Dataset dataset = datasetFromJson(protocols::readWholeFile(file, protocols::largestJson), file.string());
     dataset.folder = folder;
     return dataset;

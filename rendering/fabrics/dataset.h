@@ -55,6 +55,9 @@ struct Dataset {
     const FabricInfo& fabric(const protocols::FabricId& id) const;  ///< throws badInput that lists the existing ids
 };
 
+/// Throws badInput where the folder has no dataset.json. A folder that may not be searched passes: the reader says so.
+void requireDatasetFolder(const std::filesystem::path& folder);
+
 /// Reads dataset.json. Throws badInput naming the file and the field.
 Dataset readDataset(const std::filesystem::path& folder);
 void writeDatasetJson(const Dataset& dataset);

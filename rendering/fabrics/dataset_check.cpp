@@ -285,10 +285,7 @@ private:
 
 DatasetFindings findingsOfDataset(const fs::path& folder, const std::function<void(int, int)>& progress)
 {
-    std::error_code problem;
-    if (!fs::is_regular_file(folder / "dataset.json", problem))
-        throw protocols::badInput({"is not a data set (dataset.json is missing)", folder.string(), "a data set folder",
-                                   "make one with `vis2hap fabrics make` or `vis2hap import`"});
+    requireDatasetFolder(folder);
     return DatasetCheck(folder, progress).run();
 }
 

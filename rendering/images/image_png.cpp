@@ -9,10 +9,12 @@
 #include <cstring>
 #include <opencv2/core.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
+#include "rendering/images/exif.h"
 
 namespace rendering {
 
@@ -83,29 +85,6 @@ bool readRows(Decoding& decoding, png_bytepp rows)
     png_read_end(decoding.png, decoding.info);
     png_get_eXIf_1(decoding.png, decoding.info, &decoding.exifSize, &decoding.exif);
     return true;
-}
-
-/// The orientation in Exif data, which are a small TIFF file: 1 to 8, and 1 where none is stated.
-unsigned orientationIn(const png_byte* exif, std::size_t size)
-{
-    constexpr unsigned orientationTag = 0x0112;
-    if (exif == nullptr || size < 8) return 1;
-    const bool isLittle = exif[0] == 'I';
-    const auto number = [&](std::size_t at, std::size_t bytes) {
-        std::size_t value = 0;
-        for (std::size_t i = 0; i < bytes && at + bytes <= size; ++i)
-            value |= std::size_t{exif[at + i]} << (8 * (isLittle ? i : bytes - 1 - i));
-        return value;
-    };
-    const std::size_t first = number(4, 4), entries = number(first, 2);
-    for (std::size_t entry = 0; entry < entries; ++entry) {
-        const std::size_t at = first + 2 + 12 * entry;
-        if (at + 12 > size) break;
-        if (number(at, 2) != orientationTag) continue;
-        const auto value = static_cast<unsigned>(number(at + 8, 2));
-        return value >= 1 && value <= 8 ? value : 1;
-    }
-    return 1;
 }
 
 /// The image as a camera's mark asks to show it.
@@ -207,7 +186,8 @@ cv::Mat readPng(const std::filesystem::path& file)
     std::vector<png_bytep> rows(decoding.height);
     for (int row = 0; row < image.rows; ++row) rows[std::size_t(row)] = image.ptr(row);
     if (!readRows(decoding, rows.data())) throw notAPng(file, decoding.message);
-    return turned(image, orientationIn(decoding.exif, decoding.exifSize));
+    const char* const exif = reinterpret_cast<const char*>(decoding.exif);
+    return turned(image, Exif(exif ? std::string_view(exif, decoding.exifSize) : std::string_view()).orientation());
 }
 
 void writePng(const std::filesystem::path& file, const cv::Mat& image, protocols::Sync sync)

@@ -9,7 +9,7 @@ namespace rendering::scans {
 struct StatedResolution {
     double perInch = 0;    ///< pixels
     bool hasUnit = false;  ///< false: EXIF without a unit, whose usual meaning is inches
-    int widthPx = 0;       ///< of the image
+    int widthPx = 0;       ///< of the image as it is shown
 };
 
 /// nullopt where the bytes state no resolution with a meaning, or are damaged.

@@ -3,6 +3,7 @@
 #include <QBuffer>
 #include <QImageReader>
 #include <QLoggingCategory>
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -19,6 +20,9 @@ namespace study::looking {
 namespace {
 
 constexpr std::uint64_t largestPicture = std::uint64_t{1} << 30;  ///< bytes; a camera's largest BMP has 0.4 GB
+constexpr std::uint64_t mostPixels = std::uint64_t{1} << 28;      ///< as of a PNG
+/// The shortest codes of the formats: GIF repeats 4,095 pixels in 12 bits. Small drawings may well be of one colour.
+constexpr std::uint64_t mostPixelsPerByte = 4096, usualPixels = std::uint64_t{1} << 20;
 
 std::uint8_t byteAt(std::string_view bytes, std::size_t at) { return static_cast<std::uint8_t>(bytes[at]); }
 
@@ -119,25 +123,40 @@ void requireSoundPixels(const std::string& reports, const std::filesystem::path&
     }
 }
 
-/// A number of a BMP file, whose lowest byte stands first.
+/// A number of a BMP file, whose lowest byte stands first; bytes beyond the end count as 0.
 std::uint64_t bmpNumber(std::string_view bytes, std::size_t at, std::size_t length)
 {
     std::uint64_t number = 0;
-    for (std::size_t i = 0; i < length; ++i) number |= static_cast<std::uint64_t>(byteAt(bytes, at + i)) << (8 * i);
+    for (std::size_t i = 0; i < length && at + i < bytes.size(); ++i)
+        number |= static_cast<std::uint64_t>(byteAt(bytes, at + i)) << (8 * i);
     return number;
+}
+
+/// What a BMP file says of its rows.
+struct BmpRows {
+    std::uint64_t start = 0, width = 0, rows = 0, bits = 0, compression = 0;
+};
+
+/// As Qt reads it: a header of any other length than those of Windows and OS/2 2.x is the short one of the first version.
+BmpRows bmpRows(std::string_view bytes)
+{
+    constexpr std::uint64_t fileHeader = 14, shortHeader = 12;
+    const std::uint64_t stated = bmpNumber(bytes, 10, 4), header = bmpNumber(bytes, 14, 4);
+    const std::uint64_t start = std::max(stated, fileHeader + shortHeader);
+    if (header != 40 && header != 64 && header != 108 && header != 124)
+        return {start, bmpNumber(bytes, 18, 2), bmpNumber(bytes, 20, 2), bmpNumber(bytes, 24, 2), 0};
+    const auto rows = static_cast<std::int32_t>(bmpNumber(bytes, 22, 4));  // below 0: the first row is the highest
+    return {start, bmpNumber(bytes, 18, 4), static_cast<std::uint64_t>(std::abs(static_cast<std::int64_t>(rows))),
+            bmpNumber(bytes, 28, 2), bmpNumber(bytes, 30, 4)};
 }
 
 /// Whether all rows of a BMP file are there. Rows that are compressed have no length of their own: they count as complete.
 bool hasAllRowsOfBmp(std::string_view bytes)
 {
-    constexpr std::size_t headers = 54, windowsHeader = 40;
-    if (bytes.size() < headers || bmpNumber(bytes, 14, 4) < windowsHeader) return true;  // Qt knows better
-    const std::uint64_t start = bmpNumber(bytes, 10, 4), width = bmpNumber(bytes, 18, 4), bits = bmpNumber(bytes, 28, 2);
-    const auto rows = static_cast<std::int32_t>(bmpNumber(bytes, 22, 4));  // below 0: the first row is the highest
-    const std::uint64_t compression = bmpNumber(bytes, 30, 4);
-    if (compression != 0 && compression != 3) return true;
-    const std::uint64_t rowBytes = (width * bits + 31) / 32 * 4;
-    return start + rowBytes * static_cast<std::uint64_t>(std::abs(static_cast<std::int64_t>(rows))) <= bytes.size();
+    const BmpRows bmp = bmpRows(bytes);
+    if (bmp.compression != 0 && bmp.compression != 3) return true;
+    const std::uint64_t rowBytes = (bmp.width * bmp.bits + 31) / 32 * 4;
+    return bmp.start <= bytes.size() && (rowBytes == 0 || bmp.rows <= (bytes.size() - bmp.start) / rowBytes);
 }
 
 /// Qt fills what is missing of these files with grey or black and reports a success.
@@ -149,6 +168,32 @@ void requireWhole(std::string_view bytes, const std::filesystem::path& file)
     if (format == nullptr) return;
     throw protocols::badInput({std::string("is not a readable ") + format + " (the file is truncated)", file.string(),
                                std::string("a complete ") + format + " image", "copy or export it again"});
+}
+
+/// A few bytes may promise a picture that fills the memory. No photograph has fewer bytes for its pixels.
+void requireBelievable(QSize size, std::size_t bytes, const std::filesystem::path& file)
+{
+    const std::uint64_t pixels =
+        static_cast<std::uint64_t>(std::max(0, size.width())) * static_cast<std::uint64_t>(std::max(0, size.height()));
+    if (pixels <= mostPixels && pixels <= mostPixelsPerByte * bytes + usualPixels) return;
+    const std::string stated =
+        std::to_string(size.width()) + " x " + std::to_string(size.height()) + " pixels in " + std::to_string(bytes) + " bytes";
+    throw protocols::badInput({"is not a readable picture (it states " + stated + ")", file.string(),
+                               "at most " + std::to_string(mostPixels) + " pixels, and bytes for them", "export it again"});
+}
+
+/// The pixels as R, G, B. A few rows at a time: a large picture has room in memory twice, not three times.
+cv::Mat rgbOf(const QImage& image)
+{
+    constexpr int rowsAtOnce = 64;
+    cv::Mat pixels(image.height(), image.width(), CV_8UC3);
+    for (int top = 0; top < image.height(); top += rowsAtOnce) {
+        const int rows = std::min(rowsAtOnce, image.height() - top);
+        const QImage part = image.copy(0, top, image.width(), rows).convertToFormat(QImage::Format_RGB888);
+        for (int row = 0; row < rows; ++row)
+            std::memcpy(pixels.ptr(top + row), part.constScanLine(row), static_cast<std::size_t>(image.width()) * 3);
+    }
+    return pixels;
 }
 
 /// The formats for a message; the formats of this computer's Qt differ with its plugins.
@@ -173,14 +218,13 @@ cv::Mat decodeByQt(const std::filesystem::path& file)
     QImageReader::setAllocationLimit(1024);  // MiB; enough for the largest camera pictures
     std::string reports;
     const JpegReports kept(reports);
-    const QImage image = reader.read().convertToFormat(QImage::Format_RGB888);
+    requireBelievable(reader.size(), bytes.size(), file);
+    const QImage image = reader.read();
     if (image.isNull())
         throw protocols::badInput({"the image cannot be read (" + reader.errorString().toStdString() + ")", file.string(),
                                    readableFormats(), "convert it to PNG"});
     requireSoundPixels(reports, file);
-    const cv::Mat pixels(image.height(), image.width(), CV_8UC3, const_cast<uchar*>(image.constBits()),
-                         static_cast<size_t>(image.bytesPerLine()));
-    return pixels.clone();
+    return rgbOf(image);
 }
 
 }  // namespace study::looking

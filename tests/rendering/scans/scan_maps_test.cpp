@@ -40,17 +40,31 @@ std::string allOf(const std::vector<std::string>& lines)
     return text;
 }
 
-/// A JPEG header with an EXIF resolution, up to its frame.
-std::string exifJpeg(int perInch, int unit, int width)
+/// A JPEG header with an EXIF resolution and orientation, up to its frame of `width` x 500.
+std::string exifJpeg(int perInch, int unit, int width, int orientation = 1)
 {
     const auto two = [](int value) { return std::string{char(value >> 8), char(value & 255)}; };
-    std::string tiff("MM\0*\0\0\0\x08\0\x02", 10);
+    std::string tiff("MM\0*\0\0\0\x08\0\x03", 10);
+    tiff += std::string("\x01\x12\0\x03\0\0\0\x01", 8) + two(orientation) + two(0);
     tiff +=
-        std::string("\x01\x1a\0\x05\0\0\0\x01\0\0\0\x26", 12) + std::string("\x01\x28\0\x03\0\0\0\x01", 8) + two(unit) + two(0);
+        std::string("\x01\x1a\0\x05\0\0\0\x01\0\0\0\x32", 12) + std::string("\x01\x28\0\x03\0\0\0\x01", 8) + two(unit) + two(0);
     tiff += std::string(4, '\0') + std::string(2, '\0') + two(perInch) + std::string("\0\0\0\x01", 4);
     const std::string body = std::string("Exif\0\0", 6) + tiff;
     const std::string frame = std::string("\x08", 1) + two(500) + two(width) + std::string("\x03", 1);
     return "\xff\xd8\xff\xe1" + two(int(body.size()) + 2) + body + "\xff\xc0" + two(int(frame.size()) + 2) + frame;
+}
+
+/// A PNG of 4096 x 500 with 508 pixels per inch across and 254 down, up to its data.
+std::string exifPng(int orientation)
+{
+    const auto chunk = [](const std::string& kind, const std::string& content) {
+        return std::string("\0\0\0", 3) + char(content.size()) + kind + content + std::string(4, '\0');
+    };
+    const auto four = [](int value) { return std::string{0, 0, char(value >> 8), char(value & 255)}; };
+    std::string tiff("MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0", 19);
+    tiff += char(orientation) + std::string(6, '\0');
+    return "\x89PNG\r\n\x1a\n" + chunk("IHDR", four(4096) + four(500) + std::string("\x08\x02\0\0\0", 5)) +
+           chunk("pHYs", four(20000) + four(10000) + "\x01") + chunk("eXIf", tiff);
 }
 
 }  // namespace
@@ -352,6 +366,13 @@ private Q_SLOTS:
         QVERIFY(cm && cm->hasUnit && std::abs(cm->perInch - 508) < 1e-9);
         const auto none = statedResolution(exifJpeg(773, 1, 1024));
         QVERIFY(none && !none->hasUnit);
+        const auto turned = statedResolution(exifJpeg(508, 2, 4096, 6));  // shown with rows and columns exchanged
+        QVERIFY(turned && turned->widthPx == 500);
+        const auto upsideDown = statedResolution(exifJpeg(508, 2, 4096, 3));
+        QVERIFY(upsideDown && upsideDown->widthPx == 4096);
+        const auto png = statedResolution(exifPng(1)), turnedPng = statedResolution(exifPng(8));
+        QVERIFY(png && png->widthPx == 4096 && std::abs(png->perInch - 508) < 1e-9);
+        QVERIFY(turnedPng && turnedPng->widthPx == 500 && std::abs(turnedPng->perInch - 254) < 1e-9);
         QVERIFY(!statedResolution("no picture"));
         const std::string whole = exifJpeg(508, 2, 4096);
         for (std::size_t length = 0; length < whole.size(); ++length) statedResolution(whole.substr(0, length));

@@ -127,6 +127,58 @@ private Q_SLOTS:
         QVERIFY2(ended.exitCode == 0 && !ended.err.contains("qt."), qPrintable(ended.err));
     }
 
+    /// Fuzzing found the first one: 44 bytes filled 3 GB.
+    void aFewBytesThatStateALargePictureAreRefused_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::addColumn<QString>("reason");
+        QTest::newRow("BMP of the first version")
+            << "old.bmp"
+            << QByteArray::fromHex("424db6060a0000000000000001004001004001202890010018000000000000002100380000002000800400")
+            << "the file is truncated";
+        // A header of 40 bytes, 16,000 x 16,000 pixels of 8 bits, run-length coded; the code ends at once.
+        const QByteArray header = QByteArray::fromHex("424d40000000000000003600000028000000803e0000803e0000010008000100000000");
+        QTest::newRow("BMP of runs") << "runs.bmp"
+                                     << header.leftJustified(54, '\0') + QByteArray(1024, '\0') + QByteArray("\0\1", 2)
+                                     << "16000 x 16000 pixels in 1080 bytes";
+        QTest::newRow("GIF with another ending")
+            << "large.jpg" << QByteArray::fromHex("474946383961803e803e800000000000ffffff2c00000000803e803e000002024401003b")
+            << "16000 x 16000 pixels in";
+    }
+    void aFewBytesThatStateALargePictureAreRefused()
+    {
+        QFETCH(const QString, name);
+        QFETCH(const QByteArray, bytes);
+        QFETCH(const QString, reason);
+        QFile file(m_folder.filePath(name));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
+        file.close();
+        const auto ended = runProgram({"view", file.fileName(), "--out", at("of-few-bytes.png")});
+        QCOMPARE(ended.exitCode, 2);
+        QVERIFY2(ended.err.contains(reason) && ended.err.count('\n') == 1, qPrintable(ended.err));
+    }
+
+    /// The first version of BMP has a header of 26 bytes. This one has two rows of one red and one blue pixel.
+    void aBmpOfTheFirstVersionIsReadWhole()
+    {
+        const QByteArray whole = QByteArray::fromHex(
+            "424d2200000000000000"
+            "1a000000"
+            "0c000000"
+            "01000200"
+            "01001800"
+            "ff000000"
+            "0000ff00");
+        for (const qsizetype length : {whole.size(), whole.size() - 2}) {
+            QFile file(at("old-whole.bmp"));
+            QVERIFY(file.open(QIODevice::WriteOnly) && file.write(whole.left(length)) == length);
+            file.close();
+            const auto ended = runProgram({"view", at("old-whole.bmp"), "--out", at("of-old.png")});
+            QVERIFY2(ended.exitCode == (length == whole.size() ? 0 : 2), qPrintable(ended.err));
+        }
+    }
+
     void aPipeInThePlaceOfAPictureIsRefused()
     {
         for (const char* name : {"pipe.jpg", "pipe.bmp"}) {

@@ -75,8 +75,10 @@ struct EventActions {
     }
     void operator()(const Voided& event) const
     {
+        // Logs of earlier versions and scripts may hold a void without a reason, which the page does not take.
+        if (event.why.empty()) return window.session()->send(event);
         click("voidButton");
-        giveReason(event.why, true);
+        giveReason(event.why, false);
     }
     void operator()(const BreakEnded&) const { enter(); }
     void operator()(const Paused&) const { click("pauseButton"); }
@@ -106,7 +108,12 @@ struct EventActions {
     }
 
 private:
-    void enter() const { gui.pressKey(Qt::Key_Return); }
+    /// A script's clock may stand still between an Enter and the second one that a page asks for.
+    void enter() const
+    {
+        window.session()->waitOutDeadTime();
+        gui.pressKey(Qt::Key_Return);
+    }
     void click(const char* button) const { gui.click(QString::fromLatin1(button)); }
     void press(const char* button) const
     {

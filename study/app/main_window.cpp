@@ -1,6 +1,5 @@
 #include "study/app/main_window.h"
 
-#include <QApplication>
 #include <QCloseEvent>
 #include <QKeyEvent>
 #include <QScreen>
@@ -19,13 +18,13 @@
 #include "study/app/pages/setup/participant_page.h"
 #include "study/app/pages/setup/rehearsal_page.h"
 #include "study/app/pages/setup/room_checks.h"
-#include "study/app/pages/stage_page.h"
 #include "study/app/pages/start_page.h"
 #include "study/app/pages/study_page.h"
 #include "study/app/pages/tools/tools_page.h"
 #include "study/app/participant_room.h"
-#include "study/app/pieces/pieces.h"
+#include "study/app/server_bar.h"
 #include "study/app/state/recent_studies.h"
+#include "study/app/stray_keys.h"
 #include "study/app/window_pages.h"
 
 namespace study::app {
@@ -40,6 +39,15 @@ void showingFaults(Page& page, Work work)
         work();
     } catch (const std::exception& fault) {
         page.showFault(inOwnLanguage(fault.what()));
+    }
+}
+
+QString faultText(const std::exception_ptr& fault)
+{
+    try {
+        std::rethrow_exception(fault);
+    } catch (const std::exception& thrown) {
+        return inOwnLanguage(thrown.what());
     }
 }
 
@@ -58,14 +66,14 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
       m_opening(options.openDisplay),
       m_participantRoom(new ParticipantRoom(this)),
       m_pages(new WindowPages(m_options, *m_participantRoom, this)),
-      m_serverBar(new MessageBar("serverBar", this))
+      m_strayKeys(new StrayKeys(*this, *m_pages, m_options.clock)),
+      m_serverBar(new ServerBar(this))
 {
     setObjectName("mainWindow");
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_pages, 1);
     column->addWidget(m_serverBar);
-    m_serverBar->clearMessage();
     auto* everyFewSeconds = new QTimer(this);
     connect(everyFewSeconds, &QTimer::timeout, this, &MainWindow::showServerLink);
     everyFewSeconds->start(2000);
@@ -93,7 +101,6 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
             tr("The display of the last time, %1, is not connected: an operator could open its plain images. Choose "
                "another display here, or start the program with --plain-images.")
                 .arg(QString::fromStdString(remembered)));
-    qApp->installEventFilter(this);
 }
 
 MainWindow::~MainWindow() = default;
@@ -116,6 +123,7 @@ void MainWindow::connectPages()
         showingFaults(*m_pages->start, [&] { openStudy(folder.toStdString()); });
     });
     connect(m_pages->study, &StudyPage::closeRequested, this, &MainWindow::closeStudy);
+    connect(m_pages->study, &StudyPage::secondEnterAsked, m_strayKeys, &StrayKeys::holdEnterOfStudy);
     connect(m_pages->study, &StudyPage::sessionRequested, this, [this](const QString& participant) {
         if (const QString fault = m_study->protocolFault(); !fault.isEmpty()) return m_pages->study->showFault(fault);
         requestSession(protocols::ParticipantId(participant.toStdString()));
@@ -124,6 +132,9 @@ void MainWindow::connectPages()
             [this] { m_pages->session->openCorrection(m_session->correctables()); });
     connect(m_pages->session, &SessionPage::eventRequested, this, [this](const session::EventBody& event) {
         if (m_session) m_session->send(event);
+    });
+    connect(m_pages->session, &SessionPage::hintShown, this, [this] {
+        if (m_session) m_session->pageAsked();
     });
     connect(m_pages->session, &SessionPage::answerMarked, this, [this](AnswerMark mark) {
         if (!m_session) return;
@@ -382,24 +393,7 @@ void MainWindow::showStudy()
     showServerLink();
 }
 
-void MainWindow::showServerLink()
-{
-    const auto link = m_study ? m_study->serverLink() : std::nullopt;
-    if (!link) return m_serverBar->clearMessage();
-    const QString station = QString::fromStdString(link->station);
-    if (!link->isUp && link->waiting == 0)
-        m_serverBar->showFault(tr("Station %1: the server cannot be reached. No entry waits on this computer.").arg(station));
-    else if (!link->isUp)
-        m_serverBar->showFault(
-            tr("Station %1: the server cannot be reached. Entries that wait on this computer: %2. They are sent "
-               "when the server is back.")
-                .arg(station)
-                .arg(link->waiting));
-    else if (!link->fault.empty())
-        m_serverBar->showFault(inOwnLanguage(link->fault.c_str()));
-    else
-        m_serverBar->showDone(tr("Station %1: every answer is on the server.").arg(station));
-}
+void MainWindow::showServerLink() { m_serverBar->present(m_study ? m_study->serverLink() : std::nullopt); }
 
 void MainWindow::closeStudy()
 {
@@ -492,8 +486,14 @@ bool MainWindow::pauseForLeaving()
         std::holds_alternative<session::Finished>(state.stage) || std::holds_alternative<session::Withdrawn>(state.stage);
     if (state.paused || isOver) return true;
     m_session->send(session::Paused{});
-    if (!m_session->lastOutcome()->fault || m_leavingWasRefused) return true;
+    const std::exception_ptr fault = m_session->lastOutcome()->fault;
+    if (!fault || m_leavingWasRefused) return true;
     m_leavingWasRefused = true;
+    m_pages->setCurrentWidget(m_pages->session);
+    m_pages->session->showMessage(tr("%1. The pause was not stored, so the session is still open. Fix the problem, or leave once "
+                                     "more: no stored answer is lost.")
+                                      .arg(faultText(fault)),
+                                  Tone::Fault);
     return false;
 }
 
@@ -502,7 +502,7 @@ void MainWindow::leaveSession()
     if (!m_session || !pauseForLeaving()) return;
     const bool isFinished = std::holds_alternative<session::Finished>(m_session->view().state.stage);
     m_session.reset();
-    m_leftAtNs = m_options.clock->monotonicNs();
+    m_strayKeys->holdEnterOfStudy();
     if (m_rehearsal) {
         m_rehearsal.reset();
         m_rehearsalFolder.reset();
@@ -537,34 +537,10 @@ void MainWindow::closeEvent(QCloseEvent* event)
 void MainWindow::keyPressEvent(QKeyEvent* event)
 {
     // Handles the keys of the session page when none of its controls has the focus.
-    if (m_pages->currentWidget() == m_pages->session && event->modifiers() == Qt::NoModifier && !m_heldKeys.isRepeat(*event) &&
+    if (m_pages->currentWidget() == m_pages->session && event->modifiers() == Qt::NoModifier && !m_strayKeys->isRepeat(*event) &&
         m_pages->session->pressKey(event->key()))
         return;
     QWidget::keyPressEvent(event);
-}
-
-bool MainWindow::confirmsWhenHeld(int key, const QWidget& target) const
-{
-    if (isEnter(key)) return true;
-    if (key == Qt::Key_Space) return !target.testAttribute(Qt::WA_InputMethodEnabled);  // Space presses buttons and boxes
-    return m_pages->currentWidget() == m_pages->session && m_pages->keys->keys().isExtraKey(key);
-}
-
-bool MainWindow::hasJustLeftSession() const
-{
-    constexpr std::int64_t bounceNs = 700'000'000;  // the usual dead time of a protocol
-    return m_leftAtNs && m_pages->currentWidget() == m_pages->study && m_options.clock->monotonicNs() - *m_leftAtNs < bounceNs;
-}
-
-bool MainWindow::eventFilter(QObject* watched, QEvent* event)
-{
-    if (event->type() != QEvent::KeyPress && event->type() != QEvent::KeyRelease) return QWidget::eventFilter(watched, event);
-    const auto& key = static_cast<const QKeyEvent&>(*event);
-    const bool isRepeat = m_heldKeys.isRepeat(key);
-    const auto* target = qobject_cast<QWidget*>(watched);
-    if (event->type() != QEvent::KeyPress || !target || target->window() != this) return QWidget::eventFilter(watched, event);
-    // The Enter that left a session may bounce. It must not enrol the next participant.
-    return (isRepeat && confirmsWhenHeld(key.key(), *target)) || (isEnter(key.key()) && hasJustLeftSession());
 }
 
 }  // namespace study::app

@@ -10,7 +10,6 @@
 #include "study/app/pieces/appearance_keys.h"
 #include "study/app/state/app_options.h"
 #include "study/app/state/display_opening.h"
-#include "study/app/state/held_keys.h"
 #include "study/app/state/open_study.h"
 #include "study/app/state/session_controller.h"
 
@@ -20,12 +19,13 @@ struct ParticipantAct;
 
 namespace study::app {
 
-class MessageBar;
 class MonitorWindow;
 class ParticipantRoom;
 class ParticipantSide;
 class ParticipantSound;
+class ServerBar;
 class StartPage;
+class StrayKeys;
 class WindowPages;
 
 class MainWindow : public QWidget {
@@ -59,8 +59,6 @@ public:
 protected:
     void closeEvent(QCloseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
-    /// Keeps key presses from the pages that nobody meant for them: repeats of a held key, and Enter just after a session.
-    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void connectPages();
@@ -97,9 +95,6 @@ private:
     void openMonitor(const std::filesystem::path& place);
     void refreshSession();
     void leaveSession();
-    /// Whether a key that is held down on `target` would run through pages: Enter, Space on a control, keys of a session.
-    bool confirmsWhenHeld(int key, const QWidget& target) const;
-    bool hasJustLeftSession() const;
     /// Pauses a running session. False if the pause cannot be stored; the next attempt then returns true.
     bool pauseForLeaving();
     void closeStudy();
@@ -114,14 +109,13 @@ private:
     DisplayOpening::Failed m_stopped;  ///< what follows when the operator stops connecting
     bool m_isRehearsing = false;       ///< the page of the rehearsal is in use
     bool m_leavingWasRefused = false;
-    HeldKeys m_heldKeys;
-    std::optional<std::int64_t> m_leftAtNs;             ///< when the last session was left
     bool m_rehearses = false;                           ///< the operator chose to run sessions without a display
     std::optional<protocols::ParticipantId> m_waiting;  ///< whose session waits for a display
 
     ParticipantRoom* m_participantRoom;
     WindowPages* m_pages;
-    MessageBar* m_serverBar;  ///< below the pages
+    StrayKeys* m_strayKeys;
+    ServerBar* m_serverBar;
     QString m_chosenLanguage;
     QWidget* m_beforeParticipantPage = nullptr;  ///< the page to go back to
     std::filesystem::path m_monitored;

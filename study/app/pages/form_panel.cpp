@@ -79,6 +79,13 @@ void FormPanel::open(const Texts& texts)
 
 void FormPanel::focusReason() { m_reason->setFocus(); }
 
+void FormPanel::setReason(const QString& reason)
+{
+    m_reason->setPlainText(reason);
+    m_reason->moveCursor(QTextCursor::End);
+    focusReason();
+}
+
 void FormPanel::confirm()
 {
     if (!isReady()) return;

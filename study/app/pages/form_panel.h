@@ -40,6 +40,8 @@ protected:
     QWidget* addRow(const QString& caption, QWidget* control);
     /// Moves the focus to the reason.
     void focusReason();
+    /// Writes this reason in place of the present one; the operator can still change it.
+    void setReason(const QString& reason);
     /// Puts the reason and the buttons after `controls` in the tab order.
     void setReasonAfter(const QWidget& controls);
 

@@ -17,7 +17,8 @@ public:
     void askForNote();
     /// Marks a presentation for inspection; the reason is optional. `presentation`: see askWhyVoid().
     void askForFlag(const QString& presentation);
-    /// `presentation`: its code; empty: the presentation before the current tray.
+    /// Needs a reason, typed or chosen from the usual ones. `presentation`: its code; empty: the presentation before the current
+    /// tray.
     void askWhyVoid(const QString& presentation);
     /// Ends a session for good, so the operator types the participant's code.
     void askWhyWithdrawn();
@@ -28,11 +29,15 @@ protected:
     session::EventBody eventFor(const std::string& reason) override { return m_event(reason); }
 
 private:
+    QWidget* usualReasons();
     void askForCode(bool isAsked);
+    void offerUsualReasons(bool isOffered);
 
     QString m_participantCode;
     QLineEdit* m_code;
     QWidget* m_codeCaption;
+    QWidget* m_usual;  ///< buttons of the usual reasons for a void
+    QWidget* m_usualCaption;
     std::function<session::EventBody(const std::string&)> m_event;
 };
 

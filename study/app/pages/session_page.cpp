@@ -42,8 +42,12 @@ SessionPage::SessionPage(QWidget* parent)
     connect(m_stages, &StageStack::eventRequested, this, &SessionPage::eventRequested);
     connect(m_stages, &StageStack::answerMarked, this, &SessionPage::answerMarked);
     connect(m_stages, &StageStack::patternRequested, this, &SessionPage::patternRequested);
-    connect(m_stages, &StageStack::hinted, this, [this](const QString& text) { showMessage(text, Tone::Hint); });
+    connect(m_stages, &StageStack::hinted, this, [this](const QString& text) {
+        showMessage(text, Tone::Hint);
+        if (!text.isEmpty()) Q_EMIT hintShown();
+    });
     connect(m_stages, &StageStack::mended, this, &SessionPage::clearMendedMessage);
+    connect(m_stages, &StageStack::messageHidden, this, &SessionPage::pinMessage);
     connect(m_stages, &StageStack::panelCloseRequested, this, &SessionPage::closePanel);
     connect(&m_stages->guide(), &GuidePage::leaveRequested, this, &SessionPage::leave);
     connect(&m_stages->guide(), &GuidePage::preparationDeclined, this, &SessionPage::goOnUnprepared);
@@ -206,6 +210,13 @@ void SessionPage::bringForward(StagePage& page)
     m_footer->setWriting(!m_panel && page.isForWriting());
 }
 
+void SessionPage::pinMessage()
+{
+    auto& column = static_cast<QVBoxLayout&>(*layout());
+    column.insertWidget(column.indexOf(m_guard), m_message);
+    m_message->show();
+}
+
 void SessionPage::openCorrection(const std::vector<Correctable>& answers)
 {
     m_stages->correction().ask(answers);
@@ -216,6 +227,7 @@ void SessionPage::openPanel(StagePage& panel)
 {
     Q_EMIT patternRequested(std::nullopt);  // The panel hides the buttons of the patterns.
     m_panel = &panel;
+    m_openedBy = m_lastKey;
     m_message->clearMessage();
     m_footer->setPanelOpen(true);
     bringForward(panel);
@@ -326,7 +338,10 @@ bool SessionPage::eventFilter(QObject* watched, QEvent* event)
     if (event->type() == QEvent::KeyRelease) m_heldKeys.isRepeat(static_cast<const QKeyEvent&>(*event));
     const bool isEntry = event->type() == QEvent::KeyPress || event->type() == QEvent::MouseButtonPress;
     const auto* target = qobject_cast<QWidget*>(watched);
-    if (isEntry && isHeld() && target && (target == this || isAncestorOf(target))) return true;
+    if (isEntry && isHeld() && target && (target == this || isAncestorOf(target))) {
+        showMessage(tr("The participant has just moved the session on, so your entry did nothing. Enter it again."), Tone::Hint);
+        return true;
+    }
     // A key that a control refuses goes on to its parents, so only the first receiver counts.
     const bool isFirst = event->type() == QEvent::KeyPress && watched == window()->focusWidget() && isVisible() &&
                          (watched == this || isAncestorOf(qobject_cast<QWidget*>(watched)));
@@ -340,10 +355,22 @@ bool SessionPage::takesKeyFirst(const QKeyEvent& event)
         showMessage(tr("A scanner typed this, so nothing was stored. Enter the answer by hand."), Tone::Hint);
         return true;
     }
+    if (isOpeningKeyAgain(event)) return true;
+    m_lastKey = {event.key(), event.timestamp()};
     const bool isPlain = (event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == 0;
     if (!isPlain || !m_facts.keys.isExtraKey(event.key())) return false;
     if (!m_heldKeys.isRepeat(event)) pressKey(event.key());
     return true;
+}
+
+/// The key that opened a panel writes no letter into it while it is held down, or when it bounces.
+bool SessionPage::isOpeningKeyAgain(const QKeyEvent& event)
+{
+    constexpr quint64 bounceMs = 120;
+    const bool isSoon = event.timestamp() != 0 && event.timestamp() - m_openedBy.atMs < bounceMs;
+    const bool isAgain = m_panel && event.key() == m_openedBy.key && (m_heldKeys.isRepeat(event) || isSoon);
+    if (!isAgain) m_openedBy = {};
+    return isAgain;
 }
 
 /// Only a text field outside questions and panels is there to be scanned into.

@@ -53,6 +53,8 @@ public:
 Q_SIGNALS:
     void eventRequested(const study::session::EventBody& event);
     void answerMarked(study::app::AnswerMark mark);
+    /// The page showed a hint, which may ask for a second Enter.
+    void hintShown();
     void correctionRequested();
     void patternRequested(const std::optional<rendering::TestPattern>& pattern);
     /// The operator leaves the session; a running session must be paused first.
@@ -67,6 +69,7 @@ protected:
 private:
     bool takesKeyFirst(const QKeyEvent& event);
     bool isScannedByMistake(const QKeyEvent& event);
+    bool isOpeningKeyAgain(const QKeyEvent& event);
     bool isHeld() const;
     void connectPanels();
     void fillGuard();
@@ -82,6 +85,8 @@ private:
     StagePage& pageInFront() const;
     void bringForward(StagePage& page);
     void openPanel(StagePage& panel);
+    /// Moves the message below the stages, where it cannot be scrolled away. It goes back with the next page.
+    void pinMessage();
     void closePanel();
     void goOnUnprepared();
     void clearMendedMessage();
@@ -95,7 +100,12 @@ private:
     bool m_isMendable = false;  ///< the message is about an entry, so it goes with the next change of that entry
     ScannerEntry m_scanner;
     HeldKeys m_heldKeys;
-    bool m_isTextGivenUp = false;  ///< the operator closes the window without it
+    struct KeyPressed {
+        int key = 0;  ///< 0: none
+        quint64 atMs = 0;
+    };
+    KeyPressed m_lastKey, m_openedBy;  ///< the second: the key that opened the panel, until another one is pressed
+    bool m_isTextGivenUp = false;      ///< the operator closes the window without it
     GoingOn m_goingOn = GoingOn::Close;
     QElapsedTimer m_sinceHeld;
     StagePage* m_panel = nullptr;  ///< open panel; null if none

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QLineEdit>
 #include <QScrollBar>
+#include <QTimer>
 #include <algorithm>
 
 #include "study/app/pages/checklist_page.h"
@@ -105,6 +106,8 @@ Page* StageStack::add(const char* areaName)
     connect(page, &StagePage::mended, this, &StageStack::mended);
     connect(page, &StagePage::patternRequested, this, &StageStack::patternRequested);
     connect(area->verticalScrollBar(), &QScrollBar::rangeChanged, area, [area, page] { scrollToEntry(*area, *page); });
+    connect(area->verticalScrollBar(), &QScrollBar::rangeChanged, this, &StageStack::checkMessageSoon);
+    connect(area->verticalScrollBar(), &QScrollBar::valueChanged, this, &StageStack::checkMessageSoon);
     return page;
 }
 
@@ -123,10 +126,12 @@ void StageStack::bringForward(StagePage& page)
     page.firstFocus().setFocus();
     area.verticalScrollBar()->setValue(0);
     scrollToEntry(area, page);
+    checkMessageSoon();
 }
 
 void StageStack::showMessage(QWidget& message)
 {
+    m_message = &message;
     // Queued, because the page gets its new height first. The entry comes last: it is more important than the message.
     QMetaObject::invokeMethod(
         &message,
@@ -134,8 +139,20 @@ void StageStack::showMessage(QWidget& message)
             QScrollArea& area = areaAt(currentIndex());
             if (message.isVisible() && area.isAncestorOf(&message)) area.ensureWidgetVisible(&message, 0, 8);
             scrollToEntry(area, *m_pages[static_cast<std::size_t>(currentIndex())]);
+            checkMessageSoon();
         },
         Qt::QueuedConnection);
+}
+
+/// By a timer, which waits for all layouts and for the fit of the page.
+void StageStack::checkMessageSoon() { QTimer::singleShot(0, this, &StageStack::checkMessage); }
+
+void StageStack::checkMessage()
+{
+    const QScrollArea& area = areaAt(currentIndex());
+    if (!m_message || !m_message->isVisible() || !area.isAncestorOf(m_message)) return;
+    const int top = m_message->mapTo(area.viewport(), QPoint()).y();
+    if (top < 0 || top + m_message->height() > area.viewport()->height()) Q_EMIT messageHidden();
 }
 
 bool StageStack::scrollBy(int key)

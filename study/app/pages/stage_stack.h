@@ -31,7 +31,8 @@ public:
     StagePage& pageOf(const session::Stage& stage) const;
     /// Shows the page from its top and focuses its first control. Scrolls to that control if it is a text field.
     void bringForward(StagePage& page);
-    /// Scrolls to the message of the page in front, and then to the text field that has the focus.
+    /// Scrolls to the message of the page in front, and then to the text field that has the focus. Emits messageHidden() if the
+    /// area then does not show the whole message, and later if it is scrolled away.
     void showMessage(QWidget& message);
     /// Scrolls on Page Up and Page Down; returns false for other keys.
     bool scrollBy(int key);
@@ -43,14 +44,18 @@ Q_SIGNALS:
     void hinted(const QString& text);
     void mended();
     void panelCloseRequested();
+    void messageHidden();
 
 private:
     struct PageOfStage;
     template <class Page>
     Page* add(const char* areaName);
 
+    void checkMessage();
+    void checkMessageSoon();
     QScrollArea& areaAt(int place) const { return *m_areas[static_cast<std::size_t>(place)]; }
 
+    QWidget* m_message = nullptr;       ///< the one that was shown last
     std::vector<QScrollArea*> m_areas;  ///< in the order of the stack
     std::vector<StagePage*> m_pages;    ///< in the order of the stack
     GuidePage* m_guide;

@@ -294,6 +294,7 @@ void StudyPage::enrol()
     else if (m_overview.placesIn(SlotState::Started) > 0 && !m_isAskedAgain) {
         m_isAskedAgain = true;
         m_message->showHint(tr("A session is in progress. Press Enter again to enrol %1 as a new participant.").arg(participant));
+        Q_EMIT secondEnterAsked();
     } else
         Q_EMIT sessionRequested(participant);
 }
@@ -303,6 +304,8 @@ void StudyPage::offerTools(bool isOffered) { m_tools->setVisible(isOffered); }
 void StudyPage::offerRehearsal(bool isOffered) { m_rehearsal->setVisible(isOffered); }
 
 void StudyPage::showFault(const QString& text) { m_message->showFault(text); }
+
+void StudyPage::showHint(const QString& text) { m_message->showHint(text); }
 
 void StudyPage::focusFirst()
 {

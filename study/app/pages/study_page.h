@@ -25,6 +25,7 @@ public:
     /// `kind`: sessions of participants of other kinds cannot be continued here.
     void present(const StudyOverview& overview, database::ParticipantKind kind);
     void showFault(const QString& text);
+    void showHint(const QString& text);
     void focusFirst();
     /// Shows the button of the tools.
     void offerTools(bool isOffered);
@@ -34,6 +35,8 @@ public:
 Q_SIGNALS:
     /// The operator enrols this participant, or continues the session if there is one.
     void sessionRequested(const QString& participant);
+    /// The page asked the operator to press Enter again.
+    void secondEnterAsked();
     void closeRequested();
     void displayRequested();
     void keysRequested();

@@ -143,8 +143,10 @@ bool TrayPage::pressKey(int key)
         return true;
     }
     if (!isEnter(key)) return false;
-    if (std::exchange(m_isTypedAhead, false)) return true;
-    confirm();
+    if (std::exchange(m_isTypedAhead, false))
+        Q_EMIT hinted(tr("Press Enter once more to confirm the tray."));
+    else
+        confirm();
     return true;
 }
 

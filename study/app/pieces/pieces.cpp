@@ -1,6 +1,7 @@
 #include "study/app/pieces/pieces.h"
 
 #include <QAbstractItemView>
+#include <QAccessible>
 #include <QApplication>
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -257,6 +258,7 @@ void MessageBar::standBelow(QWidget& control)
 void MessageBar::clearMessage()
 {
     clear();
+    setAccessibleName({});
     hide();
 }
 
@@ -267,6 +269,8 @@ void MessageBar::showAs(const char* role, const QString& text)
     setText(text);
     setAccessibleName(text);
     setVisible(!text.isEmpty());
+    QAccessibleEvent alert(this, QAccessible::Alert);  // a screen reader reads the message at once
+    QAccessible::updateAccessibility(&alert);
 }
 
 }  // namespace study::app

@@ -40,9 +40,19 @@ void SlotCard::showPiece(const QString& piece, const QString& act, bool isNew, b
     m_act = act;
     m_tag->setText(act);
     m_piece->setText(piece);
-    m_piece->setAccessibleName(tr("%1, %2").arg(piece, act));
+    describe();
 }
 
-void SlotCard::setConfirmed(bool isConfirmed) { m_tag->setText(isConfirmed ? tr("confirmed ✓") : m_act); }
+void SlotCard::setConfirmed(bool isConfirmed)
+{
+    m_tag->setText(isConfirmed ? tr("confirmed ✓") : m_act);
+    describe();
+}
+
+void SlotCard::describe()
+{
+    const QString said = tr("%1, %2").arg(m_piece->text(), m_tag->text());
+    m_piece->setAccessibleName(m_letter->isHidden() ? said : tr("Slot %1: %2").arg(m_letter->text(), said));
+}
 
 }  // namespace study::app

@@ -19,6 +19,8 @@ public:
     void setConfirmed(bool isConfirmed);
 
 private:
+    void describe();
+
     QLabel* m_letter;
     QString m_act;
     QLabel* m_tag;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "protocols/answer_kind.h"
 #include "protocols/files/errors.h"
 #include "study/app/language/below.h"
 
@@ -52,6 +53,24 @@ bool confirmsPage(const session::EventBody& event)
                    TrayReady, BreakEnded, Resumed, Debriefed>(event);
 }
 
+bool hasNoWords(const session::GivenAnswer& response)
+{
+    const auto* words = std::get_if<session::Words>(&response);
+    return words && words->text.empty();
+}
+
+/// The page may have asked for a second Enter: a text is empty, or an answer was typed before the tray was confirmed.
+bool mayNeedSecondEnter(const session::EventBody& event)
+{
+    return std::visit(protocols::Overloaded{[](const session::Answered& answered) { return hasNoWords(answered.response); },
+                                            [](const session::Corrected& corrected) {
+                                                return corrected.why.empty() || hasNoWords(corrected.response);
+                                            },
+                                            [](const session::WithdrawnEvent& withdrawn) { return withdrawn.why.empty(); },
+                                            [](const session::TrayReady&) { return true; }, [](const auto&) { return false; }},
+                      event);
+}
+
 bool isStepOfOperator(const session::EventBody& event)
 {
     return session::isEnteredByOperator(event) && !std::holds_alternative<session::Touched>(event);
@@ -66,6 +85,8 @@ bool isOtherQuestion(const session::Stage& before, const session::Stage& now)
 }
 
 }  // namespace
+
+QString bouncedKeyText() { return inOwnLanguage(tooSoon); }
 
 SessionController::SessionController(database::SessionStore& store, const protocols::ParticipantId& participant,
                                      rendering::PresentedImages& images, std::unique_ptr<rendering::HapticDisplay> display,
@@ -150,7 +171,16 @@ bool SessionController::isBounced(const session::EventBody& event) const
     const bool isNewTray =
         std::holds_alternative<session::PlacingTray>(state.stage) && nowNs - state.trayAskedAtNs < state.deadTimeNs;
     if (isNewTray && std::holds_alternative<session::TrayReady>(event)) return false;  // the engine says more about it
-    return m_lastStepAtNs && confirmsPage(event) && nowNs - *m_lastStepAtNs < state.deadTimeNs;
+    const auto isJustAfter = [&](const std::optional<std::int64_t>& atNs) { return atNs && nowNs - *atNs < state.deadTimeNs; };
+    return (confirmsPage(event) && isJustAfter(m_lastStepAtNs)) || (mayNeedSecondEnter(event) && isJustAfter(m_askedAtNs));
+}
+
+void SessionController::pageAsked() { m_askedAtNs = m_clock->monotonicNs(); }
+
+void SessionController::waitOutDeadTime()
+{
+    m_lastStepAtNs.reset();
+    m_askedAtNs.reset();
 }
 
 void SessionController::send(const session::EventBody& asked)

@@ -33,6 +33,9 @@ struct EventOutcome {
 
 enum class Tone { Done, Hint, Refusal, Fault };
 
+/// What a page says about a key that may have bounced.
+QString bouncedKeyText();
+
 class SessionController : public QObject {
     Q_OBJECT
 public:
@@ -55,8 +58,10 @@ public:
     void showPattern(const std::optional<TestPattern>& pattern, std::optional<double> mmPerPixel);
     /// Takes back the stamp that the first key of an entry made.
     void unmarkEntry();
+    /// The page showed a hint, which may ask for a second Enter. A bounced key must not be the second one.
+    void pageAsked();
     /// The next event is not a bounced key. A script waits as long as a person does, but its clock may stand still.
-    void waitOutDeadTime() { m_lastStepAtNs.reset(); }
+    void waitOutDeadTime();
     /// The stamps of the next answer, as a script states them.
     void setStamps(const session::AnswerStamps& stamps) { m_scriptedStamps = stamps; }
 
@@ -97,6 +102,7 @@ private:
     session::BegunBy m_begunBy = session::BegunBy::Entry;
     std::optional<session::AnswerStamps> m_scriptedStamps;
     std::optional<std::int64_t> m_lastStepAtNs;  ///< the operator opened the session or made the last accepted entry
+    std::optional<std::int64_t> m_askedAtNs;     ///< the page showed its last hint
     std::optional<TestPattern> m_pattern;        ///< that can be felt
     std::optional<EventOutcome> m_lastOutcome;
     int m_eventsSent = 0;

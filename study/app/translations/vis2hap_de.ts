@@ -2762,16 +2762,8 @@ Noch ist nichts gewählt.</translation>
         <translation>%1 – %2 – Vis2Hap</translation>
     </message>
     <message>
-        <source>Station %1: the server cannot be reached. No entry waits on this computer.</source>
-        <translation>Station %1: Der Server ist nicht erreichbar. Auf diesem Rechner wartet kein Eintrag.</translation>
-    </message>
-    <message>
-        <source>Station %1: the server cannot be reached. Entries that wait on this computer: %2. They are sent when the server is back.</source>
-        <translation>Station %1: Der Server ist nicht erreichbar. Einträge, die auf diesem Rechner warten: %2. Sie werden gesendet, sobald der Server wieder da ist.</translation>
-    </message>
-    <message>
-        <source>Station %1: every answer is on the server.</source>
-        <translation>Station %1: Alle Antworten liegen auf dem Server.</translation>
+        <source>%1. The pause was not stored, so the session is still open. Fix the problem, or leave once more: no stored answer is lost.</source>
+        <translation>%1. Die Pause wurde nicht gespeichert, der Versuch ist deshalb noch offen. Beheben Sie das Problem, oder verlassen Sie ihn noch einmal: Keine gespeicherte Antwort geht verloren.</translation>
     </message>
 </context>
 <context>
@@ -4123,10 +4115,6 @@ Noch ist nichts gewählt.</translation>
         <translation>Für ungültig erklären (Enter)</translation>
     </message>
     <message>
-        <source>Write a short reason. Press Enter again to void the presentation without a reason, Esc to go back.</source>
-        <translation>Schreiben Sie einen kurzen Grund. Drücken Sie noch einmal Enter, um die Darbietung ohne Grund für ungültig zu erklären, Esc, um zurückzugehen.</translation>
-    </message>
-    <message>
         <source>The participant withdraws</source>
         <translation>Die Versuchsperson tritt zurück</translation>
     </message>
@@ -4141,6 +4129,34 @@ Noch ist nichts gewählt.</translation>
     <message>
         <source>The participant need not give a reason. Press Enter again to end the session, Esc to go back.</source>
         <translation>Die Versuchsperson muss keinen Grund nennen. Drücken Sie noch einmal Enter, um den Versuch zu beenden, Esc, um zurückzugehen.</translation>
+    </message>
+    <message>
+        <source>Usual reasons</source>
+        <translation>Übliche Gründe</translation>
+    </message>
+    <message>
+        <source>Wrong piece on the tray</source>
+        <translation>Falsche Probe auf dem Tablett</translation>
+    </message>
+    <message>
+        <source>Disturbance in the room</source>
+        <translation>Störung im Raum</translation>
+    </message>
+    <message>
+        <source>Fault of the display</source>
+        <translation>Fehler des Displays</translation>
+    </message>
+    <message>
+        <source>Slip of the operator</source>
+        <translation>Versehen der Versuchsleitung</translation>
+    </message>
+    <message>
+        <source>%1 (Alt %2)</source>
+        <translation>%1 (Alt %2)</translation>
+    </message>
+    <message>
+        <source>Write a short reason, or choose one with Alt 1 to Alt 4. Press Esc to go back.</source>
+        <translation>Schreiben Sie einen kurzen Grund, oder wählen Sie einen mit Alt 1 bis Alt 4. Mit Esc gehen Sie zurück.</translation>
     </message>
 </context>
 <context>
@@ -4419,6 +4435,21 @@ Noch ist nichts gewählt.</translation>
     </message>
 </context>
 <context>
+    <name>study::app::ServerBar</name>
+    <message>
+        <source>Station %1: the server cannot be reached. No entry waits on this computer.</source>
+        <translation>Station %1: Der Server ist nicht erreichbar. Auf diesem Rechner wartet kein Eintrag.</translation>
+    </message>
+    <message>
+        <source>Station %1: the server cannot be reached. Entries that wait on this computer: %2. They are sent when the server is back.</source>
+        <translation>Station %1: Der Server ist nicht erreichbar. Einträge, die auf diesem Rechner warten: %2. Sie werden gesendet, sobald der Server wieder da ist.</translation>
+    </message>
+    <message>
+        <source>Station %1: every answer is on the server.</source>
+        <translation>Station %1: Alle Antworten liegen auf dem Server.</translation>
+    </message>
+</context>
+<context>
     <name>study::app::ServerMonitor</name>
     <message>
         <source>The server of %1 cannot be reached. The window shows what it read last and tries again every two seconds.</source>
@@ -4592,6 +4623,10 @@ Noch ist nichts gewählt.</translation>
         <source>A scanner typed this, so nothing was stored. Enter the answer by hand.</source>
         <translation>Ein Barcode-Leser hat das getippt; nichts wurde gespeichert. Geben Sie die Antwort von Hand ein.</translation>
     </message>
+    <message>
+        <source>The participant has just moved the session on, so your entry did nothing. Enter it again.</source>
+        <translation>Die Versuchsperson hat den Versuch eben selbst weitergeführt; Ihre Eingabe hat nichts bewirkt. Geben Sie sie noch einmal ein.</translation>
+    </message>
 </context>
 <context>
     <name>study::app::SlotCard</name>
@@ -4602,6 +4637,10 @@ Noch ist nichts gewählt.</translation>
     <message>
         <source>confirmed ✓</source>
         <translation>bestätigt ✓</translation>
+    </message>
+    <message>
+        <source>Slot %1: %2</source>
+        <translation>Feld %1: %2</translation>
     </message>
 </context>
 <context>
@@ -5087,6 +5126,10 @@ Noch ist nichts gewählt.</translation>
     <message>
         <source>No question is asked yet, so this key is no answer. Look at the tray, then press Enter twice.</source>
         <translation>Noch ist keine Frage gestellt; diese Taste ist keine Antwort. Sehen Sie auf das Tablett und drücken Sie dann zweimal Enter.</translation>
+    </message>
+    <message>
+        <source>Press Enter once more to confirm the tray.</source>
+        <translation>Drücken Sie noch einmal Enter, um das Tablett zu bestätigen.</translation>
     </message>
 </context>
 <context>

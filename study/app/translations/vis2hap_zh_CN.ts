@@ -2762,16 +2762,8 @@ Nothing is chosen yet.</source>
         <translation>%1 – %2 – Vis2Hap</translation>
     </message>
     <message>
-        <source>Station %1: the server cannot be reached. No entry waits on this computer.</source>
-        <translation>工作站 %1：无法连接服务器。本机没有等待发送的记录。</translation>
-    </message>
-    <message>
-        <source>Station %1: the server cannot be reached. Entries that wait on this computer: %2. They are sent when the server is back.</source>
-        <translation>工作站 %1：无法连接服务器。本机等待发送的记录：%2 条。服务器恢复后会自动发送。</translation>
-    </message>
-    <message>
-        <source>Station %1: every answer is on the server.</source>
-        <translation>工作站 %1：所有回答都已存到服务器。</translation>
+        <source>%1. The pause was not stored, so the session is still open. Fix the problem, or leave once more: no stored answer is lost.</source>
+        <translation>%1。暂停没有保存，所以实验仍然开着。请排除问题，或再离开一次：已保存的回答不会丢失。</translation>
     </message>
 </context>
 <context>
@@ -4123,10 +4115,6 @@ Nothing is chosen yet.</source>
         <translation>作废呈现 (Enter)</translation>
     </message>
     <message>
-        <source>Write a short reason. Press Enter again to void the presentation without a reason, Esc to go back.</source>
-        <translation>请简要写明原因。再按一次Enter，可不写原因直接作废；按Esc返回。</translation>
-    </message>
-    <message>
         <source>The participant withdraws</source>
         <translation>参与者退出实验</translation>
     </message>
@@ -4141,6 +4129,34 @@ Nothing is chosen yet.</source>
     <message>
         <source>The participant need not give a reason. Press Enter again to end the session, Esc to go back.</source>
         <translation>参与者无需说明理由。再按一次Enter结束实验，按Esc返回。</translation>
+    </message>
+    <message>
+        <source>Usual reasons</source>
+        <translation>常见原因</translation>
+    </message>
+    <message>
+        <source>Wrong piece on the tray</source>
+        <translation>托盘上的布样放错</translation>
+    </message>
+    <message>
+        <source>Disturbance in the room</source>
+        <translation>房间里有干扰</translation>
+    </message>
+    <message>
+        <source>Fault of the display</source>
+        <translation>触觉屏故障</translation>
+    </message>
+    <message>
+        <source>Slip of the operator</source>
+        <translation>主试操作失误</translation>
+    </message>
+    <message>
+        <source>%1 (Alt %2)</source>
+        <translation>%1（Alt %2）</translation>
+    </message>
+    <message>
+        <source>Write a short reason, or choose one with Alt 1 to Alt 4. Press Esc to go back.</source>
+        <translation>请简要写明原因，或按Alt 1至Alt 4选择一个。按Esc返回。</translation>
     </message>
 </context>
 <context>
@@ -4419,6 +4435,21 @@ Nothing is chosen yet.</source>
     </message>
 </context>
 <context>
+    <name>study::app::ServerBar</name>
+    <message>
+        <source>Station %1: the server cannot be reached. No entry waits on this computer.</source>
+        <translation>工作站 %1：无法连接服务器。本机没有等待发送的记录。</translation>
+    </message>
+    <message>
+        <source>Station %1: the server cannot be reached. Entries that wait on this computer: %2. They are sent when the server is back.</source>
+        <translation>工作站 %1：无法连接服务器。本机等待发送的记录：%2 条。服务器恢复后会自动发送。</translation>
+    </message>
+    <message>
+        <source>Station %1: every answer is on the server.</source>
+        <translation>工作站 %1：所有回答都已存到服务器。</translation>
+    </message>
+</context>
+<context>
     <name>study::app::ServerMonitor</name>
     <message>
         <source>The server of %1 cannot be reached. The window shows what it read last and tries again every two seconds.</source>
@@ -4592,6 +4623,10 @@ Nothing is chosen yet.</source>
         <source>A scanner typed this, so nothing was stored. Enter the answer by hand.</source>
         <translation>这是扫描器输入的，因此没有保存。请手动录入回答。</translation>
     </message>
+    <message>
+        <source>The participant has just moved the session on, so your entry did nothing. Enter it again.</source>
+        <translation>参与者刚刚自己进入了下一步，所以您的输入没有起作用。请再输入一次。</translation>
+    </message>
 </context>
 <context>
     <name>study::app::SlotCard</name>
@@ -4602,6 +4637,10 @@ Nothing is chosen yet.</source>
     <message>
         <source>confirmed ✓</source>
         <translation>已确认 ✓</translation>
+    </message>
+    <message>
+        <source>Slot %1: %2</source>
+        <translation>%1格：%2</translation>
     </message>
 </context>
 <context>
@@ -5087,6 +5126,10 @@ Nothing is chosen yet.</source>
     <message>
         <source>No question is asked yet, so this key is no answer. Look at the tray, then press Enter twice.</source>
         <translation>还没有提问，所以这次按键不是回答。请检查托盘，然后按两次Enter。</translation>
+    </message>
+    <message>
+        <source>Press Enter once more to confirm the tray.</source>
+        <translation>再按一次Enter以确认托盘。</translation>
     </message>
 </context>
 <context>

@@ -123,7 +123,7 @@ struct SessionTraces {
 QString withoutHeadsAndTimes(QString text)
 {
     static const QRegularExpression head(QStringLiteral("[0-9]+:[0-9a-f]{16,64}"));
-    static const QRegularExpression time(QStringLiteral("\"time\": \"[^\"]*\""));
+    static const QRegularExpression time(QStringLiteral("\"time\": \"[^\"]*\"|Break: [0-9]+:[0-9]+"));
     return text.replace(head, QStringLiteral("(head)")).replace(time, QStringLiteral("(time)"));
 }
 

@@ -143,7 +143,7 @@ GroupAnalysis analyseGroups(const StudyData& data, const AnswerCells& cells)
     GroupAnalysis analysis;
     std::set<std::string> names;
     for (const auto& [participant, group] : data.groupOf) names.insert(group);
-    if (names.size() < 2 || data.blinded) return analysis;
+    if (names.size() < 2) return analysis;
     analysis.groups.assign(names.begin(), names.end());
     const GroupReader reader(data, cells, analysis.groups);
     analysis.participants = reader.sizes();

@@ -43,7 +43,7 @@ inline constexpr std::size_t mostGroupPairs = 36;
 struct GroupAnalysis {
     std::vector<std::string> groups;         ///< in the order of their names
     std::vector<std::size_t> participants;   ///< by group
-    std::vector<GroupedQuestion> questions;  ///< questions with numbers; empty where there are no groups or the study is blinded
+    std::vector<GroupedQuestion> questions;  ///< questions with numbers; empty where there are no groups
 };
 
 /// The groups come from StudyData::groupOf. A participant without a group belongs to none.

@@ -30,7 +30,6 @@ std::vector<InstructionInfo> instructionsOf(const StudyData& data, const std::st
 StudyData frameOf(const StudyData& data)
 {
     StudyData frame;
-    frame.blinded = data.blinded;
     frame.participants = data.participants;
     frame.fabrics = data.fabrics;
     frame.conditions = data.conditions;

@@ -12,7 +12,7 @@ constexpr double significanceLevel = 0.05;
 
 bool isPlanned(const StudyData& data, const std::string& a, const std::string& b)
 {
-    return !data.blinded && std::any_of(data.planned.begin(), data.planned.end(), [&](const auto& contrast) {
+    return std::any_of(data.planned.begin(), data.planned.end(), [&](const auto& contrast) {
         return (contrast.first == a && contrast.second == b) || (contrast.first == b && contrast.second == a);
     });
 }

@@ -15,7 +15,7 @@ namespace reports {
 struct ConditionPair {
     std::string a;
     std::string b;
-    bool planned = false;  ///< a contrast of the protocol; never while blinded
+    bool planned = false;  ///< a contrast of the protocol
 };
 
 /// Paired t test of the participants' means.

@@ -60,9 +60,10 @@ std::string coverText(std::size_t count, const std::vector<std::string>& absent,
 }
 
 /// A row that compares counts, and names where they are known. `ids` may be empty.
-PlanRow coverRow(const std::string& item, std::size_t planned, const std::vector<std::string>& ids,
+PlanRow coverRow(const StudyData& data, const std::string& item, std::size_t planned, const std::vector<std::string>& ids,
                  const std::set<std::string>& answered)
 {
+    if (data.blinded && answered.empty()) return {item, std::to_string(planned), "nobody has finished yet", Accord::Unknown};
     const std::vector<std::string> absent = absentFrom(answered, ids), unplanned = ids.empty() ? ids : unplannedIn(answered, ids);
     return {item, std::to_string(planned), coverText(answered.size(), absent, unplanned),
             accordOf(absent.empty() && unplanned.empty() && answered.size() == planned)};
@@ -117,7 +118,9 @@ PlanRow protocolRow(const StudyData& data)
 
 PlanRow participantsRow(const StudyData& data, const Answered& answered)
 {
-    PlanRow row = coverRow("participants", data.plannedDesign->participants, {}, answered.participants);
+    const std::size_t planned = data.plannedDesign->participants, count = answered.participants.size();
+    PlanRow row{"participants", std::to_string(planned), std::to_string(count) + (data.blinded ? " finished" : ""),
+                accordOf(count == planned)};
     if (!data.withdrawn.empty()) row.done += "; withdrew: " + std::to_string(data.withdrawn.size());
     return row;
 }
@@ -195,12 +198,16 @@ PlanRow contrastsRow(const StudyData& data, const std::vector<ContrastDone>& con
     return {"planned contrasts", std::to_string(planned), done, accordOf(whole == planned)};
 }
 
-PlanRow exclusionRow(const Screening& screening)
+PlanRow exclusionRow(const StudyData& data, const Screening& screening)
 {
     const std::string flagged =
         screening.excluded.empty() ? "nobody is flagged" : counted(screening.excluded.size(), "participant") + " flagged";
-    return {"excluded participants", "nobody; flagged ones are left out beside the main analysis", "nobody; " + flagged,
-            Accord::AsPlanned};
+    PlanRow row{"excluded participants", "nobody; flagged ones are left out beside the main analysis", "nobody; " + flagged,
+                Accord::AsPlanned};
+    if (!data.blinded) return row;
+    row.done = "no analysis while blinded; " + flagged;
+    row.accord = Accord::Unknown;
+    return row;
 }
 
 PlanRow answersRow(const StudyData& data, const Completeness& completeness)
@@ -226,14 +233,14 @@ PlanComparison comparePlan(const StudyAnalysis& analysis)
     addAmendments(plan.rows, data);
     plan.rows.push_back(protocolRow(data));
     plan.rows.push_back(participantsRow(data, answered));
-    plan.rows.push_back(coverRow("fabrics", design.fabrics, design.fabricIds, answered.fabrics));
-    plan.rows.push_back(coverRow("conditions", design.conditions, design.conditionIds, answered.conditions));
-    plan.rows.push_back(coverRow("questions", design.questions.size(), design.questions, answered.questions));
+    plan.rows.push_back(coverRow(data, "fabrics", design.fabrics, design.fabricIds, answered.fabrics));
+    plan.rows.push_back(coverRow(data, "conditions", design.conditions, design.conditionIds, answered.conditions));
+    plan.rows.push_back(coverRow(data, "questions", design.questions.size(), design.questions, answered.questions));
     plan.rows.push_back(primaryRow(data, plan.contrasts));
     plan.rows.push_back(contrastsRow(data, plan.contrasts));
     plan.rows.push_back({"bounds of equivalence", boundsText(design.equivalenceBounds), boundsText(data.equivalenceBounds),
                          accordOf(design.equivalenceBounds == data.equivalenceBounds)});
-    plan.rows.push_back(exclusionRow(analysis.screening));
+    plan.rows.push_back(exclusionRow(data, analysis.screening));
     plan.rows.push_back(answersRow(data, analysis.completeness));
     return plan;
 }

@@ -36,7 +36,7 @@ QualityChain qualityChain(const StudyAnalysis& analysis)
 {
     const StudyData& data = analysis.data;
     QualityChain chain;
-    if (data.blinded || data.prices.empty()) return chain;
+    if (data.prices.empty()) return chain;
     std::vector<const QuestionAnalysis*> asked;
     for (const QuestionAnalysis& question : analysis.questions)
         if (hasNumbers(question.question)) {

@@ -38,7 +38,7 @@ struct QualityChain {
     std::vector<ChainRow> rows;  ///< in the order of the paper; of one condition the usual quality, fast, balanced, accurate
 };
 
-/// No rows where the study is blinded, or where no condition carries a quality.
+/// No rows where no condition carries a quality. `analysis`: of an unblinded study.
 QualityChain qualityChain(const StudyAnalysis& analysis);
 
 }  // namespace reports

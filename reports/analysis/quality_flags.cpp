@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 #include "protocols/files/number_text.h"
 #include "reports/cells/response_time.h"
@@ -87,13 +88,13 @@ void flagStraightLining(const Examination& one)
 
 void flagSameAcross(const Examination& one)
 {
-    std::map<std::pair<std::string, std::string>, std::vector<double>> byPresentation;
+    std::map<std::tuple<std::string, std::string, std::string>, std::vector<double>> byPresentation;
     std::size_t questions = 0;
     for (const QuestionInfo& question : one.data.questions) {
         if (!isRating(question)) continue;
         ++questions;
         for (const StudyResponse* response : one.answers(question))
-            byPresentation[{response->condition, response->fabric}].push_back(valuesOf({response}).front());
+            byPresentation[{response->condition, response->fabric, response->repetition}].push_back(valuesOf({response}).front());
     }
     std::size_t whole = 0;
     std::size_t same = 0;

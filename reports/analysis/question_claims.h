@@ -25,7 +25,7 @@ struct LeftOneOut {
 struct ContrastFinding {
     std::string a;
     std::string b;
-    bool planned = false;  ///< in the protocol's order and sign; never while blinded
+    bool planned = false;  ///< in the protocol's order and sign
     bool primary = false;  ///< the protocol's primary contrast
     stats::Generalisation generalisation = stats::Generalisation::TheseFabrics;
     stats::ContrastClaim claim;

@@ -106,8 +106,10 @@ StudyAnalysis analyseBlinded(StudyData data, const AnalysisOptions& options)
     analysis.screening.why = leftOutWhileBlinded;
     analysis.order.why = leftOutWhileBlinded;
     analysis.completeness = completenessOf(data, all);  // progress: study.db tells it, too
-    analysis.data = std::move(data);
+    // What the first answers of a running session cover would name the fabric of a trial.
+    analysis.data = std::move(part);
     analysis.plan = comparePlan(analysis);
+    analysis.data = std::move(data);
     forgetAnswers(analysis.data);
     if (options.progress) options.progress(1, 1, "done");
     return analysis;

@@ -18,7 +18,7 @@ namespace reports {
 
 /// Ratings of the image of one fabric with another fabric on the tray.
 struct AnchorFloor {
-    std::string condition;  ///< of the images; empty while blinded
+    std::string condition;  ///< of the images
     std::size_t ratings = 0;
     std::size_t participants = 0;
     stats::Value mean;                  ///< over ratings, as for a condition

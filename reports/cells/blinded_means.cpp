@@ -11,40 +11,6 @@
 namespace reports {
 namespace {
 
-using AnswersByPerson = std::map<std::string, std::size_t>;
-
-AnswersByPerson answersByPerson(const std::vector<StudyResponse>& responses)
-{
-    AnswersByPerson counts;
-    for (const StudyResponse& response : responses) ++counts[response.participant];
-    return counts;
-}
-
-std::size_t answersOfOne(const StudyData& data)
-{
-    std::size_t answers = 0;
-    for (const QuestionInfo& question : data.questions)
-        answers += answersPerCellOf(data, question) * data.conditions.size() * data.fabrics.size();
-    return answers;
-}
-
-/// Who has given every answer. Catch trials and anchors may come last, so those with fewer of them are still running.
-std::set<std::string> completeParticipants(const StudyData& data)
-{
-    std::set<std::string> complete(data.participants.begin(), data.participants.end());
-    const auto keepThoseWith = [&](AnswersByPerson counts, std::size_t fewest) {
-        std::erase_if(complete, [&](const std::string& one) { return counts[one] < fewest; });
-    };
-    keepThoseWith(answersByPerson(data.responses), answersOfOne(data));
-    for (const auto* extra : {&data.catchResponses, &data.mismatchedResponses, &data.repeatedResponses}) {
-        const AnswersByPerson counts = answersByPerson(*extra);
-        std::size_t most = 0;
-        for (const auto& [participant, answers] : counts) most = std::max(most, answers);
-        keepThoseWith(counts, most);
-    }
-    return complete;
-}
-
 /// 0.1 on scales up to 10 units long, 1 on those up to 100. Ratings are tenths, so no scale has a finer step.
 double stepOn(const NumberOnScale& scale)
 {
@@ -113,17 +79,15 @@ int BlindedQuestion::decimals() const { return isChosen() ? 2 : step < 1 ? 1 : 0
 
 StudyData finishedPart(StudyData data)
 {
-    std::set<std::string> finished = data.finished ? *data.finished : completeParticipants(data);
-    if (data.finished) {
-        // Erased answers count for nobody.
-        const AnswersByPerson counts = answersByPerson(data.responses);
-        std::erase_if(finished, [&](const std::string& one) { return !counts.contains(one); });
-    }
-    const auto isRunning = [&](const auto& of) { return !finished.contains(of.participant); };
-    std::erase_if(data.participants, [&](const std::string& one) { return !finished.contains(one); });
+    std::set<std::string> answering;  // erased answers count for nobody
+    for (const StudyResponse& response : data.responses) answering.insert(response.participant);
+    std::erase_if(data.participants,
+                  [&](const std::string& one) { return !data.finished.contains(one) || !answering.contains(one); });
+    const std::set<std::string> kept(data.participants.begin(), data.participants.end());
+    const auto isLeftOut = [&](const auto& of) { return !kept.contains(of.participant); };
     for (auto* responses : {&data.responses, &data.catchResponses, &data.mismatchedResponses, &data.repeatedResponses})
-        std::erase_if(*responses, isRunning);
-    std::erase_if(data.touches, isRunning);
+        std::erase_if(*responses, isLeftOut);
+    std::erase_if(data.touches, isLeftOut);
     return data;
 }
 

@@ -52,8 +52,7 @@ struct BlindedMeans {
 /// Takes the answers of participants who have finished only. So no single answer of a running session changes it.
 BlindedMeans blindedMeans(const StudyData& data);
 
-/// The study with the participants who have finished and their answers only. A participant has finished whom `finished` names;
-/// where that is unknown, who has given every answer of the study, and as many answers to catch trials and anchors as anybody.
+/// The study with the participants who have finished and have answers, and with their answers only.
 StudyData finishedPart(StudyData data);
 
 /// Removes everything of the answers: responses, touches, and what is known of trays.

@@ -43,22 +43,22 @@ double niceStep(double range)
 
 }  // namespace
 
-bool PlotConditions::hasGroups() const
-{
-    return !blinded && std::all_of(names.begin(), names.end(), [](const std::string& one) { return groupOf(one).has_value(); });
-}
-
-PlotFrame::PlotFrame(const PlotConditions& conditions, double low, double high, const std::string& title,
+PlotFrame::PlotFrame(const std::vector<std::string>& conditions, double low, double high, const std::string& title,
                      const std::string& description, const FrameSize& size)
     : m_conditions(conditions),
       m_size(size),
       m_top(40 + legendRow * size.legendRows),
       m_low(low),
       m_high(high),
-      m_slot(slotWidth(conditions.names.size(), size.width)),
+      m_slot(slotWidth(conditions.size(), size.width)),
       m_isCrowded(longestLabel() > m_slot - 8),
       m_drawing(left() + plotWidth() + right, m_top + height + bottom(), title, description)
 {
+}
+
+bool PlotFrame::hasGroups() const
+{
+    return std::all_of(m_conditions.begin(), m_conditions.end(), [](const std::string& one) { return groupOf(one).has_value(); });
 }
 
 /// Slanting labels reach to the left of their slot, so the first of them needs room.
@@ -69,7 +69,7 @@ double PlotFrame::bottom() const { return m_isCrowded ? 56 + std::min(120.0, lon
 double PlotFrame::longestLabel() const
 {
     double longest = 0;
-    for (const std::string& condition : m_conditions.names) longest = std::max(longest, labelLength(condition) * labelCharacter);
+    for (const std::string& condition : m_conditions) longest = std::max(longest, labelLength(condition) * labelCharacter);
     return longest;
 }
 
@@ -86,9 +86,8 @@ void PlotFrame::drawFrame(const std::string& axisTitle)
     }
     m_drawing.line({left(), m_top}, {left(), m_top + height}, ChartColours::ink, 1.5);
     m_drawing.text({left() - 56, m_top + height / 2}, axisTitle, {.size = 15, .rotation = -90});
-    for (std::size_t i = 0; i < m_conditions.names.size(); ++i) drawLabel(i);
-    m_drawing.text({left() + plotWidth() / 2, m_top + height + bottom() - 8},
-                   m_conditions.blinded ? "masked condition" : "condition", {.size = 15});
+    for (std::size_t i = 0; i < m_conditions.size(); ++i) drawLabel(i);
+    m_drawing.text({left() + plotWidth() / 2, m_top + height + bottom() - 8}, "condition", {.size = 15});
 }
 
 void PlotFrame::drawRightAxis(double wholeValue, const std::string& axisTitle)
@@ -131,7 +130,7 @@ void PlotFrame::drawRemark(const std::string& escapedText)
 
 void PlotFrame::drawLabel(std::size_t condition)
 {
-    const std::string label = svgLabel(m_conditions.names[condition]);
+    const std::string label = svgLabel(m_conditions[condition]);
     if (m_isCrowded)
         m_drawing.text({centre(condition) + 6, m_top + height + 22}, label,
                        {.size = 15, .anchor = SvgAnchor::End, .rotation = -35});
@@ -142,8 +141,8 @@ void PlotFrame::drawLabel(std::size_t condition)
 /// Neighbouring conditions of one group share a tinted band with its name.
 void PlotFrame::drawBands()
 {
-    const auto& names = m_conditions.names;
-    for (std::size_t begin = 0; begin < names.size() && m_conditions.hasGroups();) {
+    const auto& names = m_conditions;
+    for (std::size_t begin = 0; begin < names.size() && hasGroups();) {
         const auto group = groupOf(names[begin]);
         std::size_t end = begin + 1;
         while (end < names.size() && groupOf(names[end]) == group) ++end;

@@ -10,14 +10,6 @@
 
 namespace reports {
 
-struct PlotConditions {
-    std::vector<std::string> names;
-    bool blinded = false;
-
-    /// Groups are shown where every condition belongs to one and nothing is masked.
-    bool hasGroups() const;
-};
-
 struct FrameSize {
     FigureWidth width = FigureWidth::TwoColumns;
     int legendRows = 1;  ///< lines of text above the plot
@@ -27,15 +19,17 @@ struct FrameSize {
 class PlotFrame {
 public:
     /// `title` and `description` are for readers who cannot see the figure.
-    PlotFrame(const PlotConditions& conditions, double low, double high, const std::string& title, const std::string& description,
-              const FrameSize& size = {});
+    PlotFrame(const std::vector<std::string>& conditions, double low, double high, const std::string& title,
+              const std::string& description, const FrameSize& size = {});
 
     protocols::SvgDrawing& drawing() { return m_drawing; }
-    const std::vector<std::string>& conditions() const { return m_conditions.names; }
+    const std::vector<std::string>& conditions() const { return m_conditions; }
+    /// Groups are shown where every condition belongs to one.
+    bool hasGroups() const;
 
     double left() const;
     double rightEdge() const { return left() + plotWidth(); }
-    double plotWidth() const { return m_slot * static_cast<double>(m_conditions.names.size()); }
+    double plotWidth() const { return m_slot * static_cast<double>(m_conditions.size()); }
     double slot() const { return m_slot; }  ///< width of one condition, px
     double centre(std::size_t condition) const { return left() + (static_cast<double>(condition) + 0.5) * m_slot; }
     double y(double value) const { return m_top + height * (1 - (value - m_low) / (m_high - m_low)); }
@@ -62,7 +56,7 @@ private:
     void drawLabel(std::size_t condition);
     void drawBands();
 
-    PlotConditions m_conditions;
+    std::vector<std::string> m_conditions;
     FrameSize m_size;
     double m_top;
     double m_low;

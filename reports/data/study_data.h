@@ -129,7 +129,7 @@ struct StudyData {
     bool scripted = false;
     std::vector<std::string> stamps;  ///< sentences that the page must print
     std::vector<std::string> participants;
-    std::optional<std::set<std::string>> finished = {};  ///< whose sessions are over; none: unknown. Only blinded reports need it
+    std::set<std::string> finished;  ///< participants whose sessions are over; only blinded reports read it
     std::vector<std::string> fabrics;
     std::vector<std::string> conditions;         ///< in the order of every table
     std::size_t answersPerCell = 1;              ///< most answers to one question by one participant x fabric x condition

@@ -8,7 +8,7 @@
 
 namespace reports {
 
-/// Empty where the study has no quality factor, or is blinded.
+/// Empty where the study has no quality factor.
 std::vector<Figure> chainFigures(const StudyAnalysis& analysis, FigureWidth width);
 
 }  // namespace reports

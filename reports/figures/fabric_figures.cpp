@@ -65,7 +65,7 @@ Figure ratingsByFabric(const StudyAnalysis& analysis, const AnalysedQuestion<Rat
     HeatMap map{.title = id + ": ratings by fabric and condition",
                 .description = figure.caption,
                 .rowTitle = "fabric",
-                .columnTitle = analysis.data.blinded ? "masked condition" : "condition",
+                .columnTitle = "condition",
                 .rows = labelsOf(analysis.data.fabrics),
                 .columns = labelsOf(analysis.data.conditions),
                 .cells = {},

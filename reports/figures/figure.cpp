@@ -4,8 +4,7 @@ namespace reports {
 
 std::string stampedCaption(const StudyData& data, const std::string& caption)
 {
-    return caption + (data.simulated ? " SIMULATED participants." : "") +
-           (data.blinded ? " Blinded: conditions are masked." : "");
+    return caption + (data.simulated ? " SIMULATED participants." : "");
 }
 
 }  // namespace reports

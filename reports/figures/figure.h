@@ -18,7 +18,7 @@ struct Figure {
     std::string narrowSvg = {};  ///< drawn for one column and for phones
 };
 
-/// The caption, with notes on simulated participants and masked conditions.
+/// The caption, with a note on simulated participants.
 std::string stampedCaption(const StudyData& data, const std::string& caption);
 
 }  // namespace reports

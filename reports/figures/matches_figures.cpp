@@ -67,14 +67,13 @@ Figure matchesFigure(const StudyAnalysis& analysis, const std::string& id, const
                                          m + "."),
                   .section = PageSection::Matches,
                   .question = id};
-    const PlotConditions conditions{analysis.data.conditions, analysis.data.blinded};
-    PlotFrame plot(conditions, 0, participants, id + ": matches per rendering by condition", figure.caption,
+    PlotFrame plot(analysis.data.conditions, 0, participants, id + ": matches per rendering by condition", figure.caption,
                    {width, width == FigureWidth::OneColumn ? 2 : 1});
     plot.drawFrame("matches per rendering (of " + std::to_string(people) + ")");
     plot.drawRightAxis(participants, "share correct");
-    for (std::size_t i = 0; i < conditions.names.size(); ++i)
-        drawBar(plot, i, choices.conditions[i], intervalOf(choices, conditions.names[i]), participants,
-                conditions.hasGroups() ? groupColour(*groupOf(conditions.names[i])) : plainColour());
+    for (std::size_t i = 0; i < plot.conditions().size(); ++i)
+        drawBar(plot, i, choices.conditions[i], intervalOf(choices, plot.conditions()[i]), participants,
+                plot.hasGroups() ? groupColour(*groupOf(plot.conditions()[i])) : plainColour());
     drawChanceLine(plot, participants / choices.alternatives, std::to_string(people));
     plot.drawRemark("whiskers: 95 % interval, participants and fabrics");
     figure.svg = plot.drawing().finished();

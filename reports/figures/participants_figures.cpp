@@ -58,9 +58,8 @@ std::vector<Figure> participantsFigures(const StudyAnalysis& analysis, FigureWid
             .section = PageSection::Ratings,
             .question = question.id()};
         const NumberOnScale& scale = question.findings.scale;
-        PlotFrame plot({analysis.data.conditions, analysis.data.blinded}, scale.min, scale.max,
-                       question.id() + ": participants by condition", figure.caption,
-                       {width, width == FigureWidth::OneColumn ? 2 : 1});
+        PlotFrame plot(analysis.data.conditions, scale.min, scale.max, question.id() + ": participants by condition",
+                       figure.caption, {width, width == FigureWidth::OneColumn ? 2 : 1});
         plot.drawFrame(question.id());
         plot.drawLegendText(plot.left(), protocols::SvgAnchor::Start, "grey: one participant");
         plot.drawRemark("red: mean, with within-participant interval");

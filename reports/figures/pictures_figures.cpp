@@ -77,7 +77,7 @@ private:
 std::vector<Figure> picturesFigures(const StudyAnalysis& analysis, FigureWidth width)
 {
     const StudyData& data = analysis.data;
-    if (data.pictures.empty() || data.blinded) return {};
+    if (data.pictures.empty()) return {};
     Figure figure{
         .name = "friction_images",
         .caption = "The friction images that the participants felt, by condition (columns) and fabric (rows): the middle " +

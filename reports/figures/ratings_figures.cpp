@@ -182,8 +182,8 @@ std::vector<Figure> ratingsFigures(const StudyAnalysis& analysis, FigureWidth wi
                                                                    anchorsCaption(analysis)),
                       .section = PageSection::Ratings};
         const NumberOnScale& scale = questions.front().findings.scale;
-        PlotFrame plot({analysis.data.conditions, analysis.data.blinded}, scale.min, scale.max,
-                       "Ratings by question and condition", figure.caption, {width, legendRows(questions, width)});
+        PlotFrame plot(analysis.data.conditions, scale.min, scale.max, "Ratings by question and condition", figure.caption,
+                       {width, legendRows(questions, width)});
         plot.drawFrame("rating");
         drawLegend(plot, questions);
         drawAnchors(plot, questions, analysis, scale);

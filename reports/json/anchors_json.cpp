@@ -13,17 +13,14 @@ void putEstimate(Json& row, const std::string& key, const stats::Estimate& estim
     put(row, key + "_ci95", estimate.ci95);
 }
 
-Json floorRow(const AnchorFloor& floor, bool blinded)
+Json floorRow(const AnchorFloor& floor)
 {
     Json row{{"n", floor.ratings}};
     put(row, "mean", floor.mean);
     put(row, "sd", floor.sd);
     row["participants"] = floor.participants;
     put(row, "ci95", floor.ci95);
-    if (blinded)
-        putNull(row, "condition", "left out while the study is blinded");
-    else
-        row["condition"] = floor.condition;
+    row["condition"] = floor.condition;
     row["lowest_condition"] = floor.lowest;
     put(row, "lowest_mean", floor.lowestMean);
     put(row, "share_above_lowest", floor.shareAbove);
@@ -87,7 +84,7 @@ nlohmann::ordered_json anchorsMember(const StudyAnalysis& analysis)
     part["anchors"] = Json::array();
     for (const QuestionAnchors& anchors : analysis.anchors) {
         Json row{{"question", anchors.question}};
-        if (anchors.floor) row["mismatched"] = floorRow(*anchors.floor, analysis.data.blinded);
+        if (anchors.floor) row["mismatched"] = floorRow(*anchors.floor);
         if (anchors.ratings) row["repeated"] = repeatedRow(*anchors.ratings, analysis.data.equivalenceBounds);
         if (anchors.choices) row["repeated"] = repeatedRow(*anchors.choices, anchors.choicesByOutcome, anchors.alternatives);
         part["anchors"].push_back(std::move(row));

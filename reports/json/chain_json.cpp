@@ -11,10 +11,6 @@ namespace reports {
 nlohmann::ordered_json chainMember(const StudyAnalysis& analysis)
 {
     Json part = Json::object();
-    if (analysis.data.blinded) {
-        putNull(part, "chain", "left out while the study is blinded");
-        return part;
-    }
     const QualityChain chain = qualityChain(analysis);
     if (chain.rows.empty()) {
         putNull(part, "chain", "no condition of these answers carries a quality");

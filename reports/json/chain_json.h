@@ -7,7 +7,7 @@
 
 namespace reports {
 
-/// {"chain": [...]}, or null with the reason where the study has no quality factor or is blinded.
+/// {"chain": [...]}, or null with the reason where the study has no quality factor.
 nlohmann::ordered_json chainMember(const StudyAnalysis& analysis);
 
 }  // namespace reports

@@ -206,9 +206,7 @@ void addEquivalences(const TakeRow& take, const StudyAnalysis& analysis)
 Json signalsMember(const StudyData& data)
 {
     Json part = Json::object();
-    if (data.blinded)
-        putNull(part, "signals", "left out while the study is blinded");
-    else if (!data.signals)
+    if (!data.signals)
         putNull(part, "signals", "no generated and measured signals belong to these answers");
     else
         part["signals"] = signalsJson(*data.signals);

@@ -1,5 +1,7 @@
 #include "reports/page/section_text.h"
 
+#include <algorithm>
+
 #include "protocols/files/markup_text.h"
 #include "protocols/usual_texts.h"
 #include "reports/page/anchor_text.h"
@@ -158,11 +160,14 @@ std::string instructionLead(const StudyAnalysis& analysis)
     return text;
 }
 
-std::string flagRules(const StudyData& data)
+std::string flagRules(const StudyAnalysis& analysis)
 {
     std::vector<std::string> rules;
     for (const std::string& sentence : ruleSentences()) rules.push_back(protocols::escapedMarkup(sentence));
-    if (!data.mismatchedResponses.empty()) rules.push_back(protocols::escapedMarkup(mismatchRule()));
+    // The analysis of a blinded study holds no answers, but may flag somebody by this rule.
+    const bool isApplied =
+        std::ranges::any_of(analysis.flags, [](const QualityFlag& flag) { return flag.kind == FlagKind::MismatchRatedHigh; });
+    if (isApplied || !analysis.data.mismatchedResponses.empty()) rules.push_back(protocols::escapedMarkup(mismatchRule()));
     return folded("Rules of the flags", bulletList(rules));
 }
 
@@ -221,7 +226,7 @@ std::string sectionLead(PageSection section, const StudyAnalysis& analysis)
 std::string sectionEnd(PageSection section, const StudyAnalysis& analysis)
 {
     if (section == PageSection::Summary) return bulletList(findings(analysis), "findings");
-    return section == PageSection::Quality ? flagRules(analysis.data) : std::string();
+    return section == PageSection::Quality ? flagRules(analysis) : std::string();
 }
 
 bool standsAlone(PageSection section)

@@ -194,7 +194,6 @@ std::string listOf(const std::string& heading, const std::vector<std::string>& s
 std::vector<QuestionSentences> paperSentences(const StudyAnalysis& analysis)
 {
     std::vector<QuestionSentences> all;
-    if (analysis.data.blinded) return all;
     for (const QuestionAnalysis& question : analysis.questions)
         if (const QuestionClaims* claims = claimsOf(question)) all.push_back(sentencesOf(analysis, question, *claims));
     std::erase_if(

@@ -16,7 +16,7 @@ struct QuestionSentences {
     std::vector<std::string> contrasts;  ///< in the order of the claims, one for each pair of conditions
 };
 
-/// Every question with tests. Empty while the study is blinded: masked labels belong in no paper.
+/// Every question with tests; none of a blinded study, whose analysis has no questions.
 std::vector<QuestionSentences> paperSentences(const StudyAnalysis& analysis);
 
 /// The section of the page: how to read the sentences, then those of each question. Empty where there are none.

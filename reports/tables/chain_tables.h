@@ -8,7 +8,7 @@
 
 namespace reports {
 
-/// Empty where the study has no quality factor, or is blinded.
+/// Empty where the study has no quality factor.
 std::vector<ReportTable> chainTables(const StudyAnalysis& analysis);
 
 }  // namespace reports

@@ -70,7 +70,7 @@ ReportTable differencesTable(const SignalControls& controls)
 
 std::vector<ReportTable> signalTables(const StudyAnalysis& analysis)
 {
-    if (analysis.data.blinded || !analysis.data.signals) return {};
+    if (!analysis.data.signals) return {};
     Table table{"signals_t_tests",
                 "Generated minus measured signals, one mean difference a fabric",
                 {"signal",

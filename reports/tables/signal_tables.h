@@ -1,4 +1,4 @@
-// Generated against measured signals: the controls, the differences from them, t tests and equivalence tests. None while blinded.
+// Generated against measured signals: the controls, the differences from them, t tests and equivalence tests.
 #pragma once
 
 #include <vector>

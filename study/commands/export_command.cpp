@@ -37,11 +37,13 @@ int exportStudy(const ExportCall& call)
 {
     const auto& [study, out, format, participant, withLog, withSamples, passphrase, isPublic, licence, authors] = call;
     const auto store = records::openStudy(study);
-    exports::writeExport(store, out, {format, withLog, withSamples, isPublic, licence, authors}, passphraseFrom(passphrase));
+    const std::string whyNoMeans =
+        exports::writeExport(store, out, {format, withLog, withSamples, isPublic, licence, authors}, passphraseFrom(passphrase));
     const std::size_t words = isPublic ? exports::answersInWords(store) : 0;
     std::printf("%s: %s as %s%s\n", protocols::printable(out).c_str(),
                 reports::counted(store.answerCount() - words, "answer").c_str(), format.c_str(),
                 store.unblinding() ? "" : ", blinded (no condition, no fabric)");
+    if (!whyNoMeans.empty()) std::printf("  %s\n", whyNoMeans.c_str());
     std::printf("  log head %s\n", records::headTextOf(store).c_str());
     if (withLog) std::printf("  log.csv holds the log, acts.csv what was exported and saved; log.txt says how to check both\n");
     if (isPublic)

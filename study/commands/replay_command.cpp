@@ -121,7 +121,7 @@ players::ScriptedTrials trialsFor(const SessionStore& store, const protocols::Pa
     const bool isOnServer = database::readServerNote(store.folder().folder).has_value();
     const session::Plan plan =
         isOnServer ? session::readPlan(readStudy(store.folder()), participant) : session::readPlan(store, participant);
-    return {plan.trials, playing.key, playing.protocol, plan.fabricNames};
+    return {plan.trials, playing.key, plan.protocol, plan.fabricNames};
 }
 
 void play(const players::Script& script, const SessionStore& store, players::Hands& hands, session::VirtualClock& clock,

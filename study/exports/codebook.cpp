@@ -188,7 +188,7 @@ std::vector<CodebookColumn> codebookOf(const protocols::Protocol& protocol, cons
     return all;
 }
 
-std::vector<CodebookColumn> blindedCodebookOf(const protocols::Protocol& protocol, bool hasAggregates)
+std::vector<CodebookColumn> blindedCodebookOf(const protocols::Protocol& protocol, bool hasMeans)
 {
     std::vector<CodebookColumn> all;
     const auto add = [&](const char* table, std::span<const ColumnMeaning> meanings) {
@@ -197,7 +197,7 @@ std::vector<CodebookColumn> blindedCodebookOf(const protocols::Protocol& protoco
     add("progress", progressMeanings);
     add("balance", balanceMeanings);
     add("flags", flagMeanings);
-    if (!hasAggregates) return all;
+    if (!hasMeans) return all;
     add("conditions", aggregateMeanings);
     for (CodebookColumn& column : all)
         if (column.name == "question") addFromPhases(column, protocol);

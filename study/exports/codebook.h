@@ -36,8 +36,8 @@ bool isPrivateColumn(const std::string& column);
 std::vector<CodebookColumn> codebookOf(const protocols::Protocol& protocol, const std::vector<protocols::FabricId>& fabrics,
                                        const std::vector<std::string>& answerColumns);
 
-/// The columns of progress.csv, balance.csv and flags.csv of a blinded study; with `hasAggregates` also those of conditions.csv.
-std::vector<CodebookColumn> blindedCodebookOf(const protocols::Protocol& protocol, bool hasAggregates);
+/// The columns of progress.csv, balance.csv and flags.csv of a blinded study; with `hasMeans` also those of conditions.csv.
+std::vector<CodebookColumn> blindedCodebookOf(const protocols::Protocol& protocol, bool hasMeans);
 
 /// codebook.csv: file, column, type, unit, values, meaning.
 std::string codebookCsv(const std::vector<CodebookColumn>& columns);

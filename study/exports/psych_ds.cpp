@@ -116,13 +116,13 @@ std::string describedAnswers(const database::StudyStore& store, const database::
            questionsOf(records::protocolOf(facts)) + ". Only human participants are evidence about people.";
 }
 
-std::string describedProgress(const database::StudyStore& store, const database::StudyFacts& facts, bool hasAggregates)
+std::string describedProgress(const database::StudyStore& store, const database::StudyFacts& facts, bool hasMeans)
 {
     return "Progress of the study \"" + facts.name + "\" with " + participantsOf(store) +
            ". The study is blinded, so these tables hold no single answer, no fabric and no condition." +
-           (hasAggregates ? " Rounded means stand under labels that hide the conditions. They are over participants who have "
-                            "finished, from 3 on."
-                          : "");
+           (hasMeans ? " Rounded means stand under labels that hide the conditions. They are over participants who have "
+                       "finished, from 3 on."
+                     : "");
 }
 
 /// Words of the operator are left out of public exports and of blinded ones.

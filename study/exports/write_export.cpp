@@ -251,14 +251,13 @@ std::vector<ExportedTable> openTables(const Export& job)
             tableOf("participants", csvOf(participantRows(job), {"slot", "participant", "kind", "state", "protocol_version"}))};
 }
 
-/// Progress, balance and flags; with the key also rounded means under K-labels.
-std::vector<ExportedTable> blindedTables(const reports::ProgressReport& report,
-                                         const std::optional<records::Aggregates>& aggregates)
+/// Progress, balance and flags; rounded means under K-labels where there are any.
+std::vector<ExportedTable> blindedTables(const reports::ProgressReport& report, const records::Aggregates& aggregates)
 {
     std::vector<ExportedTable> tables;
     for (const auto& table : report.tables) tables.push_back(tableOf(table.name, toCsv(table)));
-    if (aggregates)
-        tables.push_back(tableOf("conditions", csvOf(aggregates->rows, {"question", "condition", "n", "share", "mean"})));
+    if (aggregates.why.empty())
+        tables.push_back(tableOf("conditions", csvOf(aggregates.rows, {"question", "condition", "n", "share", "mean"})));
     return tables;
 }
 
@@ -358,20 +357,18 @@ void writeOpen(const Export& job, const ExportForm& form)
     write(job, "codebook.csv", codebookCsv(columns));
 }
 
-/// Progress, balance and flags; with the key also rounded means under K-labels.
-void writeBlinded(const Export& job, const ExportForm& form, const std::optional<reports::StudyData>& data)
+/// Progress, balance and flags; with the key also rounded means under K-labels, from 3 finished participants on.
+void writeBlinded(const Export& job, const ExportForm& form, const records::Aggregates& aggregates)
 {
     const auto report = records::blindedReport(job.store);
-    const auto aggregates = data ? std::optional(records::aggregatesOf(*data)) : std::nullopt;
     const auto tables = blindedTables(report, aggregates);
+    const bool hasMeans = aggregates.why.empty();
     if (form.format == "csv") return writeCsvTables(job, tables);
-    if (form.format == "psych-ds") return writeDataset(job, form, tables, blindedCodebookOf(job.protocol, data.has_value()));
+    if (form.format == "psych-ds") return writeDataset(job, form, tables, blindedCodebookOf(job.protocol, hasMeans));
     ordered_json json = headOf(job);
     json["progress"] = ordered_json::parse(report.results)["progress"];
-    const bool hasRows = aggregates && aggregates->why.empty();
-    json["conditions"] = hasRows ? aggregates->rows : ordered_json();
-    if (!hasRows)
-        json["why"] = {{"conditions", aggregates ? aggregates->why : "the study is blinded, and nobody gave its passphrase"}};
+    json["conditions"] = hasMeans ? aggregates.rows : ordered_json();
+    if (!hasMeans) json["why"] = {{"conditions", aggregates.why}};
     write(job, "export.json", json.dump(1) + "\n");
 }
 
@@ -404,8 +401,8 @@ void requirePublishable(const database::StudyStore& store, const ExportForm& for
 
 }  // namespace
 
-void writeExport(const database::StudyStore& store, const fs::path& out, const ExportForm& form,
-                 const database::Passphrase& passphrase)
+std::string writeExport(const database::StudyStore& store, const fs::path& out, const ExportForm& form,
+                        const database::Passphrase& passphrase)
 {
     auto facts = store.facts();
     const auto protocol = records::protocolOf(facts);
@@ -422,17 +419,22 @@ void writeExport(const database::StudyStore& store, const fs::path& out, const E
     if (form.isPublic) requirePublishable(store, form);
     protocols::FolderDraft draft(out, protocols::Earlier::FilesJoined);
     const Export job{store, facts, protocol, naming ? &*naming : nullptr, draft.path(), form.isPublic};
+    std::string whyNoMeans;
     if (form.format == "script")
         players::writeScripts(job.store, job.naming, job.out);
-    else if (blinded)
-        writeBlinded(job, form, records::studyData(store, passphrase));
-    else
+    else if (blinded) {
+        const auto data = records::studyData(store, passphrase);
+        const auto aggregates = records::aggregatesOf(data);
+        writeBlinded(job, form, aggregates);
+        if (data) whyNoMeans = aggregates.why;
+    } else
         writeOpen(job, form);
     if (form.isPublic) writePublicFiles(job, form);
     const std::string beside = isDataset ? "data/raw/" : "";
     if (form.withSamples) write(job, (beside + "finger_samples.csv").c_str(), records::fingerSamplesCsv(store, {}, naming));
     if (form.withLog) records::writeExportedLog(store, draft.path() / beside);
     draft.putInPlace();
+    return whyNoMeans;
 }
 
 }  // namespace study::exports

@@ -19,8 +19,9 @@ struct ExportForm {
     std::vector<std::string> authors = {};
 };
 
-/// `out`: a folder that need not exist; a public export and "psych-ds" take a new or empty one only.
-void writeExport(const database::StudyStore& store, const std::filesystem::path& out, const ExportForm& form,
-                 const database::Passphrase& passphrase);
+/// `out`: a folder that need not exist; a public export and "psych-ds" take a new or empty one only. Returns one sentence that
+/// says why the export of a blinded study has no means although its key is known; else nothing.
+std::string writeExport(const database::StudyStore& store, const std::filesystem::path& out, const ExportForm& form,
+                        const database::Passphrase& passphrase);
 
 }  // namespace study::exports

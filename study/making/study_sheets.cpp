@@ -279,7 +279,7 @@ Markup instructionsPage(const database::StudyStore& store, const protocols::Prot
 void writeSheets(const database::StudyStore& store, const std::filesystem::path& out)
 {
     const auto facts = store.facts();
-    const auto protocol = records::protocolOf(facts);
+    const auto protocol = records::latestProtocolOf(store);
     const auto sets = labelSetsOf(facts, protocol);
     const auto folder = std::filesystem::absolute(store.folder().folder).lexically_normal();
     const PrintedHead printed{(folder.has_filename() ? folder : folder.parent_path()).filename().string(), store.head()};

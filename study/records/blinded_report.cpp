@@ -92,9 +92,10 @@ reports::ProgressReport blindedReport(const database::StudyStore& store)
     return report;
 }
 
-Aggregates aggregatesOf(const reports::StudyData& data)
+Aggregates aggregatesOf(const std::optional<reports::StudyData>& data)
 {
-    const reports::BlindedMeans means = reports::blindedMeans(data);
+    if (!data) return {ordered_json::array(), withoutKey};
+    const reports::BlindedMeans means = reports::blindedMeans(*data);
     Aggregates aggregates{ordered_json::array(), means.why};
     for (const reports::BlindedQuestion& question : means.questions)
         for (const reports::BlindedMean& mean : question.conditions) {

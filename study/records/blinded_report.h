@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "database/study_store.h"
@@ -15,11 +16,11 @@ reports::ProgressReport blindedReport(const database::StudyStore& store);
 /// What a blinded study shows under K-labels to who gives its passphrase.
 struct Aggregates {
     /// One row a question and condition: "question", "condition", "n", "share" (choices) and "mean" (ratings). Both are rounded,
-    /// over participants who have finished (reports/cells/blinded_means.h). Empty where too few have.
+    /// over participants who have finished (reports/cells/blinded_means.h). Empty where too few have finished.
     nlohmann::ordered_json rows;
     std::string why;  ///< one sentence: why there are no rows; empty where there are
 };
-/// `data`: of a blinded study.
-Aggregates aggregatesOf(const reports::StudyData& data);
+/// `data`: of a blinded study; none where nobody gave its passphrase.
+Aggregates aggregatesOf(const std::optional<reports::StudyData>& data);
 
 }  // namespace study::records

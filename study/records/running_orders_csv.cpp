@@ -30,7 +30,7 @@ std::string spaced(const std::vector<std::string>& words)
 std::string runningOrdersCsv(const database::StudyStore& store)
 {
     const auto facts = store.facts();
-    const auto protocol = protocolOf(facts);
+    const auto protocol = latestProtocolOf(store);
     const bool instructs = hasInstructions(protocol);
     std::string text = std::string("slot,trial,questions,presentation_code,tray,minutes,sitting") +
                        (instructs ? ",instruction,deadline_seconds\n" : "\n");

@@ -57,9 +57,8 @@ void describeProtocol(const protocols::Protocol& protocol, reports::StudyData& d
 
 void describeParticipants(const database::StudyStore& store, reports::StudyData& data)
 {
-    data.finished.emplace();
     for (const auto& enrolment : store.enrolments()) {
-        if (enrolment.state == database::SlotState::Finished) data.finished->insert(enrolment.participant.value);
+        if (enrolment.state == database::SlotState::Finished) data.finished.insert(enrolment.participant.value);
         const bool hasWithdrawn = enrolment.state == database::SlotState::Withdrawn;
         (hasWithdrawn ? data.withdrawn : data.participants).push_back(enrolment.participant.value);
         data.simulated = data.simulated || enrolment.kind == database::ParticipantKind::Simulated;
@@ -182,7 +181,7 @@ void readAnswers(const std::vector<database::CurrentAnswer>& answers, const prot
     for (const auto& answer : answers) {
         if (!analysed.contains(answer.participant.value)) continue;
         const auto named = naming.entries.find({answer.participant, answer.record.trial});
-        if (named == naming.entries.end()) continue;  // in sealed data, a presentation more than the phase has renderings
+        if (named == naming.entries.end()) continue;  // in an altered study, a trial of no list
         const auto& entry = named->second;
         const auto* question = questionWith(protocol, answer.record.question);
         if (answer.voided)
@@ -271,6 +270,12 @@ protocols::Protocol protocolOf(const database::StudyFacts& facts)
     return protocols::keptProtocolFromJson(facts.protocolJson, "the study's protocol", facts.programVersion);
 }
 
+protocols::Protocol latestProtocolOf(const database::StudyStore& store)
+{
+    return protocols::keptProtocolFromJson(store.protocolVersions().back().json, "the study's protocol",
+                                           store.facts().programVersion);
+}
+
 std::vector<std::string> stampsOf(const database::StudyStore& store, const database::StudyFacts& facts)
 {
     std::set<protocols::ParticipantId> seen, people;
@@ -355,25 +360,25 @@ reports::StudyData sealedStudyData(const database::StudyStore& store) { return s
 
 reports::StudyData sealedStudyData(const database::StudyStore& store, const std::vector<database::CurrentAnswer>& answers)
 {
+    const protocols::FabricId sealed("sealed");
     const auto facts = store.facts();
     const auto protocol = protocolOf(facts);
     auto data = describedStudy(store, facts, protocol);
     data.blinded = true;
-    data.conditions = {"sealed"};
-    // The place of a presentation in its phase stands for its fabric, so that every answer has a cell of its own.
-    const int places = protocol.presentationsPerPhase();
-    for (int place = 1; place <= places; ++place) data.fabrics.push_back("presentation " + std::to_string(place));
-    Naming sealed;
-    for (const auto& enrolment : store.enrolments()) {
-        std::map<std::pair<int, protocols::InstructionId>, int> placeInList;
+    data.conditions = data.fabrics = {sealed.value};
+    auto question = data.questions.begin();
+    for (const auto& phase : protocol.phases)
+        for (std::size_t i = 0; i < phase.questions.size(); ++i, ++question)
+            question->answersPerCell =
+                static_cast<std::size_t>((protocol.presentationsPerPhase() + phase.extraPresentations()) * phase.runs());
+    Naming naming;
+    for (const auto& enrolment : store.enrolments())
         for (const auto& trial : store.trials(enrolment.slot))
-            if (const int place = ++placeInList[{trial.phase, trial.instruction}]; place <= places)
-                sealed.entries[{enrolment.participant, trial.number}] = {
-                    protocols::FabricId("presentation " + std::to_string(place)), "sealed", trial.instruction, trial.deadlineMs};
-    }
-    readAnswers(answers, protocol, sealed, data);
+            naming.entries[{enrolment.participant, trial.number}] = {sealed, sealed.value, trial.instruction, trial.deadlineMs};
+    readAnswers(answers, protocol, naming, data);
     // All presentations lie in one cell here, so that each is a repetition of its own.
     for (auto& response : data.responses) response.repetition = std::to_string(response.trial.value_or(0));
+    data.choicesRepeatedAnew.clear();  // the trays of one cell differ anyway
     return data;
 }
 

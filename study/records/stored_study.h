@@ -43,7 +43,11 @@ std::optional<Naming> namingOf(const database::StudyStore& store, const protocol
 /// Whether the answer began after the deadline of its block. None without a deadline or without a response time.
 std::optional<bool> isLate(const Naming::Entry& entry, const database::CurrentAnswer& answer);
 
+/// As the study was made.
 protocols::Protocol protocolOf(const database::StudyFacts& facts);
+
+/// As new participants follow it: the last version that the study took over. Texts, times and questions of facts may differ.
+protocols::Protocol latestProtocolOf(const database::StudyStore& store);
 
 /// Field of StudyFacts::signalsJson with sentences about images that cannot show what the study compares. They name conditions
 /// and fabrics together, so only reports of an unblinded study show them.
@@ -61,8 +65,9 @@ std::optional<reports::StudyData> studyData(const database::StudyStore& store, c
 std::optional<reports::StudyData> studyData(const database::StudyStore& store, const database::Passphrase& passphrase,
                                             const std::vector<database::CurrentAnswer>& answers);
 
-/// What can be known of a running study without its key: the answers, all of one unnamed condition and fabric. It serves the
-/// flags on data quality, except those on blank glass.
+/// What can be known of a running study without its key: the answers, all of one unnamed condition and fabric. Those to catch
+/// trials and anchors are among them, because only the key tells them apart. It serves the flags on data quality, except those
+/// that compare such answers with the others.
 reports::StudyData sealedStudyData(const database::StudyStore& store);
 /// The same for a caller who has read the answers of the store already.
 reports::StudyData sealedStudyData(const database::StudyStore& store, const std::vector<database::CurrentAnswer>& answers);

@@ -177,7 +177,7 @@ ordered_json plannedBalanceIn(const database::StudyFacts& facts)
 ordered_json statusOf(const database::StudyStore& store, const database::Passphrase& passphrase)
 {
     const auto facts = store.facts();
-    const auto protocol = protocolOf(facts);
+    const auto protocol = latestProtocolOf(store);
     const auto answers = store.answers();
     const CountsByParticipant counts = countsOf(store, answers);
     ordered_json json{{"schema", "vis2hap.status/1"}, {"study", facts.name}, {"protocol_sha256", facts.protocolSha256}};

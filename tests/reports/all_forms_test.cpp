@@ -265,9 +265,6 @@ private Q_SLOTS:
         }
         QCOMPARE(compared, 16);
         QVERIFY(m_page.contains("Sentences for a paper"));
-        reports::StudyAnalysis blinded = *m_analysis;
-        blinded.data.blinded = true;
-        QVERIFY(reports::paperSentences(blinded).empty());
     }
 
     /// Letters of 5 points or more in print, at both widths.

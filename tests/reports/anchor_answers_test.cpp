@@ -13,6 +13,7 @@
 #include "reports/figures/report_figures.h"
 #include "reports/json/results_json.h"
 #include "reports/page/anchor_text.h"
+#include "reports/page/page.h"
 #include "reports/tables/report_tables.h"
 #include "stats/kernels/draws.h"
 #include "tests/reports/study_builder.h"
@@ -216,8 +217,16 @@ private Q_SLOTS:
     {
         StudyData data = noisyStudy(6, 1, 1, 2);
         data.blinded = true;
-        for (StudyResponse& response : data.mismatchedResponses) response.condition.clear();
-        const auto results = resultsJson(analyse(data, {.depth = Depth::Quick}), {});
+        for (StudyResponse& response : data.mismatchedResponses) {
+            response.condition.clear();
+            response.content = RatedAnswer{10};
+        }
+        const StudyAnalysis analysis = analyse(data, {.depth = Depth::Quick});
+        const auto results = resultsJson(analysis, {});
+        // The flag stands beside its rule.
+        const std::string page = reportPage(analysis, reportTables(analysis), {});
+        QVERIFY(std::ranges::any_of(results["quality"], [](const auto& row) { return row["flag"] == "mismatch_rated_high"; }));
+        QVERIFY(page.find("mean rating of mismatched presentations") != std::string::npos);
         QVERIFY(results["anchors"].is_null());
         QCOMPARE(results["why"]["anchors"].get<std::string>(), std::string("left out while the study is blinded"));
     }

@@ -38,6 +38,18 @@ StudyData plannedStudy(int participants = 3, int fabrics = 3)
     return data;
 }
 
+/// The study under K-labels, as records of a blinded study give it.
+StudyData blinded(StudyData data)
+{
+    data.blinded = true;
+    data.conditions = {"K1", "K2", "K3"};
+    for (auto& one : data.responses) one.condition = one.condition == "f" ? "K1" : one.condition == "h&f" ? "K2" : "K3";
+    data.planned.clear();
+    data.plannedDesign->contrastPairs.clear();
+    data.plannedDesign->conditionIds.clear();
+    return data;
+}
+
 /// "participants: 3 | 2 (no)" of every row.
 QStringList rowsOf(const reports::StudyAnalysis& analysis)
 {
@@ -129,19 +141,52 @@ private Q_SLOTS:
 
     void aBlindedStudyKeepsItsNames()
     {
-        StudyData data = plannedStudy();
-        data.blinded = true;
-        data.conditions = {"K1", "K2", "K3"};
-        for (auto& one : data.responses) one.condition = one.condition == "f" ? "K1" : one.condition == "h&f" ? "K2" : "K3";
-        data.planned.clear();
-        data.plannedDesign->contrastPairs.clear();
-        data.plannedDesign->conditionIds.clear();
+        const StudyData data = blinded(plannedStudy());
         const QStringList rows = rowsOf(data);
         QVERIFY(rows.contains("primary contrast: left out while blinded | - (-)"));
         QVERIFY(rows.contains("planned contrasts: 2 | left out while blinded (-)"));
         QVERIFY(rows.contains("conditions: 3 | 3 (yes)"));
+        QVERIFY(rows.contains("participants: 3 | 3 finished (yes)"));
         QVERIFY(!pageOf(data).contains("h&amp;f"));
         QCOMPARE(registrationIn(data)["deviations"].size(), std::size_t(0));
+    }
+
+    /// A blinded report has no analysis, and so none without the flagged participants.
+    void aBlindedPlanLeavesNobodyOut()
+    {
+        const QString row =
+            "excluded participants: nobody; flagged ones are left out beside the main analysis | no analysis while "
+            "blinded; %1 (-)";
+        StudyData data = blinded(plannedStudy(3, 4));
+        int ratings = 0;
+        for (auto& one : data.responses)
+            if (std::holds_alternative<reports::RatedAnswer>(one.content)) one.content = reports::RatedAnswer{0.1 * ++ratings};
+        QVERIFY2(rowsOf(data).contains(row.arg("nobody is flagged")), qPrintable(rowsOf(data).join("\n")));
+        for (auto& one : data.responses)
+            if (one.participant == "P01" && std::holds_alternative<reports::RatedAnswer>(one.content))
+                one.content = reports::RatedAnswer{5};
+        QVERIFY2(rowsOf(data).contains(row.arg("1 participant flagged")), qPrintable(rowsOf(data).join("\n")));
+    }
+
+    /// The first answers of a running session would name the fabric of its first trial.
+    void aBlindedPlanIsComparedWithFinishedParticipantsOnly()
+    {
+        StudyData data = blinded(plannedStudy());
+        data.finished.clear();
+        data.responses.resize(1);
+        const QStringList unfinished = rowsOf(data);
+        for (const char* row : {"participants: 3 | 0 finished (no)", "fabrics: 3 | nobody has finished yet (-)",
+                                "conditions: 3 | nobody has finished yet (-)", "questions: 4 | nobody has finished yet (-)"})
+            QVERIFY2(unfinished.contains(row), qPrintable(unfinished.join("\n")));
+        QVERIFY(unfinished.contains("answers: 108 | 1 (no)"));
+        data = blinded(plannedStudy());
+        data.finished.erase("P03");
+        std::erase_if(data.responses, [](const auto& one) { return one.participant == "P03" && one.fabric != "F02"; });
+        const QStringList before = rowsOf(data);
+        QVERIFY2(before.contains("participants: 3 | 2 finished (no)"), qPrintable(before.join("\n")));
+        for (auto& one : data.responses)
+            if (one.participant == "P03") one.fabric = "F01";
+        QCOMPARE(rowsOf(data), before);
     }
 
     void laterAmendmentsDeviate()

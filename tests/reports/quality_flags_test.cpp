@@ -151,6 +151,25 @@ private Q_SLOTS:
         QCOMPARE(flagged(data), flags);
     }
 
+    /// Each repetition of a cell is a presentation of its own.
+    void repetitionsAreComparedAcrossQuestionsOneByOne()
+    {
+        StudyData data = builders::emptyStudy(1, 5, oneCondition, {{"Q2", "", builders::onScale}, {"Q3", "", builders::onScale}});
+        data.answersPerCell = 2;
+        for (int i = 0; i < 10; ++i)
+            for (const char* question : {"Q2", "Q3"}) {
+                data.responses.push_back(
+                    builders::rated("P01", data.fabrics[static_cast<std::size_t>(i / 2)], "f", question, 0.5 * i));
+                data.responses.back().repetition = i % 2 == 0 ? "first" : "second";
+            }
+        const QStringList whole{"P01 same_across_questions: 10 of 10 presentations got the same number for every question"};
+        QCOMPARE(flagged(data), whole);
+        for (StudyResponse& response : data.responses)
+            if (response.question == "Q3" && response.repetition == "second")
+                std::get<RatedAnswer>(response.content).rating += 0.1;
+        QCOMPARE(flagged(data), QStringList());
+    }
+
     void oneRatingQuestionCannotBeEqualAcrossQuestions() { QCOMPARE(flagged(ratingsOf(different(12))), QStringList()); }
 
     // scipy 1.10.1: from scipy.stats import binomtest; 3 * binomtest(k, 20, 1/3, 'greater').pvalue

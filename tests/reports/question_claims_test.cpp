@@ -183,13 +183,6 @@ private Q_SLOTS:
         QVERIFY(page.contains("With 1 participant this study cannot show what holds for others."));
     }
 
-    void blindedReportsNameNoPlannedContrast()
-    {
-        StudyData data = studyOfOneOddFabric();
-        data.blinded = true;
-        for (const Json& row : claimsOf(data)) QVERIFY(row["planned"] == false);
-    }
-
     void boundsWithoutAProtocolAreCalledADefault()
     {
         StudyData data = studyOfOneOddFabric();

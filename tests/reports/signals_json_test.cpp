@@ -90,10 +90,9 @@ std::string withControls(const std::string& pairing = "weak")
     return reports::signalsJson(*reports::signalsFromJson(json.dump())).dump();
 }
 
-reports::StudyAnalysis analysisWith(const std::string& text, bool blinded)
+reports::StudyAnalysis analysisWith(const std::string& text)
 {
     reports::StudyData data = builders::emptyStudy(0, 1, {"f"}, {{"Q2", "", builders::onScale}});
-    data.blinded = blinded;
     data.signals = reports::signalsFromJson(text);
     return reports::analyse(data);
 }
@@ -101,7 +100,7 @@ reports::StudyAnalysis analysisWith(const std::string& text, bool blinded)
 /// The page without line breaks.
 QString sectionOf(const std::string& text)
 {
-    const auto analysis = analysisWith(text, false);
+    const auto analysis = analysisWith(text);
     return QString::fromStdString(reports::reportPage(analysis, reports::signalTables(analysis), {})).simplified();
 }
 
@@ -155,7 +154,7 @@ private Q_SLOTS:
 
     void oneTableHasGeneratedSignalsAndControls()
     {
-        const auto tables = reports::signalTables(analysisWith(withControls(), false));
+        const auto tables = reports::signalTables(analysisWith(withControls()));
         QCOMPARE(tables.size(), std::size_t(3));
         const QStringList lines = QString::fromStdString(reports::toText(tables[0].table)).split('\n');
         QCOMPARE(lines[2].simplified(), QString("generated 0.0200 9.0 10.0 1.90 0.192 0.790 1.20 0.980 trained with 6000 steps"));
@@ -236,7 +235,7 @@ private Q_SLOTS:
 
     void tableShowsBothTests()
     {
-        const auto tables = reports::signalTables(analysisWith(stored, false));
+        const auto tables = reports::signalTables(analysisWith(stored));
         QCOMPARE(tables.size(), std::size_t(1));
         const QStringList lines = QString::fromStdString(reports::toText(tables[0].table)).split('\n');
         QCOMPARE(lines[2].simplified(), QString("friction 7 -0.0015 [-0.0087, 0.0058] -0.49 6 .640 [-0.0235, 0.0235] < .001 "
@@ -255,15 +254,9 @@ private Q_SLOTS:
     void pageShowsTheNumbers()
     {
         QFETCH(QString, tile);
-        const auto analysis = analysisWith(stored, false);
+        const auto analysis = analysisWith(stored);
         const std::string page = reports::reportPage(analysis, reports::signalTables(analysis), {});
         QVERIFY(QString::fromStdString(page).contains(tile));
-    }
-
-    void blindedReportHasNoTable()
-    {
-        QVERIFY(reports::signalTables(analysisWith(stored, true)).empty());
-        QVERIFY(reports::signalTables(analysisWith(withControls(), true)).empty());
     }
 };
 

@@ -47,7 +47,7 @@ inline reports::StudyResponse worded(const std::string& participant, const std::
     return {participant, fabric, condition, question, reports::WordedAnswer{words}, {}};
 }
 
-/// An unblinded study without answers: participants P01, P02 ..., fabrics F01, F02 ...
+/// An unblinded study without answers: participants P01, P02 ..., who have finished; fabrics F01, F02 ...
 inline reports::StudyData emptyStudy(int participants, int fabrics, const std::vector<std::string>& conditions,
                                      const std::vector<reports::QuestionInfo>& questions)
 {
@@ -58,6 +58,7 @@ inline reports::StudyData emptyStudy(int participants, int fabrics, const std::v
     data.conditions = conditions;
     data.questions = questions;
     for (int p = 0; p < participants; ++p) data.participants.push_back(numbered("P", p + 1));
+    data.finished.insert(data.participants.begin(), data.participants.end());
     for (int f = 0; f < fabrics; ++f) data.fabrics.push_back(numbered("F", f + 1));
     return data;
 }

@@ -142,7 +142,7 @@ private Q_SLOTS:
         mustRun({"verify", at("half")});
         // Before the unblinding an export holds no answers since 0.7.0.
         mustRun({"export", at("half"), "--out", at("blinded"), "--format", "csv"});
-        QVERIFY(!QFile::exists(at("blinded/answers.csv")) && QFile::exists(at("blinded/conditions.csv")));
+        QVERIFY(!QFile::exists(at("blinded/answers.csv")) && QFile::exists(at("blinded/progress.csv")));
         mustRun({"unblind", at("half"), "--who", "Ada", "--why", "the last session is over"});
         mustRun({"export", at("half"), "--out", at("out"), "--format", "csv"});
         QCOMPARE(labelled(inTheOldColumns(bytesOf(at("out/answers.csv")))), bytesOf(kept("resumed-answers.csv")));

@@ -154,6 +154,7 @@ void addStore(Cases& cases)
     }));
     cases.push_back(studyCase("store", "a report of no answers", "answers analysed", "0", "there are none", [] {
         reports::StudyData data;
+        data.blinded = false;
         data.conditions = {"a", "b"};
         data.fabrics = {"F01"};
         data.questions = {{"Q1", "", protocols::Rating{}}};

@@ -200,12 +200,28 @@ std::string sentenceOnKey(const database::StudyStore& store, const database::Stu
                                : "The study has no passphrase: the key that names fabrics and conditions lies open.";
 }
 
+/// Other texts of consent, by which participants may have agreed; the newest first.
+ordered_json consentsBefore(const database::StudyStore& store)
+{
+    auto rows = ordered_json::array();
+    const auto versions = store.protocolVersions();
+    std::string later = latestProtocolOf(store).consent;
+    for (auto version = versions.rbegin(); version != versions.rend(); ++version) {
+        const auto text =
+            protocols::keptProtocolFromJson(version->json, "the study's protocol", store.facts().programVersion).consent;
+        if (text == later) continue;
+        rows.push_back({{"version", version->version}, {"text", text}});
+        later = text;
+    }
+    return rows;
+}
+
 }  // namespace
 
 ordered_json dataSheetOf(const database::StudyStore& store)
 {
     const auto facts = store.facts();
-    const auto protocol = protocolOf(facts);
+    const auto protocol = latestProtocolOf(store);
     ordered_json sheet{{"schema", "vis2hap.data-sheet/1"},
                        {"study", facts.name},
                        {"protocol_sha256", store.protocolVersions().back().sha256},
@@ -216,6 +232,7 @@ ordered_json dataSheetOf(const database::StudyStore& store)
                        {"participants", peopleOf(store)},
                        {"facts_asked", protocol.facts},
                        {"consent", protocol.consent},
+                       {"consents_before", consentsBefore(store)},
                        {"display_response", displayResponseSentence(facts)}};
     sheet["place"] = {{"host", thisHost()},
                       {"folder", fs::absolute(store.folder().folder).lexically_normal().string()},

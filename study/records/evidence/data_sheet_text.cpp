@@ -60,12 +60,16 @@ std::string peopleChapter(const ordered_json& sheet)
     std::string asked;
     for (const auto& fact : sheet["facts_asked"])
         asked += (asked.empty() ? "" : ", ") + protocols::printable(fact.get<std::string>());
+    std::string consents = wrapped("", "Consent: " + protocols::printable(sheet["consent"].get<std::string>()));
+    for (const auto& before : sheet["consents_before"])
+        consents += wrapped("", "Consent up to version " + before["version"].dump() +
+                                    " of the protocol: " + protocols::printable(before["text"].get<std::string>()));
     return chapterHeading("1. Participants") +
            wrapped("", "Participants appear under codes. " + countsText(sheet["participants"]["kinds"]) + "; " +
                            countsText(sheet["participants"]["states"]) + ".") +
            wrapped("", asked.empty() ? "The protocol asks for no facts about them."
                                      : "The protocol asks for these facts, each optional: " + asked + ".") +
-           wrapped("", "Consent: " + protocols::printable(sheet["consent"].get<std::string>()));
+           consents;
 }
 
 std::string placeChapter(const ordered_json& sheet)

@@ -302,12 +302,13 @@ private Q_SLOTS:
     {
         const QString study = newStudy();
         mustRun({"study", "preregister", study});
-        answer(study, "S01", 27);
-        answer(study, "S02", 27);
+        for (const char* participant : {"S01", "S02"})
+            tests::support::OpenSession({study.toStdString()}, participant).playToEnd();
         mustRun({"report", study, "--out", at("blinded")});
         for (const char* file : {"blinded/results.json", "blinded/statistics.json", "blinded/tables/plan.csv"})
             for (const char* condition : {"v_grey", "h&f", "\"f\""}) QVERIFY2(!bytesOf(at(file)).contains(condition), file);
         QVERIFY(bytesOf(at("blinded/tables/plan.csv")).contains("planned contrasts,2,left out while blinded,-"));
+        QVERIFY(bytesOf(at("blinded/tables/plan.csv")).contains("participants,2,2 finished,yes"));
         QVERIFY(!QFile::exists(at("blinded/tables/plan_contrasts.csv")));
         QCOMPARE(jsonOf(at("blinded/results.json"))["preregistration"]["deviations"], json::array());
         mustRun({"unblind", study, "--who", "M", "--why", "done"});

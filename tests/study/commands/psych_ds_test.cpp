@@ -48,7 +48,7 @@ const std::string hostileName = "Ä \"quoted\" 'name' </script><b>&amp; | *stars
 std::string hostileProtocol()
 {
     json protocol = json::parse(R"({
-      "schema": "vis2hap.protocol/1", "participants": 2, "fabrics": ["F01", "F02", "F03"], "conditions": ["v_grey", "h&f"],
+      "schema": "vis2hap.protocol/1", "participants": 3, "fabrics": ["F01", "F02", "F03"], "conditions": ["v_grey", "h&f"],
       "phases": [{"questions": ["Q1"], "alternatives": 3, "catch_trials": 1},
                  {"questions": ["Feel", "Why"], "scale": {"min": 1, "max": 7, "step": 0.5, "sections": 1}, "free_text": ["Why"],
                   "instructions": [{"id": "quick", "aim": "speed"}, {"id": "slow", "text": "Take 1 s.", "deadline_seconds": 1}]},
@@ -100,14 +100,16 @@ private Q_SLOTS:
     /// Each study is exported blinded and unblinded; every rule below holds for all data sets.
     void initTestCase()
     {
-        const std::vector<std::string> hostilePeople{"=1+1 \"Ö\"", "<b>&amp;"};
+        const std::vector<std::string> hostilePeople{"=1+1 \"Ö\"", "<b>&amp;", "Ä;+2"};
         const QString sealed = played("sealed", {.passphrase = "open sesame"}, {"P01"});
-        const QString plain = played("plain", {}, {"P01", "P02"});
+        const QString plain = played("plain", {.participants = 3}, {"P01", "P02"});
         const QString hostile = played("hostile", {.protocol = hostileProtocol()}, hostilePeople);
         json lengthy = json::parse(protocolText({}));
         lengthy["name"] = QString(500, u'ü').toStdString();
         const QString longNamed = played("long", {.protocol = lengthy.dump()}, {});
         add("sealed", sealed);
+        add("few", plain);
+        play(plain, "P03");
         add("labels", plain);
         add("hostile-labels", hostile, {"--with-log"});
         for (const QString& study : {plain, hostile, longNamed}) mustRun({"unblind", study, "--who", "M", "--why", "done"});
@@ -116,7 +118,7 @@ private Q_SLOTS:
         add("raw", plain, {"--with-log", "--with-samples"});
         add("long", longNamed);  // nobody took part
         add("public", hostile, {"--public", "--author", "A. \"B\" </script>", "--author", "Ö", "--licence", "CC0-1.0"});
-        QCOMPARE(m_datasets.size(), std::size_t{8});
+        QCOMPARE(m_datasets.size(), std::size_t{9});
     }
 
     // Files and folders.
@@ -259,7 +261,7 @@ private Q_SLOTS:
                 else
                     QVERIFY(keys.insert({cellAt(rows, i, "participant"), cellAt(rows, i, "trial"), cellAt(rows, i, "question")})
                                 .second);
-            QVERIFY(voided == 2 && keys.size() > 20);
+            QVERIFY(voided == 3 && keys.size() > 20);
         }
     }
 
@@ -400,16 +402,18 @@ private Q_SLOTS:
     }
     void aBlindedDatasetHoldsProgressOnly()
     {
-        for (const char* name : {"sealed", "labels", "hostile-labels"}) {
+        const QStringList withoutMeans{"sealed", "few"};  // no key, and two participants only
+        for (const char* name : {"sealed", "few", "labels", "hostile-labels"}) {
             const Dataset& one = dataset(name);
-            QCOMPARE(one.tables.size(), std::size_t(QString(name) == "sealed" ? 3 : 4));
+            QCOMPARE(one.tables.size(), std::size_t(withoutMeans.contains(name) ? 3 : 4));
             for (const auto& [path, bytes] : one.files)
                 for (const char* word : {"v_grey", "h&f", "F01", "F02", "F03", "=note", "as number"})
                     QVERIFY2(bytes.find(word) == std::string::npos, one.says(path + " holds " + word));
         }
-        for (const auto& [path, bytes] : dataset("sealed").files)
-            for (const char* word : {"K1", "\"correct\"", "\"mean\""})
-                QVERIFY2(bytes.find(word) == std::string::npos, path.c_str());
+        for (const QString& name : withoutMeans)
+            for (const auto& [path, bytes] : dataset(name).files)
+                for (const char* word : {"K1", "\"correct\"", "\"share\"", "\"mean\"", "ounded means"})
+                    QVERIFY2(bytes.find(word) == std::string::npos, path.c_str());
         const auto refused = runProgram({"export", at("sealed"), "--format", "psych-ds", "--public", "--out", at("early")});
         QCOMPARE(refused.exitCode, 2);
         QVERIFY2(refused.err.contains("cannot be published") && !QFile::exists(at("early")), qPrintable(refused.err));

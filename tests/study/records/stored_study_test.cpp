@@ -11,6 +11,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
+#include "reports/analysis/quality_flags.h"
 #include "reports/write_report.h"
 #include "study/records/blinded_report.h"
 #include "study/records/shown_origin.h"
@@ -60,6 +61,13 @@ std::string refusalsOf(const database::StudyFolder& folder)
 /// Four participants, three fabrics, three conditions: 9 choices, then 9 presentations with three ratings. The key lies open,
 /// which shows as much as its passphrase.
 const tests::support::StudyRecipe fourPeople{.conditions = {"v_grey", "h&f", "f"}, .participants = 4};
+
+/// Two participants: 7 choices, of which one comes a second time, then 8 presentations with two ratings, of which two are catch
+/// trials.
+constexpr const char* withExtras = R"({"schema": "vis2hap.protocol/1", "name": "Extras", "participants": 2,
+    "fabrics": ["F01", "F02", "F03"], "conditions": ["v_grey", "h&f"], "dead_time_seconds": 0,
+    "phases": [{"questions": ["Q1"], "alternatives": 3, "anchors": {"repeated": 1}},
+               {"questions": ["Q2", "Q3"], "scale": {"min": 0, "max": 10}, "catch_trials": 2}]})";
 
 /// "S01" and so on; as many as `finished` play to the end, one more gives `answers` answers.
 database::StudyFolder played(const std::filesystem::path& place, int finished, int answers)
@@ -243,6 +251,31 @@ private Q_SLOTS:
             QVERIFY(row["share"].is_null());  // a quarter of 9 answers would tell how many are right
             QCOMPARE(row["mean"].is_null(), row["question"] == "Q1");
         }
+    }
+
+    /// Nobody without the key can tell catch trials and repetitions from the others. The last presentation of S01 is voided after
+    /// one answer and given again; S02 lacks it.
+    void flagsOfASealedStudyCountEveryPresentation()
+    {
+        QTemporaryDir place;
+        const auto folder = tests::support::buildStudy(place.filePath("study").toStdString(), {.protocol = withExtras});
+        constexpr int answers = 7 + 8 * 2;
+        {
+            OpenSession session(folder, "S01");
+            session.playUntilAnswers(answers - 1);
+            session.send(study::session::Voided{"wrong swatch"});
+            session.playToEnd();
+        }
+        OpenSession(folder, "S02").playUntilAnswers(answers - 2);
+        const database::StudyStore store(folder, database::StudyStore::Access::Read);
+        const reports::StudyData data = study::records::sealedStudyData(store);
+        QCOMPARE(data.responses.size(), std::size_t{2 * answers - 2});
+        QCOMPARE(data.voided, std::size_t{1});
+        QStringList missing;
+        for (const reports::QualityFlag& flag : reports::qualityFlags(data))
+            if (flag.kind == reports::FlagKind::MissingAnswers)
+                missing << QString::fromStdString(flag.participant.value_or("all") + ": " + flag.why);
+        QCOMPARE(missing, QStringList{"S02: answers missing: Q2: 1 of 8, Q3: 1 of 8"});
     }
 
     void sittingsWithoutADisplayAreStated()

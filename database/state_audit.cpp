@@ -306,6 +306,49 @@ void checkAnswers(const SqliteConnection& sqlite, std::vector<std::string>& faul
     }
 }
 
+/// The questions of each phase. Amendments change none. Empty where the protocol cannot be read, which is a fault of its own.
+std::vector<std::vector<std::string>> questionsByPhase(const SqliteConnection& sqlite)
+{
+    std::vector<std::vector<std::string>> questions;
+    try {
+        QSqlQuery row = sqlite.run(QStringLiteral("SELECT protocol_json, program_version FROM study"));
+        if (!row.next()) return {};
+        for (const protocols::Phase& phase :
+             protocols::keptProtocolFromJson(fromQt(row.value(0)), "the study's protocol", fromQt(row.value(1))).phases) {
+            questions.emplace_back();
+            for (const protocols::Question& question : phase.questions) questions.back().push_back(question.id.value);
+        }
+    } catch (const protocols::Error&) {
+        return {};
+    }
+    return questions;
+}
+
+/// A session ends when every trial has all its answers, in a presentation that is not void. A station that sends what it likes
+/// may end one before.
+void checkFinished(const SqliteConnection& sqlite, std::vector<std::string>& faults)
+{
+    std::map<std::string, int> missing;
+    int phase = 0;
+    for (const auto& questions : questionsByPhase(sqlite)) {
+        for (const std::string& question : questions) {
+            QSqlQuery row = sqlite.run(
+                QStringLiteral(
+                    "SELECT p.id, COUNT(*) FROM participants p JOIN trials t ON t.slot = p.slot "
+                    "WHERE p.state = 'finished' AND t.phase = ? AND NOT EXISTS (SELECT 1 FROM responses r "
+                    "WHERE r.participant = p.id AND r.trial = t.number AND r.question = ? AND NOT EXISTS (SELECT 1 "
+                    "FROM voids v WHERE v.participant = r.participant AND v.trial = r.trial AND v.attempt = r.attempt)) "
+                    "GROUP BY p.id"),
+                {phase, toQt(question)});
+            while (row.next()) missing[fromQt(row.value(0))] += row.value(1).toInt();
+        }
+        ++phase;
+    }
+    for (const auto& [participant, answers] : missing)
+        faults.push_back("participant " + participant + " is finished without " + std::to_string(answers) +
+                         (answers == 1 ? " answer" : " answers") + " of the list");
+}
+
 }  // namespace
 
 std::vector<std::string> faultsOfStates(const SqliteConnection& sqlite, const Log& log)
@@ -319,6 +362,7 @@ std::vector<std::string> faultsOfStates(const SqliteConnection& sqlite, const Lo
     checkUpgradeSteps(log, faults);
     checkNamedActs(sqlite, log, faults);
     checkAnswers(sqlite, faults);
+    checkFinished(sqlite, faults);
     return faults;
 }
 

@@ -1,8 +1,12 @@
 #include "database/disk/server_note.h"
 
+#include <unistd.h>
+
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/sha256.h"
 #include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
 
@@ -17,13 +21,18 @@ constexpr std::uint64_t largestNote = 1 << 16;
 
 std::filesystem::path serverNoteOf(const std::filesystem::path& folder) { return folder / "server.json"; }
 
+std::string hashOfThisComputer()
+{
+    const std::string machine = protocols::readIfPossible("/etc/machine-id").value_or(std::string());
+    std::array<char, 256> host{};
+    (void)::gethostname(host.data(), host.size() - 1);
+    return protocols::sha256("vis2hap.station " + machine + " " + host.data());
+}
+
 void writeServerNote(const std::filesystem::path& folder, const ServerNote& note)
 {
-    const nlohmann::ordered_json document{{"schema", noteSchema},
-                                          {"address", note.address},
-                                          {"station", note.station},
-                                          {"token", note.token},
-                                          {"owner", note.isOwner}};
+    const nlohmann::ordered_json document{{"schema", noteSchema}, {"address", note.address}, {"station", note.station},
+                                          {"token", note.token},  {"owner", note.isOwner},   {"computer", note.computer}};
     protocols::writeWholeFile(serverNoteOf(folder), document.dump(2) + "\n", protocols::Sync::Now, protocols::Readers::OwnerOnly);
 }
 
@@ -36,7 +45,8 @@ std::optional<ServerNote> readServerNote(const std::filesystem::path& folder)
     try {
         if (document.at("schema") != noteSchema) throw protocols::badInput({});
         return ServerNote{document.at("address").get<std::string>(), document.at("station").get<std::string>(),
-                          document.at("token").get<std::string>(), document.at("owner").get<bool>()};
+                          document.at("token").get<std::string>(), document.at("owner").get<bool>(),
+                          document.value("computer", std::string())};
     } catch (const std::exception&) {
         throw protocols::badInput({"this is no note of a study on a server", where,
                                    std::string("an object with the schema ") + noteSchema, "join the study again"});

@@ -55,18 +55,53 @@ constexpr std::string_view knownSettings[] = {"sslmode",
                                               "passfile",
                                               "application_name"};
 
-void requireKnownSetting(const std::string& name)
+constexpr const char* passwordPlace = "put the password into ~/.pgpass or the environment variable PGPASSWORD";
+
+/// Qt's driver reads a semicolon as the end of a setting, in quotes, too.
+void requireNoSemicolon(const std::string& name, const std::string& value, const std::string& where)
+{
+    if (value.find(';') != std::string::npos)
+        throw protocols::badInput({"the value of " + name + " holds a semicolon", where, "a value without one",
+                                   "give the file or folder another name"});
+}
+
+/// The places of a text that may hold a password: from the first ":" after "//" to the last "@".
+std::pair<std::size_t, std::size_t> secretIn(const std::string& text)
+{
+    const auto begin = text.find("//");
+    const auto colon = text.find(':', begin == std::string::npos ? 0 : begin + 2), end = text.rfind('@');
+    if (colon == std::string::npos || end == std::string::npos || end < colon) return {0, 0};
+    return {colon, end};
+}
+
+/// `what`: the fault of an address that cannot be read. Where it may hold a password, the message shows neither that nor what was
+/// read in its place.
+protocols::Error unreadableAddress(const std::string& what, const std::string& text, const std::string& next)
+{
+    if (withoutPassword(text) != text)
+        return protocols::badInput({"this is no address of a server, and it may hold a password", withoutPassword(text), form,
+                                    std::string("correct the address; ") + passwordPlace});
+    return protocols::badInput({what, withoutPassword(text), form, next});
+}
+
+void requireKnownSetting(const std::string& name, const std::string& text)
 {
     if (std::ranges::find(knownSettings, name) != std::end(knownSettings)) return;
     if (name == "password" || name == "sslpassword")
         throw protocols::badInput({"the address holds a password, which would stay in the notes of the study",
-                                   "setting \"" + name + "\"", form,
-                                   "put the password into ~/.pgpass or the environment variable PGPASSWORD"});
+                                   "setting \"" + name + "\"", form, passwordPlace});
+    if (withoutPassword(text) != text) throw unreadableAddress("this is no address of a server", text, "correct the address");
     throw protocols::badInput({"the setting \"" + name + "\" is unknown in an address", "address of the server",
                                "study, host, port, user, sslmode, sslrootcert and the like", "take it out of the address"});
 }
 
 }  // namespace
+
+std::string withoutPassword(const std::string& text)
+{
+    const auto [begin, end] = secretIn(text);
+    return begin == end ? text : text.substr(0, begin) + text.substr(end);
+}
 
 bool isServerAddress(const std::string& text) { return text.starts_with("postgresql://") || text.starts_with("postgres://"); }
 
@@ -74,11 +109,10 @@ ServerAddress serverAddressFrom(const std::string& text)
 {
     const QUrl url(QString::fromStdString(text), QUrl::StrictMode);
     if (!isServerAddress(text) || !url.isValid())
-        throw protocols::badInput({"this is no address of a server", text, form, "correct the address"});
+        throw unreadableAddress("this is no address of a server", text, "correct the address");
     if (!url.password().isEmpty())
         throw protocols::badInput({"the address holds a password, which would stay in the notes of the study",
-                                   url.toDisplayString(QUrl::RemovePassword).toStdString(), form,
-                                   "put the password into ~/.pgpass or the environment variable PGPASSWORD"});
+                                   withoutPassword(text), form, passwordPlace});
     ServerAddress address{text, url.host().toStdString(), {}, url.path().mid(1).toStdString(), url.userName().toStdString(), {},
                           {}};
     if (url.port() > 0) address.port = std::to_string(url.port());
@@ -93,13 +127,15 @@ ServerAddress serverAddressFrom(const std::string& text)
         else if (setting == "user")
             address.user = value.toStdString();
         else {
-            requireKnownSetting(setting);
+            requireKnownSetting(setting, text);
             address.settings.emplace_back(setting, value.toStdString());
         }
     }
-    if (address.database.empty() || address.database.find('/') != std::string::npos)
-        throw protocols::badInput({"the address names no database", text, form, "name the database after the host"});
-    if (!address.study.empty()) requireStudyName(address.study, text);
+    for (const auto& [name, value] : address.settings) requireNoSemicolon(name, value, withoutPassword(text));
+    requireNoSemicolon("port", address.port, withoutPassword(text));
+    if (address.database.empty() || address.database.find_first_of("/@") != std::string::npos)
+        throw unreadableAddress("the address names no database", text, "name the database after the host");
+    if (!address.study.empty()) requireStudyName(address.study, withoutPassword(text));
     return address;
 }
 

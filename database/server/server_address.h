@@ -21,6 +21,9 @@ bool isServerAddress(const std::string& text);
 /// password, which belongs into a file of PostgreSQL's (~/.pgpass) and not into the notes of a study.
 ServerAddress serverAddressFrom(const std::string& text);
 
+/// The address for a message: without what stands between the first ":" and the last "@", which may hold a password.
+std::string withoutPassword(const std::string& text);
+
 /// The address with this study.
 std::string addressOfStudy(const ServerAddress& address, const std::string& study);
 

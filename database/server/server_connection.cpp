@@ -2,11 +2,12 @@
 
 #include <QSqlError>
 #include <QStringList>
-#include <algorithm>
 #include <atomic>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "database/server/client_library.h"
+#include "database/server/login_faults.h"
+#include "database/server/login_settings.h"
 #include "database/server/server_replies.h"
 #include "database/sqlite_connection.h"
 
@@ -15,29 +16,6 @@ namespace database {
 namespace {
 
 constexpr int majorVersion = 15;
-
-// A cut network is noticed after these times, s and ms.
-constexpr const char* callOptions =
-    "connect_timeout=4;keepalives_idle=5;keepalives_interval=2;keepalives_count=3;tcp_user_timeout=5000";
-
-/// The client library would go on without encryption where the server offers none, and say nothing.
-bool mayPassInTheClear(const ServerAddress& address)
-{
-    const auto isMode = [](const auto& setting) { return setting.first == "sslmode"; };
-    const auto surroundings = [](const char* name) {
-        const char* value = std::getenv(name);
-        return std::string(value == nullptr ? "" : value);
-    };
-    // As the client library chooses it.
-    std::string host = address.host.empty() ? surroundings("PGHOST") : address.host;
-    std::string number = surroundings("PGHOSTADDR");
-    for (const auto& [name, value] : address.settings)
-        if (name == "hostaddr") number = value;
-    if (!number.empty()) host = number;
-    const bool isThisComputer =
-        host.empty() || host.starts_with('/') || host == "localhost" || host == "127.0.0.1" || host == "::1";
-    return !isThisComputer && std::getenv("PGSSLMODE") == nullptr && std::ranges::none_of(address.settings, isMode);
-}
 
 QString nextServerConnectionName()
 {
@@ -130,32 +108,17 @@ ServerConnection::~ServerConnection()
 void ServerConnection::open()
 {
     m_connection.setHostName(toQt(m_address.host));
-    if (!m_address.port.empty()) m_connection.setPort(QString::fromStdString(m_address.port).toInt());
     m_connection.setDatabaseName(toQt(m_address.database));
     m_connection.setUserName(toQt(m_address.user));
-    QString options = QLatin1String(callOptions);
-    auto settings = m_address.settings;
-    if (mayPassInTheClear(m_address)) settings.emplace_back("sslmode", "require");
-    for (const auto& [name, setting] : settings) {
-        QString quoted = toQt(setting);
-        quoted.replace(QLatin1Char('\\'), QStringLiteral("\\\\")).replace(QLatin1Char('\''), QStringLiteral("\\'"));
-        options += QStringLiteral(";%1='%2'").arg(toQt(name), quoted);
-    }
-    m_connection.setConnectOptions(options);
+    const auto settings = loginSettings(m_address, clientDefaults());
+    QStringList options;
+    for (const auto& [name, setting] : settings) options << toQt(name + "=" + quotedSetting(setting));
+    m_connection.setConnectOptions(options.join(QLatin1Char(';')));
+    const EnglishMessages english;
     if (!m_connection.open()) {
-        const QString text = m_connection.lastError().databaseText().trimmed();
-        const bool isRefused = text.contains(QLatin1String("FATAL"));
-        if (text.contains(QLatin1String("does not support SSL")))
-            throw protocols::environmentFault(
-                {"the server does not encrypt", m_address.text, "a server with ssl = on",
-                 "let its administrator switch it on; sslmode=prefer in the address goes on without, for everybody to read"});
-        const protocols::Fault fault{
-            (isRefused ? "the server refused this login: " : "the server cannot be reached: ") +
-                partsOf(text).join(QStringLiteral(" ")).toStdString(),
-            m_address.text, isRefused ? "a user, a password and a database that the server knows" : "",
-            isRefused ? "see ~/.pgpass, or ask who keeps the server" : "check the network and the server"};
-        if (isRefused) throw protocols::badInput(fault);
-        throw ServerAway(fault);
+        const std::string text = m_connection.lastError().databaseText().trimmed().toStdString();
+        // Qt's driver gives words alone, in the server's language.
+        failLogin(text, isFromServer(text) ? codeOfRefusal(connectionText(m_address, settings)) : std::string(), m_address.text);
     }
     const int version = value(QStringLiteral("SHOW server_version_num")).toString().toInt() / 10000;
     if (version != majorVersion)
@@ -264,7 +227,13 @@ void ServerConnection::fail(const QString& code, const QStringList& parts) const
         throw protocols::badInput({"the server does not know this step (" + what + ")", where,
                                    "a study that this version moved there",
                                    "move the study back with the version that moved it, and there again with this one"});
-    if (code == QLatin1String("42501") || code == QLatin1String("3F000"))
+    if (code == QLatin1String("3F000"))
+        throw protocols::badInput({"the study is no longer on this server (" + what + ")", where, "",
+                                   "ask its owner where it is now; entries that wait here stay in the folder"});
+    if (code == QLatin1String("25006"))
+        throw ServerAway({"the server is a stand-by, which takes no entries (" + what + ")", where, "a server that takes them",
+                          "name that one in the address"});
+    if (code == QLatin1String("42501"))
         throw protocols::badInput({"this login may not do this (" + what + ")", where, "a login with the role for it",
                                    "ask the owner of the study; see vis2hap server roles"});
     if (code == QLatin1String("53100"))

@@ -18,8 +18,14 @@ namespace database {
 struct ServerLink::Worker {
     std::mutex mutex;
     std::condition_variable changed;
-    std::queue<std::function<void(std::optional<ServerConnection>&)>> work;
+    std::queue<std::function<void(std::optional<ServerConnection>&, Worker&)>> work;
     bool isEnded = false;
+
+    bool isGivenUp()
+    {
+        const std::lock_guard lock(mutex);
+        return isEnded;
+    }
 
     static void run(const std::shared_ptr<Worker>& own)
     {
@@ -31,13 +37,39 @@ struct ServerLink::Worker {
             const auto next = std::move(own->work.front());
             own->work.pop();
             lock.unlock();
-            next(connection);
+            next(connection, *own);
             lock.lock();
         }
     }
 };
 
 namespace {
+
+/// Threads of all links of the process: they outlive their links, so nobody else can count them.
+struct LivingThreads {
+    std::mutex mutex;
+    std::condition_variable ended;
+    int count = 0;
+};
+
+LivingThreads& livingThreads()
+{
+    static auto* threads = new LivingThreads;  // a thread may end after the statics of the program
+    return *threads;
+}
+
+void beginThread()
+{
+    const std::lock_guard lock(livingThreads().mutex);
+    ++livingThreads().count;
+}
+
+void endThread()
+{
+    const std::lock_guard lock(livingThreads().mutex);
+    --livingThreads().count;
+    livingThreads().ended.notify_all();
+}
 
 ServerReply replyOf(const ServerConnection& server, const char* function, const QVariantList& arguments, bool hasImage)
 {
@@ -57,7 +89,12 @@ ServerReply replyOf(const ServerConnection& server, const char* function, const 
 
 ServerLink::ServerLink(ServerAddress address) : m_worker(std::make_shared<Worker>()), m_address(std::move(address))
 {
-    std::thread([own = m_worker] { Worker::run(own); }).detach();
+    beginThread();
+    std::thread([own = m_worker]() mutable {
+        Worker::run(own);
+        own.reset();
+        endThread();
+    }).detach();
 }
 
 ServerLink::~ServerLink()
@@ -90,12 +127,15 @@ std::future<ServerReply> ServerLink::ask(const char* function, const QVariantLis
     std::future<ServerReply> reply = promise->get_future();
     {
         const std::lock_guard lock(m_worker->mutex);
-        m_worker->work.emplace([=, address = m_address](std::optional<ServerConnection>& connection) {
+        m_worker->work.emplace([=, address = m_address](std::optional<ServerConnection>& connection, Worker& worker) {
             try {
                 if (!connection) {
                     connection.emplace(address);
                     if (address.study.empty()) connection->chooseStudy();
                 }
+                // A call that comes late could take the place of a newer connection.
+                if (worker.isGivenUp())
+                    throw ServerAway({"the call was given up", address.text, "", "check the network and the server"});
                 promise->set_value(replyOf(*connection, function, arguments, hasImage));
             } catch (...) {
                 promise->set_exception(std::current_exception());
@@ -111,6 +151,13 @@ ServerReply ServerLink::waited(std::future<ServerReply> reply, std::chrono::mill
     if (reply.wait_for(patience) != std::future_status::ready)
         throw ServerAway({"the server does not answer", m_address.text, "", "check the network and the server"});
     return reply.get();
+}
+
+bool haveLinksEnded(std::chrono::milliseconds patience)
+{
+    LivingThreads& threads = livingThreads();
+    std::unique_lock lock(threads.mutex);
+    return threads.ended.wait_for(lock, patience, [&] { return threads.count == 0; });
 }
 
 }  // namespace database

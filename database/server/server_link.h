@@ -44,4 +44,8 @@ private:
     ServerAddress m_address;
 };
 
+/// Waits until the threads of links that were given up have ended, and returns whether all have. The program must not take down
+/// Qt while one of them still waits for a server.
+bool haveLinksEnded(std::chrono::milliseconds patience);
+
 }  // namespace database

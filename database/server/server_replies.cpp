@@ -1,5 +1,6 @@
 #include "database/server/server_replies.h"
 
+#include <QDateTime>
 #include <charconv>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -224,6 +225,18 @@ ServerProgress progressFrom(const Json& reply, const std::string& where)
         progress.head = textOf(headIn(reply));
         return progress;
     });
+}
+
+std::chrono::seconds clockAheadOf(const Json& sign, std::chrono::system_clock::time_point asked,
+                                  std::chrono::system_clock::time_point answered)
+{
+    const auto now = sign.find("now");
+    if (now == sign.end() || !now->is_string()) return {};
+    const QDateTime time = QDateTime::fromString(QString::fromStdString(now->get<std::string>()), Qt::ISODateWithMs);
+    if (!time.isValid()) return {};
+    const std::chrono::system_clock::time_point server{std::chrono::milliseconds(time.toMSecsSinceEpoch())};
+    const auto ahead = server < asked ? asked - server : server > answered ? answered - server : answered - answered;
+    return std::chrono::duration_cast<std::chrono::seconds>(ahead);
 }
 
 }  // namespace database

@@ -2,6 +2,7 @@
 // server, so every field is checked before it counts.
 #pragma once
 
+#include <chrono>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -52,5 +53,10 @@ std::int64_t entryNumberFrom(const nlohmann::json& reply, const std::string& whe
 ServerProgress progressFrom(const nlohmann::json& reply, const std::string& where);
 /// Reply of overview() or progress().
 std::vector<PlaceSeen> placesFrom(const nlohmann::json& reply, const std::string& where);
+
+/// Clock of this computer minus that of the server, from a sign of life that was asked for and answered at these times of this
+/// computer; 0 where the server's time lies between them, or is not given.
+std::chrono::seconds clockAheadOf(const nlohmann::json& sign, std::chrono::system_clock::time_point asked,
+                                  std::chrono::system_clock::time_point answered);
 
 }  // namespace database

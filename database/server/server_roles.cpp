@@ -174,4 +174,26 @@ JoinedStudy joinStudy(const ServerAddress& address, const std::filesystem::path&
     }
 }
 
+void takeAddress(const ServerAddress& address, const StudyFolder& folder)
+{
+    const ServerNote before = readServerNote(folder.folder).value();
+    const ServerAddress known = serverAddressFrom(before.address);
+    if (address.text == before.address || (address.study.empty() && addressOfStudy(address, known.study) == before.address))
+        return;
+    const bool isElsewhere = address.host != known.host || address.port != known.port || address.database != known.database;
+    if (const std::size_t waiting = isElsewhere ? StationStore::waitingIn(folder) : 0; waiting > 0)
+        throw protocols::badInput({std::to_string(waiting) + " entries wait in the folder of this station for another address",
+                                   folder.folder.string(), before.address + ", not " + address.text,
+                                   "open the folder itself first, so that they are sent; then use the new address"});
+    ServerNote note = before;
+    note.address = addressOfStudy(address, known.study);
+    writeServerNote(folder.folder, note);
+    try {
+        const StationStore store(folder);
+    } catch (...) {
+        writeServerNote(folder.folder, before);
+        throw;
+    }
+}
+
 }  // namespace database

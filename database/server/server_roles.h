@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "database/disk/study_folder.h"
 #include "database/server/server_address.h"
 
 namespace database {
@@ -39,5 +40,10 @@ struct JoinedStudy {
 /// Makes the folder of a station: its note, and the protocol. An empty `folder` becomes the name of the study. Throws badInput
 /// where the folder is not empty, and for a login without the role.
 JoinedStudy joinStudy(const ServerAddress& address, const std::filesystem::path& folder, const std::string& station);
+
+/// Writes another address of the same study into the note of a station's folder, after the server has let the station in by it.
+/// Throws badInput where entries wait in the folder and the address means another host, port or database: they might belong to
+/// another study.
+void takeAddress(const ServerAddress& address, const StudyFolder& folder);
 
 }  // namespace database

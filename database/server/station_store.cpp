@@ -4,8 +4,11 @@
 #include <nlohmann/json.hpp>
 
 #include "database/server/entry_json.h"
+#include "database/server/held_log.h"
+#include "database/server/presented_trial.h"
 #include "database/server/server_connection.h"
 #include "database/server/server_replies.h"
+#include "database/server/station_note.h"
 #include "database/stored_texts.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
@@ -20,22 +23,27 @@ using namespace std::chrono_literals;
 constexpr auto rest = 2000ms;  ///< after a lost connection, until an operator's step tries again
 constexpr auto nearlyNothing = 0ms;
 constexpr std::size_t keptImages = 4;
+constexpr const char* goneOn = "VH204";     ///< the participant has other entries than this station knows
 constexpr const char* joinAgain = "VH205";  ///< this connection has no claim on the participant: the server began anew
 
-/// Whether the server may take the same entry later: it is busy, or the study is being moved.
-bool passes(const ServerRefusal& refusal) { return refusal.rule() == "VH206" || refusal.rule().starts_with("VH3"); }
-
-ServerNote noteOf(const StudyFolder& folder)
+/// Whether the server may take the same entry later: it is busy, the study is being moved, or this connection must join again.
+bool passes(const ServerRefusal& refusal)
 {
-    if (auto note = readServerNote(folder.folder)) return *note;
-    throw protocols::badInput({"this folder belongs to no study on a server", folder.folder.string(), "a folder with server.json",
-                               "join the study with vis2hap study join ADDRESS"});
+    return refusal.rule() == joinAgain || refusal.rule() == "VH206" || refusal.rule().starts_with("VH3");
+}
+
+bool meansAway(const protocols::Error& fault) { return dynamic_cast<const ServerAway*>(&fault) != nullptr; }
+
+bool meansJoinAgain(const protocols::Error& fault)
+{
+    const auto* refusal = dynamic_cast<const ServerRefusal*>(&fault);
+    return refusal && refusal->rule() == joinAgain;
 }
 
 }  // namespace
 
 StationStore::StationStore(const StudyFolder& folder, ServerPatience patience)
-    : m_folder(folder), m_patience(patience), m_lock(folder), m_note(noteOf(folder)), m_queue(folder)
+    : m_folder(folder), m_patience(patience), m_lock(folder), m_note(noteOfStation(folder)), m_queue(folder)
 {
     connectNow();
     sendWaiting();
@@ -51,19 +59,38 @@ StationStore::~StationStore()
     }
 }
 
+std::size_t StationStore::waitingIn(const StudyFolder& folder)
+{
+    const WriteLock lock(folder);
+    return AnswerQueue(folder).size();
+}
+
 QVariantList StationStore::joining() const
 {
     return {toQt(m_note.station), toQt(m_note.token), QStringLiteral("vis2hap " VIS2HAP_VERSION)};
 }
 
+/// Waits for an attempt that has begun: a second join under way would take the place of the first.
 void StationStore::connectNow()
 {
-    m_attempt.reset();
-    auto link = std::make_unique<ServerLink>(serverAddressFrom(m_note.address));
-    const ServerReply joined = link->call("join_study", joining(), m_patience.presentation);
+    if (!m_attempt) {
+        m_attempt = std::make_unique<ServerLink>(serverAddressFrom(m_note.address));
+        m_joining = m_attempt->start("join_study", joining());
+    }
+    auto attempt = std::move(m_attempt);  // given up where it does not answer in time
+    if (m_joining.wait_for(m_patience.presentation) != std::future_status::ready)
+        throw ServerAway({"the server does not answer", m_note.address, "", "check the network and the server"});
+    const ServerReply joined = m_joining.get();
+    takeLink(std::move(attempt), joined.json);
+}
+
+void StationStore::takeLink(std::unique_ptr<ServerLink> link, const Json& joined)
+{
     m_link = std::move(link);
+    m_alive = {};
     m_fault.clear();
-    takeStudy(joined.json);
+    m_isRefused = false;
+    takeStudy(joined);
 }
 
 void StationStore::takeStudy(const Json& reply)
@@ -85,22 +112,31 @@ Json StationStore::asked(const char* function, const QVariantList& arguments) co
     if (!m_link) throw away();
     try {
         return m_link->call(function, arguments, m_patience.presentation).json;
-    } catch (const ServerAway& fault) {
-        loseLink(fault.what());
+    } catch (const protocols::Error& fault) {
+        noteFault(fault);
         throw;
     }
 }
 
 ServerAway StationStore::away() const
 {
+    if (m_isRefused)
+        return ServerAway({"the server takes nothing from this station now (" + m_fault + ")", m_note.address, "",
+                           "remove the cause, then go on"});
     return ServerAway({"the server cannot be reached", m_note.address, "", "wait until it can be reached again, then go on"});
 }
 
-void StationStore::loseLink(const std::string& why) const
+void StationStore::loseLink(const protocols::Error& why) const
 {
+    m_fault = why.what();
+    m_isRefused = !meansAway(why);
     m_link.reset();
-    m_fault = why;
     m_lostAt = std::chrono::steady_clock::now();
+}
+
+void StationStore::noteFault(const protocols::Error& fault) const
+{
+    if (meansAway(fault) || meansJoinAgain(fault)) loseLink(fault);
 }
 
 void StationStore::requireLink()
@@ -109,8 +145,13 @@ void StationStore::requireLink()
     // Nobody waits twice for the same cut. refresh() goes on trying.
     if (std::chrono::steady_clock::now() - m_lostAt < rest) throw away();
     connectNow();
-    sendWaiting();
-    if (!m_participant.empty()) claim(m_participant, m_kind);
+    try {
+        sendWaiting();
+        if (m_isOpen && !m_isClaimed) claim(m_participant, m_kind);
+    } catch (const protocols::Error& fault) {
+        loseLink(fault);
+        throw;
+    }
 }
 
 Json StationStore::overview() const
@@ -162,7 +203,6 @@ protocols::ParticipantId StationStore::nextParticipantId() const
 void StationStore::claim(const std::string& participant, const std::string& kind)
 {
     const Json claimed = asked("claim", {toQt(participant), toQt(kind)});
-    if (m_participant != participant) m_events.clear();
     m_participant = participant;
     m_kind = kind;
     takeClaim(claimed);
@@ -182,18 +222,61 @@ void StationStore::takeClaim(const Json& reply)
         m_facts.swatches.back() = std::move(place.swatches);
     }
     m_trials = std::move(place.trials);
-    // Entries that wait belong to the log, though the server does not know them yet.
-    if (m_queue.size() == 0 || m_events.size() < place.events.size()) m_events = std::move(place.events);
     m_isClaimed = true;
     m_head = place.head;
+    if (!m_isOpen) {
+        m_events = std::move(place.events);
+        return;
+    }
+    // The session that is open here knows this log only. What another station or an older copy of the server made of it is not
+    // its own.
+    if (const auto difference = differenceOf(m_participant, m_events, place.events))
+        endSession(*difference);
+    else
+        std::ranges::copy(place.events, m_events.begin());
+}
+
+void StationStore::endSession(const std::string& how)
+{
+    if (m_stale) return;
+    const std::filesystem::path kept = keepHeldLog(m_folder, m_participant, m_events);
+    m_stale = protocols::workFailed({"the server " + how + ", so this session cannot go on", kept.string(),
+                                     "the log that this station holds, kept in this file", "open the participant again"});
 }
 
 Slot StationStore::enrol(const protocols::ParticipantId& participant, ParticipantKind kind)
 {
+    m_isOpen = false;
+    m_stale.reset();
     requireLink();
     sendWaiting();
     claim(participant.value, nameOf(kind));
+    m_isOpen = true;
     return {m_slot, m_slotState, participant, kind};
+}
+
+void StationStore::enrolNew(const protocols::ParticipantId& participant, ParticipantKind kind)
+{
+    (void)enrol(participant, kind);
+    if (m_events.empty()) return;
+    leaveParticipant();
+    throw protocols::badInput({participant.value + " was enrolled at another station in the meantime", m_note.address,
+                               "a code that nobody has", "type the next free code, or choose the participant in the list"});
+}
+
+void StationStore::leaveParticipant()
+{
+    m_isOpen = false;
+    m_stale.reset();
+    m_participant.clear();
+    m_events.clear();
+    if (!m_link || !m_isClaimed) return;
+    try {
+        // Who joins again has no participant.
+        takeStudy(m_link->call("join_study", joining(), m_patience.answer).json);
+    } catch (const protocols::Error& fault) {
+        loseLink(fault);
+    }
 }
 
 std::vector<protocols::BlindedTrial> StationStore::trials(int slot) const
@@ -209,15 +292,16 @@ std::vector<EventRecord> StationStore::events(const protocols::ParticipantId& pa
 protocols::BlindedTrial StationStore::dueTrial(int, protocols::TrialNumber number)
 {
     requireLink();
+    if (m_stale) throw *m_stale;
     try {
-        const ServerReply reply = m_link->callForImage("presentation", {number.value}, m_patience.presentation);
+        const ServerReply reply = presentedTrial(*m_link, number, m_givesTickets, m_patience.presentation);
         protocols::BlindedTrial trial = trialFrom(reply.json, m_note.address, number);
         if (m_givesTickets || m_images.size() >= keptImages) m_images.clear();  // only the last ticket holds
         m_images[trial.sealedCode] = {reply.image, reply.key};
         m_trials.at(static_cast<std::size_t>(number.value) - 1) = trial;
         return trial;
-    } catch (const ServerAway& fault) {
-        loseLink(fault.what());
+    } catch (const protocols::Error& fault) {
+        noteFault(fault);
         throw;
     }
 }
@@ -227,8 +311,13 @@ ReleasedImage StationStore::image(const protocols::SealedCode& code)
     if (const auto known = m_images.find(code); known != m_images.end()) return known->second;
     if (const auto position = familiarisationPosition(code)) {
         requireLink();
-        const ServerReply reply = m_link->callForImage("familiarisation_image", {*position}, m_patience.presentation);
-        return m_images[code] = {reply.image, reply.key};
+        try {
+            const ServerReply reply = m_link->callForImage("familiarisation_image", {*position}, m_patience.presentation);
+            return m_images[code] = {reply.image, reply.key};
+        } catch (const protocols::Error& fault) {
+            noteFault(fault);
+            throw;
+        }
     }
     const auto trial = std::ranges::find(m_trials, code, &protocols::BlindedTrial::sealedCode);
     if (code.empty() || trial == m_trials.end())
@@ -246,6 +335,7 @@ std::int64_t StationStore::send(const AnswerQueue::Entry& entry)
 
 void StationStore::append(const Append& entry)
 {
+    if (m_stale) throw *m_stale;
     const AnswerQueue::Entry waiting{0, entry.event.participant.value, m_kind,
                                      entryJson(entry, static_cast<int>(m_events.size()))};
     EventRecord event = entry.event;
@@ -255,11 +345,14 @@ void StationStore::append(const Append& entry)
             event.sequence = send(waiting);
             m_events.push_back(std::move(event));
             return;
-        } catch (const ServerAway& fault) {
-            loseLink(fault.what());
-        } catch (const ServerRefusal& refusal) {
-            if (refusal.rule() != joinAgain) throw;
-            loseLink(refusal.what());
+        } catch (const protocols::Error& fault) {
+            const auto* refusal = dynamic_cast<const ServerRefusal*>(&fault);
+            if (refusal && refusal->rule() == goneOn) {
+                endSession("has other entries of " + m_participant);
+                throw *m_stale;
+            }
+            if (!meansAway(fault) && !meansJoinAgain(fault)) throw;
+            loseLink(fault);
         }
     }
     m_queue.put(waiting);
@@ -267,24 +360,32 @@ void StationStore::append(const Append& entry)
 }
 
 /// Every entry is sent under a claim on its participant. An entry that the server refuses must not keep back those of others.
+/// After any other fault the link is lost, so that nothing seems to be on the server while it waits here.
 void StationStore::sendWaiting()
 {
+    bool hasClaimed = false;
     while (const auto entry = m_queue.first()) {
         try {
-            if (!m_isClaimed || m_participant != entry->participant) claim(entry->participant, entry->kind);
-            send(*entry);
+            if (!m_isClaimed || m_participant != entry->participant) {
+                claim(entry->participant, entry->kind);
+                hasClaimed = true;
+            }
+            if (m_stale) {
+                setAside(*entry, m_stale->what());
+                continue;
+            }
+            confirmFirst(m_events, send(*entry));
             m_queue.remove(entry->number);
-        } catch (const ServerAway& fault) {
-            loseLink(fault.what());
-            throw;
-        } catch (const ServerRefusal& refusal) {
-            if (passes(refusal)) {
-                loseLink(refusal.what());
+        } catch (const protocols::Error& fault) {
+            const auto* refusal = dynamic_cast<const ServerRefusal*>(&fault);
+            if (!refusal || passes(*refusal)) {
+                loseLink(fault);
                 throw;
             }
-            setAside(*entry, refusal.what());
+            setAside(*entry, fault.what());
         }
     }
+    if (hasClaimed && !m_isOpen) leaveParticipant();
 }
 
 void StationStore::setAside(const AnswerQueue::Entry& first, const std::string& why)
@@ -297,8 +398,9 @@ void StationStore::setAside(const AnswerQueue::Entry& first, const std::string& 
         protocols::writeWholeFile(file, lines, protocols::Sync::Now, protocols::Readers::OwnerOnly);
         m_queue.remove(entry->number);
     }
-    m_fault = "The server refused answers of " + first.participant + " that waited here (" + why + "). They are kept in " +
-              file.string() + ".";
+    m_setAside += (m_setAside.empty() ? "" : "\n") + ("The server refused answers of " + first.participant +
+                                                      " that waited here (" + why + "). They are kept in " + file.string() + ".");
+    if (m_isOpen && first.participant == m_participant) endSession("refused entries of " + m_participant);
 }
 
 void StationStore::storeLatency(const OperatorLatency& run)
@@ -308,7 +410,17 @@ void StationStore::storeLatency(const OperatorLatency& run)
     (void)asked("record_latency", {toQt(latencyPayload(run).dump()), toQt(wallTimeNow())});
 }
 
-StationStore::Link StationStore::link() const { return {m_link != nullptr, m_queue.size(), m_note.station, m_fault}; }
+StationStore::Link StationStore::link() const
+{
+    return {m_link != nullptr,
+            m_isRefused && !m_link,
+            m_queue.size(),
+            m_note.station,
+            m_fault,
+            m_setAside,
+            m_stale ? m_stale->what() : std::string(),
+            m_clockAhead};
+}
 
 void StationStore::refresh()
 {
@@ -318,11 +430,13 @@ void StationStore::refresh()
     try {
         if (m_link) {
             const auto now = std::chrono::steady_clock::now();
-            if (isReady(m_alive)) (void)m_alive.get();
+            if (isReady(m_alive))
+                m_clockAhead = clockAheadOf(m_alive.get().json, m_signWallTime, std::chrono::system_clock::now());
             if (m_alive.valid() && now - m_signAt > m_patience.answer)
                 throw ServerAway({"the server does not answer", m_note.address, "", "check the network and the server"});
             if (m_alive.valid()) return;
             m_signAt = now;
+            m_signWallTime = std::chrono::system_clock::now();
             m_alive = m_link->start("sign_of_life", {static_cast<int>(m_queue.size())});
             return;
         }
@@ -333,14 +447,12 @@ void StationStore::refresh()
         }
         if (!isReady(m_joining)) return;
         const ServerReply joined = m_joining.get();
-        m_link = std::move(m_attempt);
-        m_fault.clear();
-        takeStudy(joined.json);
+        takeLink(std::move(m_attempt), joined.json);
         sendWaiting();
-        if (!m_participant.empty()) claim(m_participant, m_kind);
+        if (m_isOpen && !m_isClaimed) claim(m_participant, m_kind);
     } catch (const protocols::Error& fault) {
         m_attempt.reset();
-        loseLink(fault.what());
+        loseLink(fault);
     }
 }
 

@@ -6,6 +6,7 @@
 #include <future>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "database/disk/server_note.h"
 #include "database/evidence/operator_latency.h"
@@ -32,6 +33,9 @@ public:
     StationStore(const StationStore&) = delete;
     StationStore& operator=(const StationStore&) = delete;
 
+    /// Number of entries that wait in the folder of a station. Throws environmentFault where a program has it open.
+    static std::size_t waitingIn(const StudyFolder& folder);
+
     const StudyFolder& folder() const override { return m_folder; }
     const StudyFacts& facts() const override { return m_facts; }
     std::vector<ProtocolVersion> protocolVersions() const override { return m_versions; }
@@ -43,8 +47,14 @@ public:
     std::vector<protocols::BlindedTrial> trials(int slot) const override;
     protocols::BlindedTrial dueTrial(int slot, protocols::TrialNumber number) override;
     std::vector<EventRecord> events(const protocols::ParticipantId& participant) const override;
+    /// Throws workFailed, and stores nothing, once the server's log of the participant is another than the one held here.
     void append(const Append& entry) override;
     LogHead head() const override { return m_head; }
+
+    /// Enrols a participant who must be new. Throws badInput where another station has enrolled this id in the meantime.
+    void enrolNew(const protocols::ParticipantId& participant, ParticipantKind kind);
+    /// Ends the work on the participant here, so that any station can go on. Never throws.
+    void leaveParticipant();
 
     /// Adds a run of the latency task to the log. Throws badInput for an empty operator, ServerAway.
     void storeLatency(const OperatorLatency& run);
@@ -57,9 +67,13 @@ public:
     /// Whether answers reach the server now, and how many entries wait.
     struct Link {
         bool isUp = false;
+        bool isRefused = false;  ///< the server answers, but takes nothing from this station now
         std::size_t waiting = 0;
         std::string station;
-        std::string fault;  ///< why the server cannot be reached, or why entries were set aside; empty where all is well
+        std::string fault;     ///< why the link is down; empty where it is up
+        std::string setAside;  ///< entries that the server refused, and their files, a line each; stays as long as the store
+        std::string stale;     ///< why the session that is open here cannot go on; empty where it can
+        std::chrono::seconds clockAhead{0};  ///< clock of this computer minus that of the server, beyond the time of a call
         bool operator==(const Link&) const = default;
     };
     Link link() const;
@@ -73,16 +87,21 @@ private:
     Json overview() const;
     QVariantList joining() const;
     void connectNow();
+    void takeLink(std::unique_ptr<ServerLink> link, const Json& joined);
     void takeStudy(const Json& joined);
     void takeClaim(const Json& claimed);
     void claim(const std::string& participant, const std::string& kind);
     void requireLink();
     ServerAway away() const;
-    void loseLink(const std::string& why) const;
+    void loseLink(const protocols::Error& why) const;
+    /// Loses the link for a fault after which this connection is of no more use.
+    void noteFault(const protocols::Error& fault) const;
     /// Returns the number of the entry in the log.
     std::int64_t send(const AnswerQueue::Entry& entry);
     void sendWaiting();
     void setAside(const AnswerQueue::Entry& first, const std::string& why);
+    /// `how` the server's log of the participant differs. The session that is open here must be opened again.
+    void endSession(const std::string& how);
 
     StudyFolder m_folder;
     ServerPatience m_patience;
@@ -91,9 +110,13 @@ private:
     AnswerQueue m_queue;
     mutable std::unique_ptr<ServerLink> m_link;  ///< null while the server cannot be reached
     mutable std::string m_fault;
+    mutable bool m_isRefused = false;
+    std::string m_setAside;
     mutable std::chrono::steady_clock::time_point m_lostAt = {};
     std::chrono::steady_clock::time_point m_signAt = {};  ///< when m_alive began
-    std::unique_ptr<ServerLink> m_attempt;                ///< to reach the server again
+    std::chrono::system_clock::time_point m_signWallTime = {};
+    std::chrono::seconds m_clockAhead{0};
+    std::unique_ptr<ServerLink> m_attempt;  ///< to reach the server again
     std::future<ServerReply> m_joining, m_alive;
     StudyFacts m_facts;
     std::vector<ProtocolVersion> m_versions;
@@ -102,6 +125,8 @@ private:
     std::string m_participant, m_kind;  ///< at work here; empty before
     bool m_givesTickets = false;
     bool m_isClaimed = false;  ///< in this connection
+    bool m_isOpen = false;     ///< a session of the participant goes on here
+    std::optional<protocols::Error> m_stale;
     int m_slot = 0;
     SlotState m_slotState = SlotState::Free;
     int m_protocolVersion = 1;

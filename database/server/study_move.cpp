@@ -190,9 +190,9 @@ ServerNote ownersNote(const StudyFolder& folder)
 }
 
 /// Fetches the study and checks it; the folder then has a sound study.db, or none.
-void bringBack(const ServerConnection& server, const StudyFolder& folder)
+void bringBack(const ServerConnection& server, const StudyFolder& folder, const std::vector<std::string>& givenUp)
 {
-    server.run(QStringLiteral("SELECT @schema@.begin_leaving()"));
+    server.run(QStringLiteral("SELECT @schema@.begin_leaving(CAST(? AS jsonb))"), {toQt(nlohmann::json(givenUp).dump())});
     try {
         fetchInto(server, folder);
         const SqliteConnection file(folder.database(), SqliteConnection::Mode::Read);
@@ -276,7 +276,8 @@ LogHead moveToServer(const StudyFolder& folder, const ServerAddress& address, co
     return openOnServer(folder, server);
 }
 
-LogHead moveToFolder(const ServerAddress& address, const StudyFolder& folder, const Act& by)
+LogHead moveToFolder(const ServerAddress& address, const StudyFolder& folder, const Act& by,
+                     const std::vector<std::string>& givenUp)
 {
     const ServerNote note = ownersNote(folder);
     const ServerConnection server(serverAddressFrom(note.address));
@@ -286,7 +287,7 @@ LogHead moveToFolder(const ServerAddress& address, const StudyFolder& folder, co
     std::error_code ignored;
     const bool hasArrived = fs::exists(folder.database(), ignored);
     if (!hasArrived)
-        bringBack(server, folder);
+        bringBack(server, folder, givenUp);
     else if (hasStudy(server))
         requireArrived(server, folder);
     if (hasStudy(server)) dropStudy(server);
@@ -299,7 +300,7 @@ LogHead moveToFolder(const ServerAddress& address, const StudyFolder& folder, co
 StudyStore readStudy(const StudyFolder& folder)
 {
     if (isServerAddress(folder.folder.string()))
-        throw protocols::badInput({"this command needs a folder, not an address", folder.folder.string(),
+        throw protocols::badInput({"this command needs a folder, not an address", withoutPassword(folder.folder.string()),
                                    "the folder of the study's owner", "run it there; the folder leads to the server"});
     if (!readServerNote(folder.folder)) return {folder, StudyStore::Access::Read};
     const ServerNote note = ownersNote(folder);

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "database/evidence/acts.h"
 #include "database/server/server_address.h"
@@ -24,7 +25,9 @@ void requireFreeName(const ServerAddress& address);
 
 /// Brings the study back into its owner's folder and takes it off the server. Throws workFailed while a station is at work.
 /// `by`: who moved it, with which program, on which machine; recorded as a serverAct where it names a program.
-LogHead moveToFolder(const ServerAddress& address, const StudyFolder& folder, const Act& by = {});
+/// `givenUp`: stations that are away, whose answers may be lost; others that hold a participant are refused.
+LogHead moveToFolder(const ServerAddress& address, const StudyFolder& folder, const Act& by = {},
+                     const std::vector<std::string>& givenUp = {});
 
 /// The commands that remove what a study left in the files of a server, for an administrator of it; one a line, indented.
 extern const char* const removalFromServer;

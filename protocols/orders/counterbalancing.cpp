@@ -4,6 +4,7 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/orders/extra_trials.h"
+#include "protocols/orders/lists_of_one_piece.h"
 #include "protocols/orders/running_orders.h"
 #include "protocols/orders/same_different.h"
 #include "protocols/orders/trays.h"
@@ -88,11 +89,15 @@ Lists drawLists(const Protocol& protocol, int phase, const StudySize& size, std:
     const Phase& asked = protocol.phases[static_cast<std::size_t>(phase)];
     Random orderDraws = Random::stream(seed, purpose + "/orders");
     Random trayDraws = Random::stream(seed, purpose + "/trays");
+    const auto rule = trayRuleOf(asked.task);
+    const auto* foils = std::get_if<TrueAmongFoils>(&rule);
+    if (foils == nullptr && asked.catchTrials + asked.anchors.presentations() > 0)
+        return drawListsOfOnePiece(asked, phase, size, protocol.breakAfterPresentations, orderDraws, trayDraws);
     Lists lists = listsOf(asked, phase, size, orderDraws, trayDraws);
+    if (foils == nullptr) return lists;
     ExtraTrials extraTrials(asked, size, protocol.breakAfterPresentations, Random::stream(seed, purpose + "/extra trials"));
     for (auto& list : lists) list = extraTrials.with(list);
-    const auto rule = trayRuleOf(asked.task);
-    if (const auto* foils = std::get_if<TrueAmongFoils>(&rule)) layTrays(lists, asked, foils->pieces, size, trayDraws);
+    layTrays(lists, asked, foils->pieces, size, trayDraws);
     return lists;
 }
 

@@ -38,8 +38,10 @@ struct Design {
 /// equally often (counts differ by at most one where possible). Nothing repeats immediately, except one of two (mayRepeat()).
 /// Foil pairs are equally frequent per true fabric and do not repeat within participant x true fabric. True slots are balanced
 /// per label. A phase with instructions has one such list for each of them; its lists follow one another in an order that is
-/// balanced over the participants (running_orders.h). Catch trials and anchors are put between the others (extra_trials.h) and
-/// change nothing of their order. Integer arithmetic only: the same seed gives the same design on every machine.
+/// balanced over the participants (running_orders.h). Catch trials and repetitions of choices are put between the others
+/// (extra_trials.h) and change nothing of their order. Where the tray holds one piece, the pieces of the whole list are drawn
+/// first, and then which presentations are catch trials and anchors (laid_pieces.h): pairs and stretches of fabrics are then even
+/// over the whole list. Integer arithmetic only: the same seed gives the same design on every machine.
 Design drawDesign(const Protocol& protocol, std::uint64_t seed);
 
 }  // namespace protocols

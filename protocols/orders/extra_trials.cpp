@@ -13,9 +13,6 @@ constexpr int noPiece = -1;
 
 std::size_t placeOf(int fabric) { return static_cast<std::size_t>(fabric); }
 
-/// What is known of the tray while these draws are made: its one piece, or the true fabric where foils come later.
-int pieceOf(const DesignTrial& trial) { return trial.alternatives.empty() ? trial.fabric : trial.alternatives.front(); }
-
 bool isOfCondition(const DesignTrial& trial) { return trial.label >= 0 && trial.anchor == AnchorKind::None; }
 
 /// [piece]: where the presentations of the conditions lie that can come again.
@@ -23,7 +20,7 @@ std::vector<std::vector<std::size_t>> originalsIn(const std::vector<DesignTrial>
 {
     std::vector<std::vector<std::size_t>> originals(placeOf(fabrics));
     for (std::size_t at = 0; at < list.size(); ++at)
-        if (isOfCondition(list[at])) originals[placeOf(pieceOf(list[at]))].push_back(at);
+        if (isOfCondition(list[at])) originals[placeOf(list[at].fabric)].push_back(at);
     return originals;
 }
 
@@ -82,14 +79,13 @@ ExtraTrials::ExtraTrials(const Phase& phase, const StudySize& size, int blockLen
 {
     const auto labels = static_cast<std::size_t>(size.labels), fabrics = placeOf(size.fabrics);
     const std::vector<std::size_t> ofEach(fabrics);
-    m_uses = {ofEach, ofEach, ofEach, ofEach, std::vector<std::size_t>(fabrics * fabrics), {}};
-    m_uses.repeats = {std::vector<std::size_t>(labels), ofEach, std::vector<std::size_t>(labels * fabrics)};
+    m_uses = {ofEach, ofEach, {std::vector<std::size_t>(labels), ofEach, std::vector<std::size_t>(labels * fabrics)}};
 }
 
 std::vector<DesignTrial> ExtraTrials::with(const std::vector<DesignTrial>& trials)
 {
     if (m_phase.catchTrials + m_phase.anchors.presentations() == 0) return trials;
-    const std::size_t others = trials.size() + placeOf(m_phase.catchTrials + m_phase.anchors.mismatched);
+    const std::size_t others = trials.size() + placeOf(m_phase.catchTrials);
     std::optional<Draft> best;
     for (std::size_t gap = std::max<std::size_t>(2, std::min(m_blockLength + 1, others / 2)); gap >= 2 && !best;
          gap = gap * 3 / 4)
@@ -124,7 +120,7 @@ std::optional<ExtraTrials::Draft> ExtraTrials::drawn(const std::vector<DesignTri
     Draft draft = withoutPieces(trials, gap, stretches);
     if (!dealPieces(draft, isLastResort)) return std::nullopt;
     repeat(draft);
-    layOthers(draft);
+    layCaught(draft);
     for (std::size_t at = 1; at < draft.list.size(); ++at)
         if (!isOfCondition(draft.list[at])) draft.cost += costAt(draft.list, at);
     return draft;
@@ -133,13 +129,11 @@ std::optional<ExtraTrials::Draft> ExtraTrials::drawn(const std::vector<DesignTri
 /// Each kind is inserted into a list that holds the kinds before.
 ExtraTrials::Stretches ExtraTrials::stretchesOf(std::size_t trials, std::size_t firstRepetition)
 {
-    const auto& anchors = m_phase.anchors;
-    const std::size_t withCaught = trials + placeOf(m_phase.catchTrials),
-                      withMismatched = withCaught + placeOf(anchors.mismatched);
+    const std::size_t withCaught = trials + placeOf(m_phase.catchTrials);
+    const int repeated = m_phase.anchors.repeated;
     Stretches stretches;
     stretches.caught = drawStretches(1, withCaught, m_phase.catchTrials);
-    stretches.mismatched = drawStretches(1, withMismatched, anchors.mismatched);
-    stretches.repeated = drawStretches(firstRepetition, withMismatched + placeOf(anchors.repeated), anchors.repeated);
+    stretches.repeated = drawStretches(firstRepetition, withCaught + placeOf(repeated), repeated);
     return stretches;
 }
 
@@ -164,14 +158,10 @@ std::vector<ExtraTrials::Stretch> ExtraTrials::drawStretches(std::size_t begin, 
 ExtraTrials::Draft ExtraTrials::withoutPieces(const std::vector<DesignTrial>& trials, std::size_t gap, const Stretches& stretches)
 {
     const int phase = trials.front().phase;
-    Draft draft{
-        trials, drawPlaces(stretches.caught), drawPlaces(stretches.mismatched), drawPlaces(stretches.repeated), gap, {}, {}, 0, 0,
-        m_uses};
+    Draft draft{trials, drawPlaces(stretches.caught), drawPlaces(stretches.repeated), gap, {}, {}, 0, 0, m_uses};
     insertAt(draft.list, draft.caught, {phase, catchTrialLabel, noPiece, {}});
-    insertAt(draft.list, draft.mismatched, {phase, mismatchedLabel, noPiece, {}, {}, AnchorKind::Mismatched});
     insertAt(draft.list, draft.repeated, {phase, noPiece, noPiece, {}, {}, AnchorKind::Repeated});
-    moveBehind(draft.caught, draft.mismatched);
-    for (auto* places : {&draft.caught, &draft.mismatched}) moveBehind(*places, draft.repeated);
+    moveBehind(draft.caught, draft.repeated);
     return draft;
 }
 
@@ -295,7 +285,7 @@ std::optional<ExtraTrials::Draft> ExtraTrials::tryRepeats(const Draft& draft)
         std::ranges::sort(candidates);
         bool isPlaced = false;
         for (const auto& [cost, uses, draw, original] : candidates) {
-            const auto piece = placeOf(pieceOf(draft.list[original]));
+            const auto piece = placeOf(draft.list[original].fabric);
             const auto before = originals[piece];
             std::erase(originals[piece], original);
             --due[piece];
@@ -315,84 +305,13 @@ std::optional<ExtraTrials::Draft> ExtraTrials::tryRepeats(const Draft& draft)
     return next;
 }
 
-/// Of the pieces that are left, those that this participant, then the study (`uses`), has least.
-std::vector<int> ExtraTrials::take(std::vector<int>& left, int count, std::vector<std::size_t>& uses)
+/// Catch trials, at their places.
+void ExtraTrials::layCaught(Draft& draft)
 {
-    std::vector<int> taken, own(left.size());
-    for (; count > 0; --count) {
-        const auto pieces = shuffledFabrics();
-        const int least = *std::ranges::min_element(pieces, {}, [&](int piece) {
-            return std::tuple(left[placeOf(piece)] == 0, own[placeOf(piece)], uses[placeOf(piece)]);
-        });
-        taken.push_back(least);
-        --left[placeOf(least)];
-        ++own[placeOf(least)];
-        ++uses[placeOf(least)];
-    }
-    return taken;
-}
-
-/// An image beside each piece: another fabric, and none a second time before all were felt. The evenest of several draws.
-std::vector<int> ExtraTrials::drawImages(const std::vector<int>& pieces, const Uses& uses)
-{
-    constexpr int draws = 20;
-    const auto fabrics = placeOf(m_size.fabrics);
-    std::vector<int> best;
-    std::size_t least = 0;
-    for (int draw = 0; draw < draws; ++draw) {
-        auto images = uses.images, pairs = uses.pairs, shown = std::vector<std::size_t>(fabrics);
-        std::vector<int> drawn(pieces.size());
-        std::vector<std::size_t> turns(pieces.size());
-        std::iota(turns.begin(), turns.end(), std::size_t{0});
-        m_random.shuffle(turns);
-        for (const std::size_t at : turns) {
-            const int piece = pieces[at];
-            const auto numbers = shuffledFabrics();
-            const auto usesOf = [&](int image) {
-                return std::tuple(image == piece, shown[placeOf(image)], images[placeOf(image)],
-                                  pairs[placeOf(image) * fabrics + placeOf(piece)]);
-            };
-            const int image = *std::ranges::min_element(numbers, {}, usesOf);
-            drawn[at] = image;
-            ++shown[placeOf(image)];
-            ++images[placeOf(image)];
-            ++pairs[placeOf(image) * fabrics + placeOf(piece)];
-        }
-        constexpr std::size_t weight = 1000;
-        std::size_t uneven = 0;
-        for (const std::size_t times : shown) uneven += weight * weight * times * times;
-        for (const std::size_t times : images) uneven += weight * times * times;
-        for (const std::size_t times : pairs) uneven += times * times;
-        if (!best.empty() && uneven >= least) continue;
-        best = drawn;
-        least = uneven;
-    }
-    return best;
-}
-
-/// Mismatched presentations and catch trials, at their places.
-void ExtraTrials::layOthers(Draft& draft)
-{
-    auto pieces = take(draft.left, static_cast<int>(draft.mismatched.size()), draft.uses.mismatched);
-    m_random.shuffle(pieces);
-    const auto images = drawImages(pieces, m_uses);
-    for (std::size_t k = 0; k < pieces.size(); ++k) {
-        DesignTrial& trial = draft.list[draft.mismatched[k]];
-        trial.fabric = images[k];
-        trial.alternatives = {pieces[k]};
-        ++draft.uses.images[placeOf(images[k])];
-        ++draft.uses.pairs[placeOf(images[k]) * draft.uses.images.size() + placeOf(pieces[k])];
-    }
     std::vector<int> rest;
     for (const int piece : shuffledFabrics()) rest.insert(rest.end(), placeOf(draft.left[placeOf(piece)]), piece);
     m_random.shuffle(rest);
-    const bool hasTrays = !draft.list.front().alternatives.empty();
-    for (std::size_t k = 0; k < rest.size(); ++k) {
-        DesignTrial& trial = draft.list[draft.caught[k]];
-        trial.fabric = rest[k];
-        if (hasTrays) trial.alternatives = {rest[k]};
-    }
-    exchangeNeighbours(draft, draft.mismatched);
+    for (std::size_t k = 0; k < rest.size(); ++k) draft.list[draft.caught[k]].fabric = rest[k];
     exchangeNeighbours(draft, draft.caught);
 }
 
@@ -411,15 +330,10 @@ void ExtraTrials::exchangeNeighbours(Draft& draft, const Places& places) const
 
 std::size_t ExtraTrials::costOf(const DesignTrial& trial, const DesignTrial& neighbour) const
 {
-    // An operator sees that a piece comes twice in a row.
     constexpr std::size_t costOfPiece = 8;
-    const int piece = pieceOf(trial), other = pieceOf(neighbour);
-    if (piece == noPiece || other == noPiece) return 0;
-    if (piece == other) return m_size.fabrics > 2 ? costOfPiece : 0;
-    const bool isAlone = std::holds_alternative<TrueAlone>(trayRuleOf(m_phase.task));
-    const bool showsOther = isAlone && (trial.fabric == other || piece == neighbour.fabric);
-    const bool isSameLabel = trial.label >= 0 && trial.label == neighbour.label;
-    return (m_size.fabrics > 3 && showsOther ? 1u : 0u) + (m_size.labels > 2 && isSameLabel ? 1u : 0u);
+    if (trial.fabric == noPiece || neighbour.fabric == noPiece) return 0;
+    if (trial.fabric == neighbour.fabric) return m_size.fabrics > 2 ? costOfPiece : 0;
+    return m_size.labels > 2 && trial.label >= 0 && trial.label == neighbour.label ? 1 : 0;
 }
 
 /// Two neighbours count. The last presentation would find its place easily with one, so that the second before it counts, too.

@@ -1,4 +1,4 @@
-// Draws the pieces and the places of presentations beside those of the conditions: catch trials (blank glass) and anchors.
+// Draws the pieces and the places of the catch trials (blank glass) and of the repetitions of a choice phase.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,13 @@
 
 namespace protocols {
 
-/// Puts the additional presentations of one phase between those of the conditions, participant by participant. The others keep
-/// their order. Lists without trays get catch trials and repetitions without trays, too: trays.h lays them.
+/// Puts the additional presentations of a choice phase between those of the conditions, participant by participant. The others
+/// keep their order. Nothing of this shows before trays.h lays pieces for all presentations together.
 ///
-/// Pieces. Where the tray holds one piece, each lies there equally often, or once more, whatever the kind of presentation. (If
-/// nearly every presentation is repeated, a piece that lies there more often than others has more repetitions.) The pieces that
-/// lie once more change from participant to participant, evenly where the places allow it. So the number of a piece's trays does
-/// not tell one kind from another. Where there are fewer additional presentations than fabrics, a piece may have none, and shows
-/// this. Images of mismatched presentations, conditions of repeated ones, and the pieces of both are nearly even over the study.
+/// Pieces. Each is that of an additional presentation equally often, or once more. (If nearly every presentation is repeated, a
+/// piece that is so more often than others has more repetitions.) Those that are so once more change from participant to
+/// participant, evenly where the places allow it. Conditions of repeated presentations and their pieces are nearly even over the
+/// study.
 ///
 /// Places are drawn before the pieces: one in each of equal stretches, whose ends are drawn, too. So each place is about equally
 /// likely, except that the first places of repetitions have few originals and are rarer. No additional presentation is first. At
@@ -26,9 +25,6 @@ namespace protocols {
 /// lies between them where the list has one. Pieces are exchanged for this. Where no exchange helps, the distance is smaller, and
 /// one other always lies between. With three fabrics or more, neighbours have other pieces, and with three labels or more other
 /// labels, where that is possible.
-///
-/// One thing shows: the list never repeats a piece of more than two immediately. So an additional presentation hardly ever lies
-/// between two trays with the same true piece, only where two additional ones meet.
 class ExtraTrials {
 public:
     /// `blockLength`: presentations between two breaks.
@@ -51,10 +47,8 @@ private:
     };
     /// What was drawn for the participants so far.
     struct Uses {
-        std::vector<std::size_t> surplus;               ///< [piece]: participants who got it once more than others
-        std::vector<std::size_t> repeated, mismatched;  ///< [piece]
-        std::vector<std::size_t> images;                ///< [fabric]: mismatched presentations of its image
-        std::vector<std::size_t> pairs;                 ///< [fabric of the image][piece]: the same of each pair
+        std::vector<std::size_t> surplus;   ///< [piece]: participants who got it once more than others
+        std::vector<std::size_t> repeated;  ///< [piece]
         Repeats repeats;
     };
     using Places = std::vector<std::size_t>;  ///< ascending
@@ -63,12 +57,12 @@ private:
         std::size_t begin = 0, end = 0;
     };
     struct Stretches {
-        std::vector<Stretch> caught, mismatched, repeated;
+        std::vector<Stretch> caught, repeated;
     };
     /// One participant's list while it is drawn. A presentation that has no piece yet has the fabric -1.
     struct Draft {
         std::vector<DesignTrial> list;
-        Places caught, mismatched, repeated;
+        Places caught, repeated;
         std::size_t gap = 0;        ///< least distance of a repetition
         std::vector<int> left;      ///< [piece]: additional presentations that are due, later those without repetitions
         std::vector<int> again;     ///< [piece]: repetitions
@@ -88,9 +82,7 @@ private:
     void dealRepetitions(Draft& draft, int rounds, bool isLastResort);
     void repeat(Draft& draft);
     std::optional<Draft> tryRepeats(const Draft& draft);
-    std::vector<int> take(std::vector<int>& left, int count, std::vector<std::size_t>& uses);
-    std::vector<int> drawImages(const std::vector<int>& pieces, const Uses& uses);
-    void layOthers(Draft& draft);
+    void layCaught(Draft& draft);
     void exchangeNeighbours(Draft& draft, const Places& places) const;
     std::vector<int> shuffledFabrics();
     std::size_t costOf(const DesignTrial& trial, const DesignTrial& neighbour) const;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "protocols/orders/annealing.h"
+#include "protocols/orders/sequence_counts.h"
 
 namespace protocols {
 
@@ -13,10 +14,9 @@ namespace {
 using Orders = std::vector<std::vector<Rendering>>;
 using Places = std::vector<std::size_t>;
 
-// Halves and other pieces count more than pairs, and these more than stretches.
+// Halves and other pieces count more than pairs.
 constexpr std::int64_t costOfHalf = 64;
 constexpr std::int64_t costOfOther = 64;
-constexpr std::int64_t costOfPair = 8;
 
 std::vector<int> shuffledRange(int count, Random& random)
 {
@@ -140,58 +140,12 @@ std::vector<std::vector<bool>> drawSame(const Orders& pieces, const StudySize& s
     return same;
 }
 
-/// Counts of one sequence of kinds (labels or fabrics): ordered pairs of neighbours, repeats, and kinds per stretch of the order.
-class SequenceCounts {
-public:
-    SequenceCounts(int kinds, std::size_t lists, std::size_t length)
-        : m_kinds(static_cast<std::size_t>(kinds)),
-          m_lists(static_cast<std::int64_t>(lists)),
-          m_length(static_cast<std::int64_t>(length)),
-          m_pairs(m_kinds * m_kinds),
-          m_stretches((length / m_kinds + 1) * m_kinds)
-    {
-        // More than any unevenness that avoiding a repeat can cause.
-        if (!mayRepeat(kinds)) m_costOfRepeat = costOfPair * (2 * transitions() / pairKinds(kinds) + 20);
-    }
-
-    std::int64_t least() const
-    {
-        const auto kinds = static_cast<std::int64_t>(m_kinds);
-        return costOfPair * leastSquares(transitions(), pairKinds(static_cast<int>(m_kinds))) +
-               m_length / kinds * leastSquares(m_lists * kinds, kinds) + leastSquares(m_lists * (m_length % kinds), kinds);
-    }
-
-    std::int64_t place(std::size_t at, int kind, bool adding)
-    {
-        return change(m_stretches, at / m_kinds * m_kinds + static_cast<std::size_t>(kind), adding);
-    }
-
-    std::int64_t step(int from, int to, bool adding)
-    {
-        if (from == to && !mayRepeat(static_cast<int>(m_kinds))) return adding ? m_costOfRepeat : -m_costOfRepeat;
-        return costOfPair * change(m_pairs, static_cast<std::size_t>(from) * m_kinds + static_cast<std::size_t>(to), adding);
-    }
-
-private:
-    static std::int64_t change(SquaredCounts& counts, std::size_t cell, bool adding)
-    {
-        return adding ? counts.add(cell) : counts.remove(cell);
-    }
-
-    std::int64_t transitions() const { return m_lists * (m_length - 1); }
-
-    std::size_t m_kinds;
-    std::int64_t m_lists, m_length, m_costOfRepeat = 0;
-    SquaredCounts m_pairs;      ///< [kind][next kind]
-    SquaredCounts m_stretches;  ///< [stretch][kind]
-};
-
 /// State of the search: what is shown beside each tray. A move exchanges two renderings that are not the same as their pieces, or
 /// the labels of two presentations of one fabric. Trays and what is the same never change.
 class ShownSearch {
 public:
     ShownSearch(const Orders& pieces, const std::vector<std::vector<bool>>& same, const StudySize& size,
-                const std::vector<Places>& others, Orders orders)
+                const std::vector<Places>& others, const Copies& copies, Orders orders)
         : m_pieces(pieces),
           m_same(same),
           m_others(others),
@@ -202,10 +156,11 @@ public:
           m_fabricOrder(size.fabrics, pieces.size(), pieces.front().size()),
           m_beside(m_fabrics * m_fabrics),
           m_sameOfCell(m_labels * m_fabrics),
-          m_sameOfPerson(pieces.size() * m_labels)
+          m_sameOfPerson(pieces.size() * m_labels),
+          m_repetitions(copies, size, pieces.front().size())
     {
         const std::size_t length = pieces.front().size();
-        m_excess = -m_labelOrder.least() - m_fabricOrder.least();
+        m_excess = -m_labelOrder.least() - m_fabricOrder.least() - m_repetitions.least();
         std::vector<std::int64_t> sameOf(m_fabrics), otherOf(m_fabrics);
         for (std::size_t participant = 0; participant < pieces.size(); ++participant) {
             for (std::size_t at = 0; at < length; ++at) {
@@ -214,6 +169,7 @@ public:
                 countPlace(participant, at, true);
                 if (at > 0) countStep(participant, at - 1, true);
             }
+            m_excess += m_repetitions.addAll(participant, m_orders[participant]);
             m_excess -= costOfHalf * leastSquares(std::ranges::count(same[participant], true), size.labels);
         }
         for (const std::int64_t count : sameOf) m_excess -= costOfHalf * leastSquares(count, size.labels);
@@ -267,9 +223,10 @@ private:
         return m_excess - before;
     }
 
-    /// The two places and their transitions, each once.
+    /// The two places, their transitions and their repetitions, each once.
     void countAround(bool adding)
     {
+        m_excess += m_repetitions.around(m_participant, m_orders[m_participant], m_first, m_second, adding);
         const std::size_t low = std::min(m_first, m_second), high = std::max(m_first, m_second);
         countPlace(m_participant, low, adding);
         countPlace(m_participant, high, adding);
@@ -312,6 +269,7 @@ private:
     SquaredCounts m_beside;        ///< [shown][on the tray], where they differ
     SquaredCounts m_sameOfCell;    ///< [label][fabric], where they are the same
     SquaredCounts m_sameOfPerson;  ///< [participant][label], where they are the same
+    RepetitionCounts m_repetitions;
     std::int64_t m_excess = 0;
     std::size_t m_participant = 0, m_first = 0, m_second = 0;
     bool m_moves = false, m_swapsAll = false;
@@ -367,7 +325,7 @@ void drawLabels(Orders& orders, const std::vector<std::vector<bool>>& same, cons
 
 }  // namespace
 
-SameDifferentOrders drawSameDifferent(const Orders& drawnPieces, const StudySize& size, Random& random)
+SameDifferentOrders drawSameDifferent(const Orders& drawnPieces, const StudySize& size, Random& random, const Copies& copies)
 {
     const Halves halves(size, random);
     const Orders pieces = laidPieces(drawnPieces, size, halves, random);
@@ -382,7 +340,7 @@ SameDifferentOrders drawSameDifferent(const Orders& drawnPieces, const StudySize
             exchangeOthers(orders[participant], pieces[participant], others[participant], size.fabrics, random);
     drawLabels(orders, same, size, halves, random);
     const std::int64_t count = std::int64_t{size.participants} * size.labels * size.fabrics;
-    ShownSearch search(pieces, same, size, others, std::move(orders));
+    ShownSearch search(pieces, same, size, others, copies, std::move(orders));
     annealAgain(search, random, {.moves = std::clamp<std::int64_t>(count * 2000, 100'000, 3'000'000), .hot = 64});
     SameDifferentOrders drawn{search.orders(), {}};
     for (const auto& list : pieces) {

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "protocols/orders/repetition_counts.h"
 #include "protocols/orders/running_orders.h"
 #include "protocols/orders/trays.h"
 #include "protocols/random.h"
@@ -28,6 +29,6 @@ struct SameDifferentOrders {
 /// the same. With three, one of the two trays of the first piece is the same, and the tray of the second is so for every other
 /// participant; the third piece does not lie there.
 SameDifferentOrders drawSameDifferent(const std::vector<std::vector<Rendering>>& drawnPieces, const StudySize& size,
-                                      Random& random);
+                                      Random& random, const Copies& copies = {});
 
 }  // namespace protocols

@@ -47,14 +47,21 @@ bool isIn(const ListOfPhase& list, const DesignTrial& trial)
     return trial.phase == list.phase && trial.instruction == list.instruction;
 }
 
+bool showsCondition(const DesignTrial& trial) { return trial.label >= 0 && trial.anchor == AnchorKind::None; }
+
 PhaseTrials trialsOf(const Design& design, const ListOfPhase& list)
 {
     PhaseTrials trials;
     for (const auto& participant : design.participants) {
         auto& own = trials.emplace_back();
-        std::ranges::copy_if(participant, std::back_inserter(own),
-                             [&](const DesignTrial& t) { return isIn(list, t) && t.label >= 0 && t.anchor == AnchorKind::None; });
+        std::ranges::copy_if(participant, std::back_inserter(own), [&](const DesignTrial& trial) { return isIn(list, trial); });
     }
+    return trials;
+}
+
+PhaseTrials withoutOthers(PhaseTrials trials)
+{
+    for (auto& own : trials) std::erase_if(own, [](const DesignTrial& trial) { return !showsCondition(trial); });
     return trials;
 }
 
@@ -111,17 +118,36 @@ Counts perStretch(const PhaseTrials& trials, int kinds, int stretches, int Desig
 {
     Counts counts = emptyTable({stretches, kinds});
     for (const auto& own : trials)
-        for (std::size_t i = 0; i < own.size(); ++i) ++counts[{static_cast<int>(i) / kinds, own[i].*member}];
+        for (std::size_t i = 0; i < own.size() && static_cast<int>(i) / kinds < stretches; ++i)
+            ++counts[{static_cast<int>(i) / kinds, own[i].*member}];
     return counts;
 }
 
-int repeatsIn(const PhaseTrials& trials, const Protocol& protocol)
+/// What lies alone on the trays of all presentations.
+PhaseTrials laidAlone(PhaseTrials trials)
+{
+    for (auto& own : trials)
+        for (DesignTrial& trial : own) trial.fabric = trial.alternatives.at(0);
+    return trials;
+}
+
+/// `all`: with catch trials and anchors. A fabric that comes again after one of these does not come immediately.
+int repeatsIn(const PhaseTrials& all, const Protocol& protocol, bool isAlone)
 {
     const bool ofLabels = !mayRepeat(static_cast<int>(protocol.conditions.size())), ofFabrics = !mayRepeat(protocol.fabricCount);
     int repeats = 0;
-    for (const auto& own : trials)
-        for (std::size_t i = 1; i < own.size(); ++i)
-            if ((ofLabels && own[i - 1].label == own[i].label) || (ofFabrics && own[i - 1].fabric == own[i].fabric)) ++repeats;
+    for (const auto& own : all) {
+        const DesignTrial* before = nullptr;
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            const bool isOf = showsCondition(own[i]);
+            const bool areOf = i > 0 && isOf && showsCondition(own[i - 1]);
+            const bool isFabric =
+                isAlone ? i > 0 && own[i - 1].alternatives == own[i].alternatives : areOf && own[i - 1].fabric == own[i].fabric;
+            const bool isLabel = isOf && before != nullptr && before->label == own[i].label;
+            repeats += (ofFabrics && isFabric) || (ofLabels && isLabel);
+            if (isOf) before = &own[i];
+        }
+    }
     return repeats;
 }
 
@@ -260,7 +286,7 @@ BalanceCertificate balanceOf(const Design& design, const Protocol& protocol)
     auto& ranges = certificate.ranges;
     for (const ListOfPhase& list : listsOf(protocol)) {
         const Phase& asked = protocol.phases[static_cast<std::size_t>(list.phase)];
-        const PhaseTrials trials = trialsOf(design, list);
+        const PhaseTrials all = trialsOf(design, list), trials = withoutOthers(all);
         const std::string name = nameOf(asked, list.instruction);
         const std::string phase = name.empty() ? "" : ", " + name;
         if (auto handling = handlingOf(design, list, name)) certificate.handling.push_back(std::move(*handling));
@@ -270,13 +296,18 @@ BalanceCertificate balanceOf(const Design& design, const Protocol& protocol)
         ranges.push_back(rangeOf("ordered pairs of conditions" + phase, orderedPairs(trials, labels, &DesignTrial::label)));
         ranges.push_back(
             rangeOf("a condition per stretch of the order" + phase, perStretch(trials, labels, fabrics, &DesignTrial::label)));
-        certificate.immediateRepeats += repeatsIn(trials, protocol);
         const TrayRule rule = trayRuleOf(asked.task);
+        const bool isAlone = std::holds_alternative<TrueAlone>(rule);
+        certificate.immediateRepeats += repeatsIn(all, protocol, isAlone);
         const auto* foils = std::get_if<TrueAmongFoils>(&rule);
         if (!foils) {
-            ranges.push_back(rangeOf("ordered pairs of fabrics" + phase, orderedPairs(trials, fabrics, &DesignTrial::fabric)));
+            const PhaseTrials felt = isAlone ? laidAlone(all) : trials;
+            std::size_t length = static_cast<std::size_t>(labels * fabrics);
+            for (const auto& own : felt) length = std::max(length, own.size());
+            const int stretches = static_cast<int>(length) / fabrics;
+            ranges.push_back(rangeOf("ordered pairs of fabrics" + phase, orderedPairs(felt, fabrics, &DesignTrial::fabric)));
             ranges.push_back(
-                rangeOf("a fabric per stretch of the order" + phase, perStretch(trials, fabrics, labels, &DesignTrial::fabric)));
+                rangeOf("a fabric per stretch of the order" + phase, perStretch(felt, fabrics, stretches, &DesignTrial::fabric)));
             continue;
         }
         addChoiceRanges(trials, protocol, foils->pieces, phase, ranges);

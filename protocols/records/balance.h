@@ -11,7 +11,8 @@
 
 namespace protocols {
 
-/// Catch trials and anchors are left out, except from the handling of the pieces. The number of participants is the design's.
+/// Catch trials and anchors are left out, except from the handling of the pieces, and from pairs and stretches of the pieces that
+/// lie alone on the trays of ratings. The number of participants is the design's.
 struct BalanceCertificate {
     /// The least and the greatest count of something that should be even.
     struct Range {

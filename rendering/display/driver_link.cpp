@@ -17,7 +17,9 @@
 #include <cstring>
 #include <future>
 #include <memory>
+#include <string_view>
 #include <thread>
+#include <vector>
 
 #include "protocols/files/errors.h"
 
@@ -33,6 +35,16 @@ using std::chrono::steady_clock;
 constexpr std::size_t mostWaiting = std::size_t{1} << 22;  // Bytes of lines that have not been requested yet.
 constexpr std::size_t errorTextKept = 2000;
 constexpr milliseconds untilStopIsSeen(50);
+
+/// The environment for a lab's program, without the password of a server.
+std::vector<char*> environmentOfProgram()
+{
+    std::vector<char*> variables;
+    for (char** variable = environ; *variable != nullptr; ++variable)
+        if (!std::string_view(*variable).starts_with("PGPASSWORD=")) variables.push_back(*variable);
+    variables.push_back(nullptr);
+    return variables;
+}
 
 std::string systemText() { return std::strerror(errno); }
 
@@ -186,7 +198,8 @@ void DriverLink::startProgram(const std::string& command)
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
     std::string words = command, shell = "sh", option = "-c";
     std::array<char*, 4> arguments{shell.data(), option.data(), words.data(), nullptr};
-    const int fault = ::posix_spawn(&m_program, "/bin/sh", &actions, &attributes, arguments.data(), environ);
+    const int fault =
+        ::posix_spawn(&m_program, "/bin/sh", &actions, &attributes, arguments.data(), environmentOfProgram().data());
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     ::close(streams[1]);

@@ -212,10 +212,11 @@ PlanRow exclusionRow(const StudyData& data, const Screening& screening)
 
 PlanRow answersRow(const StudyData& data, const Completeness& completeness)
 {
-    std::string done = std::to_string(completeness.present);
+    // Completeness counts catch trials and anchors of a blinded study, too; `data` holds its finished participants.
+    const std::size_t present = data.blinded ? data.responses.size() : completeness.present;
+    std::string done = std::to_string(present);
     if (data.voided > 0) done += "; " + counted(data.voided, "presentation") + " voided and presented again";
-    return {"answers", std::to_string(data.plannedDesign->answers()), done,
-            accordOf(completeness.present == data.plannedDesign->answers())};
+    return {"answers", std::to_string(data.plannedDesign->answers()), done, accordOf(present == data.plannedDesign->answers())};
 }
 
 }  // namespace

@@ -90,24 +90,24 @@ OrderEffects orderEffectsOf(const StudyAnalysis& analysis, const StudyData& data
     return effects;
 }
 
-/// What may be shown before the unblinding. The one place that decides it: the answers end here.
+/// What may be shown before the unblinding. The one place that decides it: the answers end here. The key serves the means only:
+/// what it would add to flags and counts of a running session names the catch trials and anchors.
 StudyAnalysis analyseBlinded(StudyData data, const AnalysisOptions& options)
 {
-    const AnswerCells all(data);
     StudyAnalysis analysis;
     analysis.depth = options.depth;
     analysis.designLimits = designLimits(data, options.depth);
-    StudyData part = finishedPart(data);
-    const AnswerCells cells(part);
     analysis.blindedMeans = blindedMeans(data);
-    analysis.flags = qualityFlags(part, cells);
-    analysis.screening = screenParticipants(part, cells, analysis.flags);
+    const StudyData known = withoutKey(data);
+    const AnswerCells cells(known);
+    analysis.flags = qualityFlags(known, cells);
+    analysis.screening = screenParticipants(known, cells, analysis.flags);
     analysis.screening.questions.clear();
     analysis.screening.why = leftOutWhileBlinded;
     analysis.order.why = leftOutWhileBlinded;
-    analysis.completeness = completenessOf(data, all);  // progress: study.db tells it, too
+    analysis.completeness = completenessOf(known, cells);
     // What the first answers of a running session cover would name the fabric of a trial.
-    analysis.data = std::move(part);
+    analysis.data = finishedPart(data);
     analysis.plan = comparePlan(analysis);
     analysis.data = std::move(data);
     forgetAnswers(analysis.data);

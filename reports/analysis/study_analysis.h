@@ -61,9 +61,9 @@ struct StudyAnalysis {
     BlindedMeans blindedMeans;  ///< of a blinded study
 };
 
-/// A blinded study has these findings only: blindedMeans, flags, excluded participants and plan, all over participants who have
-/// finished, and completeness over all. Everything else is empty, and so are the answers in `data`. Throws workFailed where
-/// answers contradict the study's own lists (see AnswerCells).
+/// A blinded study has these findings only: blindedMeans and plan over participants who have finished; flags, excluded
+/// participants and completeness over all answers, as they are known without the key. Everything else is empty, and so are the
+/// answers in `data`. Throws workFailed where answers contradict the study's own lists (see AnswerCells).
 StudyAnalysis analyse(StudyData data, const AnalysisOptions& options = {});
 
 /// A question whose findings are of one kind.

@@ -91,6 +91,7 @@ struct QuestionInfo {
     protocols::AnswerKind kind;
     std::vector<InstructionInfo> instructions = {};  ///< in the order of every table; empty: none were given
     std::size_t answersPerCell = 0;                  ///< most answers by one participant x fabric x condition; 0: as in the study
+    std::size_t presentations = 0;                   ///< to a participant, with catch trials and anchors; 0: those of all cells
 };
 
 /// What a display measured of the finger in one presentation. A value is missing where it has no sensor, or saw too little.
@@ -129,7 +130,8 @@ struct StudyData {
     bool scripted = false;
     std::vector<std::string> stamps;  ///< sentences that the page must print
     std::vector<std::string> participants;
-    std::set<std::string> finished;  ///< participants whose sessions are over; only blinded reports read it
+    std::set<std::string> finished;  ///< participants who gave every answer and ended; only blinded reports read it
+    std::size_t openPlaces = 0;      ///< running orders without such a participant; only blinded reports read it
     std::vector<std::string> fabrics;
     std::vector<std::string> conditions;         ///< in the order of every table
     std::size_t answersPerCell = 1;              ///< most answers to one question by one participant x fabric x condition
@@ -156,10 +158,11 @@ struct StudyData {
     std::vector<OperatorTaps> operatorTaps;        ///< in the order of the log
     TimesTaken times = TimesTaken::AsRecorded;     ///< what `seconds` of the responses is
     std::size_t voided = 0;                        ///< presentations that are kept but not analysed
-    std::size_t expectedResponses = 0;             ///< number in a complete study; 0: unknown
-    std::optional<SignalComparison> signals;       ///< none while blinded
-    std::vector<RenderingPrice> prices;            ///< empty while blinded, and where no condition carries a quality
-    std::vector<FrictionPicture> pictures;         ///< empty while blinded, and where the images are not at hand
+    /// Number in a complete study, while it is blinded with those to catch trials and anchors; 0: unknown.
+    std::size_t expectedResponses = 0;
+    std::optional<SignalComparison> signals;  ///< none while blinded
+    std::vector<RenderingPrice> prices;       ///< empty while blinded, and where no condition carries a quality
+    std::vector<FrictionPicture> pictures;    ///< empty while blinded, and where the images are not at hand
 };
 
 /// Whether the answers are numbers, or right and wrong; words are neither.

@@ -277,7 +277,7 @@ Json questionsOfBlinded(const StudyData& data)
     return questions;
 }
 
-/// Counts are those of participants who have finished.
+/// Counts are over all answers, as they are known without the key.
 Json blindedDataPart(const StudyAnalysis& analysis)
 {
     const StudyData& data = analysis.data;

@@ -31,10 +31,11 @@ std::vector<DocumentNotice> noticesOf(const StudyAnalysis& analysis)
     if (data.scripted)
         notices.push_back({"<b>SCRIPTED participants.</b> The answers were written into a file beforehand.", true});
     if (data.blinded)
-        notices.push_back({"<b>This report is blinded.</b> Conditions carry masked labels. " +
-                           (analysis.blindedMeans.why.empty() ? "It shows rounded means of the participants who have finished."
-                                                              : protocols::escapedMarkup(analysis.blindedMeans.why)) +
-                           " " + restAfterUnblinding});
+        notices.push_back(
+            {"<b>This report is blinded.</b> Conditions carry masked labels. " +
+             (analysis.blindedMeans.why.empty() ? "It shows rounded means of the participants, who have all finished."
+                                                : protocols::escapedMarkup(analysis.blindedMeans.why)) +
+             " " + restAfterUnblinding});
     for (std::size_t i = 0; i < data.stamps.size() && i < mostStampsAbove; ++i)
         notices.push_back({protocols::escapedMarkup(data.stamps[i])});
     if (data.stamps.size() > mostStampsAbove)

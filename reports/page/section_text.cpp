@@ -28,7 +28,7 @@ std::string summaryLead(const StudyAnalysis& analysis)
     const StudyData& data = analysis.data;
     return tiles({countTile(data.participants.size(), "participant"),
                   countTile(data.conditions.size() * data.fabrics.size(), "rendering"),
-                  countTile(analysis.completeness.present, "answer", " analysed"),
+                  countTile(analysis.completeness.present, "answer", data.blinded ? "" : " analysed"),
                   countTile(analysis.completeness.missing(), "answer", " missing"),
                   countTile(data.voided, "presentation", " voided"), countTile(analysis.flags.size(), "quality flag")});
 }
@@ -92,7 +92,8 @@ std::string qualityLead(const StudyAnalysis& analysis)
     const std::vector<std::string> order = orderSentences(analysis);
     const std::size_t missing = completeness.missing(), voided = analysis.data.voided;
     const std::string counts = std::to_string(completeness.present) + " of " + counted(completeness.expected, "expected answer") +
-                               (completeness.present == 1 ? " is" : " are") + " analysed, " + std::to_string(missing) +
+                               (completeness.present == 1 ? " is" : " are") +
+                               (analysis.data.blinded ? " stored, " : " analysed, ") + std::to_string(missing) +
                                (missing == 1 ? " is" : " are") + " missing. " + counted(voided, "presentation") +
                                (voided == 1 ? " was" : " were") + " voided.";
     return paragraph(counts) + stampsText(analysis.data) +

@@ -58,7 +58,7 @@ Table blindedTable(const StudyAnalysis& analysis)
 {
     const BlindedMeans& means = analysis.blindedMeans;
     Table table{"overview",
-                "Rounded means of the " + counted(means.participants, "participant") + " who have finished",
+                "Rounded means of the " + counted(means.participants, "participant") + ", who have all finished",
                 {"condition"},
                 {}};
     for (const std::string& condition : analysis.data.conditions) table.rows.push_back({conditionCell(condition)});

@@ -9,7 +9,7 @@
 
 namespace reports {
 
-/// Of a blinded study rounded means; none where too few participants have finished.
+/// Of a blinded study rounded means; none before all participants have finished.
 std::vector<ReportTable> overviewTables(const StudyAnalysis& analysis);
 
 /// The same as text for a terminal; of a blinded study also the sentence that says what is left out.

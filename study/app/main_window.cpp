@@ -124,10 +124,16 @@ void MainWindow::connectPages()
     });
     connect(m_pages->study, &StudyPage::closeRequested, this, &MainWindow::closeStudy);
     connect(m_pages->study, &StudyPage::secondEnterAsked, m_strayKeys, &StrayKeys::holdEnterOfStudy);
-    connect(m_pages->study, &StudyPage::sessionRequested, this, [this](const QString& participant) {
+    const auto request = [this](const QString& participant, Enrolment enrolment) {
         if (const QString fault = m_study->protocolFault(); !fault.isEmpty()) return m_pages->study->showFault(fault);
-        requestSession(protocols::ParticipantId(participant.toStdString()));
-    });
+        requestSession(protocols::ParticipantId(participant.toStdString()), enrolment);
+    };
+    connect(m_pages->study, &StudyPage::sessionRequested, this,
+            [request](const QString& participant) { request(participant, Enrolment::Any); });
+    connect(m_pages->study, &StudyPage::enrolmentRequested, this,
+            [request](const QString& participant) { request(participant, Enrolment::NewOnly); });
+    connect(m_pages->study, &StudyPage::placesWanted, this,
+            [this] { showingFaults(*m_pages->study, [this] { m_pages->study->refresh(m_study->overview()); }); });
     connect(m_pages->session, &SessionPage::correctionRequested, this,
             [this] { m_pages->session->openCorrection(m_session->correctables()); });
     connect(m_pages->session, &SessionPage::eventRequested, this, [this](const session::EventBody& event) {
@@ -162,7 +168,7 @@ void MainWindow::connectDisplayPage()
         useDisplay("none");
         const auto waiting = m_waiting;
         leaveDisplay();
-        if (waiting) requestSession(*waiting);
+        if (waiting) requestSession(*waiting, m_waitingEnrolment);
     });
     connect(m_pages->session, &SessionPage::patternRequested, this, [this](const std::optional<TestPattern>& pattern) {
         if (m_session) m_session->showPattern(pattern, rememberedScale(m_options.settings.get(), m_options.display));
@@ -393,7 +399,26 @@ void MainWindow::showStudy()
     showServerLink();
 }
 
-void MainWindow::showServerLink() { m_serverBar->present(m_study ? m_study->serverLink() : std::nullopt); }
+void MainWindow::showServerLink()
+{
+    const auto link = m_study ? m_study->serverLink() : std::nullopt;
+    m_serverBar->present(link);
+    // Queued, because the session may be the one that asks.
+    if (link && !link->stale.empty() && m_session && !m_rehearsal)
+        QMetaObject::invokeMethod(this, &MainWindow::leaveStaleSession, Qt::QueuedConnection);
+}
+
+void MainWindow::leaveStaleSession()
+{
+    const auto link = m_study ? m_study->serverLink() : std::nullopt;
+    if (!link || link->stale.empty() || !m_session) return;
+    m_session.reset();
+    m_study->leaveParticipant();
+    m_strayKeys->holdEnterOfStudy();
+    showStudy();
+    showStudyFault(inOwnLanguage(link->stale));
+    tellParticipant();
+}
 
 void MainWindow::closeStudy()
 {
@@ -411,22 +436,30 @@ void MainWindow::startSession(const protocols::ParticipantId& participant)
     begin(*m_study, participant, m_options.openDisplay(m_options.display, {}));
 }
 
-void MainWindow::requestSession(const protocols::ParticipantId& participant)
+void MainWindow::beginRequested(const protocols::ParticipantId& participant, Enrolment enrolment,
+                                std::unique_ptr<rendering::HapticDisplay> display)
+{
+    try {
+        if (enrolment == Enrolment::NewOnly) m_study->enrolNew(participant, m_options.kind);
+        begin(*m_study, participant, std::move(display));
+    } catch (const std::exception& fault) {
+        m_session.reset();
+        m_study->leaveParticipant();
+        showStudyFault(inOwnLanguage(fault.what()));
+    }
+}
+
+void MainWindow::requestSession(const protocols::ParticipantId& participant, Enrolment enrolment)
 {
     m_session.reset();
-    const auto use = [this, participant](std::unique_ptr<rendering::HapticDisplay> display) {
-        if (display->isThere() || m_rehearses || m_options.kind != database::ParticipantKind::Human) {
-            try {
-                begin(*m_study, participant, std::move(display));
-            } catch (const std::exception& fault) {
-                showStudyFault(inOwnLanguage(fault.what()));
-            }
-            return;
-        }
+    const auto use = [this, participant, enrolment](std::unique_ptr<rendering::HapticDisplay> display) {
+        if (display->isThere() || m_rehearses || m_options.kind != database::ParticipantKind::Human)
+            return beginRequested(participant, enrolment, std::move(display));
         display.reset();
         showDisplay(tr("No display is connected, so %1 would feel nothing. Connect a display, or rehearse without one.")
                         .arg(QString::fromStdString(participant.value)));
         m_waiting = participant;
+        m_waitingEnrolment = enrolment;
     };
     connectDisplay(use, [this](const QString& fault) { showStudyFault(fault); });
 }
@@ -509,6 +542,7 @@ void MainWindow::leaveSession()
         m_pages->rehearsal->sessionLeft(isFinished);
         showRehearsal();
     } else {
+        m_study->leaveParticipant();
         showStudy();
     }
     tellParticipant();

@@ -31,6 +31,9 @@ class WindowPages;
 class MainWindow : public QWidget {
     Q_OBJECT
 public:
+    /// Whether a session may be one that another station has begun.
+    enum class Enrolment { Any, NewOnly };
+
     explicit MainWindow(const AppOptions& options, QWidget* parent = nullptr);
     ~MainWindow() override;
 
@@ -41,7 +44,7 @@ public:
     void startSession(const protocols::ParticipantId& participant);
     /// Starts the session of a person only with a display, or where the operator chose to rehearse without one; otherwise shows
     /// the display page with the reason. A driver is waited for on a page of its own. Faults are shown on the page of the study.
-    void requestSession(const protocols::ParticipantId& participant);
+    void requestSession(const protocols::ParticipantId& participant, Enrolment enrolment = Enrolment::Any);
 
     OpenStudy* study() const { return m_study.get(); }
     SessionController* session() const { return m_session.get(); }
@@ -65,6 +68,8 @@ private:
     void connectDisplayPage();
     void connectSession();
     void begin(OpenStudy& study, const protocols::ParticipantId& participant, std::unique_ptr<rendering::HapticDisplay> display);
+    void beginRequested(const protocols::ParticipantId& participant, Enrolment enrolment,
+                        std::unique_ptr<rendering::HapticDisplay> display);
     /// Connects the display of the sessions, on the connecting page where its driver must be waited for. Then calls `use`, or
     /// `failed` with the reason; both show the page that comes next.
     void connectDisplay(DisplayOpening::Opened use, DisplayOpening::Failed failed);
@@ -95,6 +100,8 @@ private:
     void openMonitor(const std::filesystem::path& place);
     void refreshSession();
     void leaveSession();
+    /// Ends a session whose log at the server is another than its own, and says so on the page of the study.
+    void leaveStaleSession();
     /// Pauses a running session. False if the pause cannot be stored; the next attempt then returns true.
     bool pauseForLeaving();
     void closeStudy();
@@ -111,6 +118,7 @@ private:
     bool m_leavingWasRefused = false;
     bool m_rehearses = false;                           ///< the operator chose to run sessions without a display
     std::optional<protocols::ParticipantId> m_waiting;  ///< whose session waits for a display
+    Enrolment m_waitingEnrolment = Enrolment::Any;
 
     ParticipantRoom* m_participantRoom;
     WindowPages* m_pages;

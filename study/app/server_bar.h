@@ -13,6 +13,11 @@ public:
 
     /// `link`: none for a study in a folder.
     void present(const std::optional<database::StationStore::Link>& link);
+
+private:
+    /// Why no entry reaches the server; empty where each does.
+    static QString faultOf(const database::StationStore::Link& link);
+    static QString clockFaultOf(const database::StationStore::Link& link);
 };
 
 }  // namespace study::app

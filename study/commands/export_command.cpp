@@ -42,7 +42,7 @@ int exportStudy(const ExportCall& call)
     const std::size_t words = isPublic ? exports::answersInWords(store) : 0;
     std::printf("%s: %s as %s%s\n", protocols::printable(out).c_str(),
                 reports::counted(store.answerCount() - words, "answer").c_str(), format.c_str(),
-                store.unblinding() ? "" : ", blinded (no condition, no fabric)");
+                store.unblinding() ? "" : ", blinded (no condition, no true piece)");
     if (!whyNoMeans.empty()) std::printf("  %s\n", whyNoMeans.c_str());
     std::printf("  log head %s\n", records::headTextOf(store).c_str());
     if (withLog) std::printf("  log.csv holds the log, acts.csv what was exported and saved; log.txt says how to check both\n");

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <QApplication>
 #include <QCoreApplication>
+#include <chrono>
 #include <clocale>
 #include <csignal>
 #include <cstdio>
@@ -17,6 +18,7 @@
 #include <memory>
 #include <new>
 
+#include "database/server/server_link.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/open_files.h"
 #include "protocols/files/safe_text.h"
@@ -86,6 +88,17 @@ std::unique_ptr<QCoreApplication> surroundingsFor(Surroundings kind, int& argc, 
     qInstallMessageHandler(isSeen ? nullptr : printFaultsOnly);
     return application;
 }
+
+/// Qt's own application, which stays where a connection to a server has not ended: with it Qt would take down the driver that the
+/// thread of the connection still uses.
+struct Application {
+    std::unique_ptr<QCoreApplication> made;
+
+    ~Application()
+    {
+        if (!database::haveLinksEnded(std::chrono::seconds(1))) (void)made.release();
+    }
+};
 
 /// Qt's event loop and tar end without a message of ours below this number of open files.
 constexpr rlim_t fewestOpenFiles = 16;
@@ -167,7 +180,7 @@ int run(int argc, char** argv)
     study::commands::requireSafeOutputs(app);
     // Qt gets no options, because it would read ours: to Qt, --display names a screen of the X server.
     int programNameAlone = 1;
-    const auto application = surroundingsFor(action.surroundings, programNameAlone, argv);
+    const Application application{surroundingsFor(action.surroundings, programNameAlone, argv)};
     std::setlocale(LC_NUMERIC, "C");  // Qt has set the user's locale, in which C functions may read 5.4 as 5
     if (action.handlesStudy) keepToOneself();
     protocols::keepFreedMemory();
@@ -188,12 +201,8 @@ protocols::Error faultOf(const std::filesystem::filesystem_error& error)
                                         "check the path, its permissions and the free space"});
 }
 
-}  // namespace
-
-int main(int argc, char** argv)
+int exitCodeOf(int argc, char** argv)
 {
-    openClosedStreams();
-    std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is an error of the write
     try {
         return run(argc, argv);
     } catch (const protocols::Error& error) {
@@ -211,4 +220,17 @@ int main(int argc, char** argv)
                      protocols::printable(error.what()).c_str());
         return static_cast<int>(ExitCode::WorkFailed);
     }
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    openClosedStreams();
+    std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is an error of the write
+    const int code = exitCodeOf(argc, argv);
+    if (!QCoreApplication::instance() && database::haveLinksEnded(std::chrono::seconds(0))) return code;
+    std::cout.flush();
+    std::fflush(nullptr);
+    std::_Exit(code);  // static objects would be destroyed under a thread that still waits for a server
 }

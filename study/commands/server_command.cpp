@@ -30,10 +30,16 @@ void addMove(CLI::App& study, Action& action)
     command->add_option("FROM", *from, "the study's folder, or its address on the server")->required();
     command->add_option("TO", *to, "the address postgresql://USER@HOST/DATABASE?study=NAME, or the study's folder")->required();
     addStationOption(*command, station);
-    command->callback([from, to, station, &action] {
+    auto givenUp = std::make_shared<std::vector<std::string>>();
+    command
+        ->add_option("--lose-answers-at", *givenUp,
+                     "STATION: bring the study back although this station is away and holds a participant; answers that wait "
+                     "there are lost to the study; may be repeated")
+        ->allow_extra_args(false);
+    command->callback([from, to, station, givenUp, &action] {
         action.surroundings = Surroundings::Core;
         action.handlesStudy = true;
-        action.work = [from, to, station] { return moveStudy(*from, *to, *station); };
+        action.work = [from, to, station, givenUp] { return moveStudy(*from, *to, *station, *givenUp); };
     });
 }
 

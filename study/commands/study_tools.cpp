@@ -87,9 +87,10 @@ app::ToolOutcome backup(const ToolCall& call)
 
 app::ToolOutcome exported(const ToolCall& call)
 {
-    exports::writeExport(call.store, call.out, {"csv", false, false}, {});
+    // As in reported(): an open key would show means to the operator.
+    exports::writeExport(call.store, call.out, {.format = "csv", .withMeans = false}, {});
     return recorded(call, "export",
-                    call.store.unblinding() ? "Answers of the unblinded study.\n" : "Blinded: no condition, no fabric.\n");
+                    call.store.unblinding() ? "Answers of the unblinded study.\n" : "Blinded: progress, balance and flags.\n");
 }
 
 app::ToolOutcome reported(const ToolCall& call)

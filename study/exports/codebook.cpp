@@ -106,7 +106,7 @@ constexpr ColumnMeaning aggregateMeanings[] = {
     {"question", "text", "", any, "id of the question"},
     {"condition", "text", "", any, "label of a condition, whose name is blinded"},
     {"n", "whole number", "", from(0), "answers to the question under the label, of participants who have finished"},
-    {"share", "number", "", from(0), "share of right answers, rounded to 0.05; empty for other questions"},
+    {"share", "number", "", from(0), "share of right answers, rounded; empty for other questions"},
     {"mean", "number", "points of the scale", any, "mean rating, rounded; empty for other questions"},
 };
 

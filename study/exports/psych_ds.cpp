@@ -120,8 +120,8 @@ std::string describedProgress(const database::StudyStore& store, const database:
 {
     return "Progress of the study \"" + facts.name + "\" with " + participantsOf(store) +
            ". The study is blinded, so these tables hold no single answer, no fabric and no condition." +
-           (hasMeans ? " Rounded means stand under labels that hide the conditions. They are over participants who have "
-                       "finished, from 3 on."
+           (hasMeans ? " Rounded means stand under labels that hide the conditions. They are over all places of the "
+                       "study, which are finished."
                      : "");
 }
 
@@ -143,7 +143,7 @@ const char* contentOf(const std::string& table)
     if (table == "progress") return "the progress, one row a running order";
     if (table == "balance") return "the balance of the running orders";
     if (table == "flags") return "flags on the quality of the data";
-    return "rounded means over participants who have finished, one row a question and label";
+    return "rounded means over all participants, one row a question and label";
 }
 
 std::string fileTable(const PsychDsDataset& dataset)

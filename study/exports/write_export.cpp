@@ -357,7 +357,7 @@ void writeOpen(const Export& job, const ExportForm& form)
     write(job, "codebook.csv", codebookCsv(columns));
 }
 
-/// Progress, balance and flags; with the key also rounded means under K-labels, from 3 finished participants on.
+/// Progress, balance and flags; with the key also rounded means under K-labels, once every place of the study is finished.
 void writeBlinded(const Export& job, const ExportForm& form, const records::Aggregates& aggregates)
 {
     const auto report = records::blindedReport(job.store);
@@ -423,7 +423,7 @@ std::string writeExport(const database::StudyStore& store, const fs::path& out, 
     if (form.format == "script")
         players::writeScripts(job.store, job.naming, job.out);
     else if (blinded) {
-        const auto data = records::studyData(store, passphrase);
+        const auto data = form.withMeans ? records::studyData(store, passphrase) : std::nullopt;
         const auto aggregates = records::aggregatesOf(data);
         writeBlinded(job, form, aggregates);
         if (data) whyNoMeans = aggregates.why;

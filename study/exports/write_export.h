@@ -17,6 +17,7 @@ struct ExportForm {
     bool isPublic = false;
     std::string licence = {};  ///< SPDX identifier
     std::vector<std::string> authors = {};
+    bool withMeans = true;  ///< rounded means of a blinded study, where its key is known
 };
 
 /// `out`: a folder that need not exist; a public export and "psych-ds" take a new or empty one only. Returns one sentence that

@@ -25,7 +25,8 @@ struct Truth {
 struct Guess {
     std::string attack;  ///< the way of guessing
     std::string what;    ///< the values that it reads
-    std::string target;  ///< "true piece", "condition", "same or different", "anchor", "condition of a file", "fabric of a file"
+    std::string target;  ///< "true piece", "condition", "same or different", "anchor", "catch or anchor",
+                         ///< "condition of a file", "fabric of a file"
     long long hits = 0;
     long long trials = 0;  ///< guessed at; trials about which the guesser has no opinion are left out
     double chance = 0;

@@ -10,6 +10,7 @@
 #include "stats/tests/binomial.h"
 #include "study/leaks/cache_marks.h"
 #include "study/leaks/readable_files.h"
+#include "study/leaks/removal_search.h"
 #include "study/leaks/tray_counts.h"
 #include "study/leaks/value_guessers.h"
 
@@ -192,7 +193,7 @@ LeakReport leakReport(const database::StudyStore& store, const std::optional<pro
     report.stationKey = withStationKey(store, seen, truth);
     if (!truth) return report;
     for (auto guesses : {guessesByValues(seen, features, *truth), guessesByTrays(seen, *truth), guessesOfAnchors(seen, *truth),
-                         guessesByFiles(marksOfStimuli(folder.stimuli()), *truth),
+                         guessesOfRemovals(seen, *truth), guessesByFiles(marksOfStimuli(folder.stimuli()), *truth),
                          guessesByFiles(hasCache ? marksOfCache(cache, folder.stimuli()) : std::vector<FileMark>{}, *truth)})
         report.guesses.insert(report.guesses.end(), guesses.begin(), guesses.end());
     std::vector<Guess*> all;

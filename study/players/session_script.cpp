@@ -38,7 +38,7 @@ public:
     {
         const EventBody body = eventFromRecord(record.kind, record.payloadJson);
         write(body, record.atNs);
-        auto outcome = apply(m_plan, m_state, {body, record.atNs});
+        auto outcome = apply(m_plan, m_state, {body, record.atNs, EventSource::Log});
         if (auto* step = std::get_if<SessionStep>(&outcome)) m_state = std::move(step->next);
     }
 

@@ -16,7 +16,7 @@ reports::ProgressReport blindedReport(const database::StudyStore& store);
 /// What a blinded study shows under K-labels to who gives its passphrase.
 struct Aggregates {
     /// One row a question and condition: "question", "condition", "n", "share" (choices) and "mean" (ratings). Both are rounded,
-    /// over participants who have finished (reports/cells/blinded_means.h). Empty where too few have finished.
+    /// over all places of the study (reports/cells/blinded_means.h). Empty before all of them are finished.
     nlohmann::ordered_json rows;
     std::string why;  ///< one sentence: why there are no rows; empty where there are
 };

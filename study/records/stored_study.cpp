@@ -52,19 +52,45 @@ void describeProtocol(const protocols::Protocol& protocol, reports::StudyData& d
     for (const auto& phase : protocol.phases)
         for (const auto& question : phase.questions)
             data.questions.push_back(
-                {question.id.value, question.text, question.kind, instructionsOf(phase), static_cast<std::size_t>(phase.runs())});
+                {question.id.value, question.text, question.kind, instructionsOf(phase), static_cast<std::size_t>(phase.runs()),
+                 static_cast<std::size_t>((protocol.presentationsPerPhase() + phase.extraPresentations()) * phase.runs())});
 }
 
 void describeParticipants(const database::StudyStore& store, reports::StudyData& data)
 {
     for (const auto& enrolment : store.enrolments()) {
-        if (enrolment.state == database::SlotState::Finished) data.finished.insert(enrolment.participant.value);
         const bool hasWithdrawn = enrolment.state == database::SlotState::Withdrawn;
         (hasWithdrawn ? data.withdrawn : data.participants).push_back(enrolment.participant.value);
         data.simulated = data.simulated || enrolment.kind == database::ParticipantKind::Simulated;
         data.scripted = data.scripted || enrolment.kind == database::ParticipantKind::Scripted;
     }
     data.participantsSentence = participantsSentence(store);
+}
+
+/// Whether every trial of the list has an answer to each question, in a presentation that is not void.
+bool hasEveryAnswer(const std::vector<protocols::BlindedTrial>& trials, const protocols::Protocol& protocol,
+                    const std::set<std::pair<protocols::TrialNumber, protocols::QuestionId>>& answered)
+{
+    return std::ranges::all_of(trials, [&](const protocols::BlindedTrial& trial) {
+        const auto phase = static_cast<std::size_t>(trial.phase);
+        return phase < protocol.phases.size() && std::ranges::all_of(protocol.phases[phase].questions, [&](const auto& question) {
+                   return answered.contains({trial.number, question.id});
+               });
+    });
+}
+
+/// Finds the participants who ended their session with every answer, and the running orders that have none.
+void describeFinished(const database::StudyStore& store, const protocols::Protocol& protocol,
+                      const std::vector<database::CurrentAnswer>& answers, reports::StudyData& data)
+{
+    std::map<protocols::ParticipantId, std::set<std::pair<protocols::TrialNumber, protocols::QuestionId>>> answered;
+    for (const auto& answer : answers)
+        if (!answer.voided) answered[answer.participant].emplace(answer.record.trial, answer.record.question);
+    for (const auto& enrolment : store.enrolments())
+        if (enrolment.state == database::SlotState::Finished &&
+            hasEveryAnswer(store.trials(enrolment.slot), protocol, answered[enrolment.participant]))
+            data.finished.insert(enrolment.participant.value);
+    data.openPlaces = store.slots().size() - data.finished.size();
 }
 
 /// A rating, a choice if answers of this kind are right or wrong, otherwise words.
@@ -245,7 +271,9 @@ reports::StudyData describedStudy(const database::StudyStore& store, const datab
     data.blinded = !store.unblinding().has_value();  // decides whether the plan may name conditions
     describePlan(store, data);
     describeParticipants(store, data);
-    data.expectedResponses = store.slots().size() * answersOf(protocol);
+    // Only the key tells answers to catch trials and anchors from the others.
+    const auto answers = data.blinded ? static_cast<std::size_t>(protocol.answersPerParticipant()) : answersOf(protocol);
+    data.expectedResponses = store.slots().size() * answers;
     return data;
 }
 
@@ -348,6 +376,7 @@ std::optional<reports::StudyData> studyData(const database::StudyStore& store, c
     if (!naming) return std::nullopt;
     auto data = describedStudy(store, facts, protocol);
     data.conditions = naming->conditions;
+    describeFinished(store, protocol, answers, data);
     if (!data.blinded) readSignals(facts.signalsJson, data);
     for (const auto& fabric : facts.fabrics) data.fabrics.push_back(fabric.value);
     readAnswers(answers, protocol, *naming, data);
@@ -366,11 +395,7 @@ reports::StudyData sealedStudyData(const database::StudyStore& store, const std:
     auto data = describedStudy(store, facts, protocol);
     data.blinded = true;
     data.conditions = data.fabrics = {sealed.value};
-    auto question = data.questions.begin();
-    for (const auto& phase : protocol.phases)
-        for (std::size_t i = 0; i < phase.questions.size(); ++i, ++question)
-            question->answersPerCell =
-                static_cast<std::size_t>((protocol.presentationsPerPhase() + phase.extraPresentations()) * phase.runs());
+    for (auto& question : data.questions) question.answersPerCell = question.presentations;
     Naming naming;
     for (const auto& enrolment : store.enrolments())
         for (const auto& trial : store.trials(enrolment.slot))

@@ -134,7 +134,10 @@ View Driver::view() const
 void Driver::replayLog()
 {
     for (const database::EventRecord& record : m_store.events(m_participant)) {
-        auto outcome = apply(m_plan, m_state, {eventFromRecord(record.kind, record.payloadJson), record.atNs});
+        const EventBody body = eventFromRecord(record.kind, record.payloadJson);
+        // A server that the study moved to does not know of a presentation that began in the folder.
+        if (std::holds_alternative<TrayReady>(body)) takeDueTrial();
+        auto outcome = apply(m_plan, m_state, {body, record.atNs, EventSource::Log});
         if (const auto* refusal = std::get_if<Refusal>(&outcome))
             throw protocols::workFailed(
                 {"the stored log is inconsistent: " + refusal->reason,

@@ -31,7 +31,8 @@
 //         stage (from Debriefing: PlacingTray); the next tray may then be another one.
 // b     = not within the dead time after the tray was asked for, so that a key that bounces arms no presentation.
 // Not drawn, because every stage takes them: SittingStarted (Presenting i -> PlacingTray i; a pause remains), Noted,
-// WithdrawnEvent -> Withdrawn (only once), Corrected (not after a withdrawal, and only if there is an answer to correct).
+// WithdrawnEvent -> Withdrawn (only once), Corrected (not after the end, and only if there is an answer to correct; the log
+// of an older version may hold one in Finished).
 //
 // True in every state: `order` holds each trial once and once more for each void, the trials of a phase together, blocks
 // ascending. Presenting and PlacingTray concern trial order[position]. `answers` holds at most one answer to a question of a
@@ -245,8 +246,11 @@ Outcome withdraw(const State& state, const WithdrawnEvent& event)
     return step;
 }
 
-Outcome correct(const Plan& plan, const State& state, const Corrected& event)
+/// Blinded means are over finished participants. A correction after the end would move one and so name its trial.
+Outcome correct(const Plan& plan, const State& state, const Corrected& event, EventSource source)
 {
+    if (source == EventSource::Present && std::holds_alternative<Finished>(state.stage))
+        return Refusal{"The session is finished. Answers can be corrected until the debriefing is stored."};
     if (std::holds_alternative<Withdrawn>(state.stage))
         return Refusal{"The participant has withdrawn. Answers cannot be changed."};
     const auto place = latestAnswerTo(plan, state, event.question);
@@ -279,7 +283,7 @@ Outcome applyTo(const Plan& plan, const State& state, const Event& event)
     if (const auto* started = std::get_if<SittingStarted>(&event.body)) return startSitting(state, *started, event.atNs);
     if (std::holds_alternative<Resumed>(event.body)) return resume(plan, state, event.atNs);
     if (const auto* withdrawn = std::get_if<WithdrawnEvent>(&event.body)) return withdraw(state, *withdrawn);
-    if (const auto* corrected = std::get_if<Corrected>(&event.body)) return correct(plan, state, *corrected);
+    if (const auto* corrected = std::get_if<Corrected>(&event.body)) return correct(plan, state, *corrected, event.source);
     if (const auto* noted = std::get_if<Noted>(&event.body)) return note(state, *noted);
     if (state.paused && !std::holds_alternative<SittingPrepared>(event.body))
         return Refusal{"The session is paused. Resume it first."};

@@ -241,9 +241,12 @@ struct Debriefed {
 using EventBody = std::variant<SittingStarted, Begun, Consented, FactsGiven, FamiliarisationShown, FamiliarisationDone,
                                ScalePlaced, ScaleTrainingDone, ChecklistDone, SittingPrepared, TrayReady, Touched, Answered,
                                Corrected, Voided, BreakEnded, Paused, Resumed, WithdrawnEvent, Noted, Debriefed>;
+/// Older versions stored events that are refused now. Their studies still open.
+enum class EventSource { Present, Log };
 struct Event {
     EventBody body;
     std::int64_t atNs = 0;
+    EventSource source = EventSource::Present;
 };
 
 // ---- effects; the driver performs them after the event is on the disk.

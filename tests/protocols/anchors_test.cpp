@@ -163,26 +163,43 @@ private Q_SLOTS:
         QVERIFY2(told.contains("1 fault"), qPrintable(told));
     }
 
-    void anchorsLeaveTheOtherTrialsWhereTheyWere()
+    void anchorsLeaveTheOtherChoicesWhereTheyWere()
     {
         const Protocol with = anchored();
         Protocol without = with;
         for (Phase& phase : without.phases) phase.anchors = {};
         Design design = drawDesign(with, 5), plain = drawDesign(without, 5);
-        for (auto& list : design.participants)
-            std::erase_if(list, [](const DesignTrial& trial) {
-                return trial.anchor != AnchorKind::None || trial.label == catchTrialLabel;
-            });
-        for (auto& list : plain.participants)
-            std::erase_if(list, [](const DesignTrial& trial) { return trial.label == catchTrialLabel; });
-        // Foils of choices are drawn for all presentations together.
         for (auto* one : {&design, &plain})
-            for (auto& list : one->participants)
-                for (DesignTrial& trial : list)
-                    if (trial.phase == 0) trial.alternatives.clear();
+            for (auto& list : one->participants) {
+                std::set<std::pair<int, int>> rated;
+                for (const DesignTrial& trial : list)
+                    if (trial.phase == 1 && trial.anchor == AnchorKind::None && trial.label >= 0)
+                        QVERIFY(rated.emplace(trial.label, trial.fabric).second);
+                QCOMPARE(rated.size(), 20u);
+                std::erase_if(list, [](const DesignTrial& trial) {
+                    return trial.phase == 1 || trial.anchor != AnchorKind::None || trial.label == catchTrialLabel;
+                });
+                // Foils of choices are drawn for all presentations together.
+                for (DesignTrial& trial : list) trial.alternatives.clear();
+            }
         QVERIFY(design == plain);
         QVERIFY(drawDesign(with, 5) == drawDesign(with, 5));
         QVERIFY(drawDesign(with, 5) != drawDesign(with, 6));
+    }
+
+    /// Conditions follow the pieces, and stay as even as without anchors.
+    void conditionsStayEvenBesideAnchors()
+    {
+        const Protocol protocol = anchored();
+        for (const std::uint64_t seed : {1, 2, 3}) {
+            const BalanceCertificate certificate = balanceOf(drawDesign(protocol, seed), protocol);
+            QCOMPARE(certificate.immediateRepeats, 0);
+            for (const auto& range : certificate.ranges) {
+                if (range.what == "presentations of a rendering per participant, Q2")
+                    QCOMPARE(std::pair(range.min, range.max), std::pair(1, 1));
+                if (range.what.starts_with("ordered pairs of")) QVERIFY2(range.max - range.min <= 2, range.what.c_str());
+            }
+        }
     }
 
     void aRepetitionStandsInAnotherBlock()

@@ -260,60 +260,6 @@ private Q_SLOTS:
         QVERIFY(!comparison(open, "Q4", "f", "h").contains("planned"));
     }
 
-    void blindedMeansAreRoundedAndOfFinishedParticipants()
-    {
-        StudyData data = builders::paperSized();
-        const Json open = resultsOf(data)["questions"];
-        data.blinded = true;
-        Json blinded = resultsOf(data)["questions"];
-        for (const std::string& condition : data.conditions) {
-            const double share = open["Q1"][condition]["proportion"], mean = open["Q3"][condition]["mean"];
-            QCOMPARE(blinded["Q1"][condition]["proportion"].get<double>(), std::round(share * 20) / 20);
-            QCOMPARE(blinded["Q3"][condition]["mean"].get<double>(), std::round(mean * 10) / 10);
-            QCOMPARE(blinded["Q3"][condition]["n"], 70);
-        }
-        // P03 has given every answer, but the session is not over. The answers of P05 were erased after it.
-        data.finished.erase("P03");
-        std::erase_if(data.responses, [](const auto& one) { return one.participant == "P05"; });
-        blinded = resultsOf(data)["questions"];
-        QCOMPARE(blinded["Q3"]["h"]["n"], 56);
-        QCOMPARE(blinded["Q3"]["h"]["participants"], 8);
-        data.finished = {"P01", "P02", "P05", "P06"};
-        QCOMPARE(resultsOf(data)["questions"]["Q3"]["h"]["n"], 21);
-        data.finished.erase("P01");
-        const Json few = resultsOf(data);
-        QVERIFY(few["questions"].is_null());
-        QVERIFY(few["why"]["questions"].get<std::string>().find("2 participants have finished") != std::string::npos);
-    }
-
-    void stepsOfRoundingGrowWithTheScale_data()
-    {
-        QTest::addColumn<double>("max");
-        QTest::addColumn<double>("step");
-        QTest::addColumn<double>("mean");
-        QTest::newRow("0 to 1") << 1.0 << 0.1 << 0.3;
-        QTest::newRow("0 to 7") << 7.0 << 0.1 << 2.3;
-        QTest::newRow("0 to 10") << 10.0 << 0.1 << 3.3;
-        QTest::newRow("0 to 50") << 50.0 << 1.0 << 17.0;
-        QTest::newRow("0 to 100") << 100.0 << 1.0 << 33.0;
-    }
-
-    void stepsOfRoundingGrowWithTheScale()
-    {
-        QFETCH(double, max);
-        QFETCH(double, step);
-        QFETCH(double, mean);
-        protocols::RatingScale scale;
-        scale.max.value = static_cast<int>(10 * max);
-        StudyData data = builders::emptyStudy(3, 1, {"h"}, {{"Q2", "", protocols::Rating{scale}}});
-        for (const std::string& participant : data.participants)
-            data.responses.push_back(builders::rated(participant, "F01", "h", "Q2", participant == "P01" ? max : 0));
-        data.blinded = true;
-        const Json row = resultsOf(data)["questions"]["Q2"]["h"];
-        QCOMPARE(row["rounded_to"].get<double>(), step);
-        QCOMPARE(row["mean"].get<double>(), mean);
-    }
-
     void missingAnswersAreCountedAndLeftOut()
     {
         StudyData data = builders::paperSized();

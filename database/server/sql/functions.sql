@@ -3,8 +3,9 @@
 -- owner only.
 --
 -- Rules for callers:
---   * claim() and presentation() are refused in a transaction that has written before. Otherwise a login could store made-up
---     answers, read ahead, and roll back without a trace. Call each function as a statement of its own, outside a transaction.
+--   * claim(), presentation() and presented_image() are refused in a transaction that has written before. Otherwise a login could
+--     store made-up answers, read ahead, and roll back without a trace. Call each function as a statement of its own, outside a
+--     transaction.
 --   * Arguments are passed by place. presentation() calls its argument number and familiarisation_image() calls it item, because
 --     a result column has the name trial, and position is a word of SQL.
 --   * A connection is known by its process number and by an advisory lock under a random number that join_study() draws. The
@@ -204,6 +205,13 @@ BEGIN
 END
 $$;
 
+CREATE OR REPLACE FUNCTION @schema@.server_refuse_busy() RETURNS void LANGUAGE plpgsql AS $$
+BEGIN
+    RAISE EXCEPTION USING ERRCODE = 'VH302', MESSAGE = 'another connection keeps the study busy',
+        DETAIL = 'a free study within ' || rtrim(current_setting('lock_timeout'), 's') || ' seconds', HINT = 'try again';
+END
+$$;
+
 -- Entries are appended one after the other: the lock lasts until the transaction ends. A transaction that writes entries is on
 -- the disk when it returns, whatever the login has set.
 CREATE OR REPLACE FUNCTION @schema@.server_lock(needs_open boolean) RETURNS void LANGUAGE plpgsql AS $$
@@ -214,9 +222,7 @@ BEGIN
     BEGIN
         SELECT s.state INTO state FROM @schema@.server_study s WHERE s.id = 1 FOR UPDATE;
     EXCEPTION
-        WHEN lock_not_available THEN
-            RAISE EXCEPTION USING ERRCODE = 'VH302', MESSAGE = 'another connection keeps the study busy',
-                DETAIL = 'a free study within 10 seconds', HINT = 'try again';
+        WHEN lock_not_available THEN PERFORM @schema@.server_refuse_busy();
     END;
     IF needs_open AND state IS DISTINCT FROM 'open' THEN
         RAISE EXCEPTION USING ERRCODE = 'VH206', MESSAGE = 'the study is being moved',
@@ -244,6 +250,8 @@ BEGIN
     SELECT * INTO own FROM @schema@.server_stations s
     WHERE s.pid = pg_backend_pid() AND s.login = session_user AND @schema@.server_is_live(s.pid, s.sign) FOR UPDATE;
     RETURN own;
+EXCEPTION
+    WHEN lock_not_available THEN PERFORM @schema@.server_refuse_busy();
 END
 $$;
 
@@ -324,8 +332,8 @@ CREATE OR REPLACE FUNCTION @schema@.server_was_given(its_participant text, its_t
 $$;
 
 -- Whether the slot of the participant waits for release_held(): who withdraws at a station may have seen the presentations that
--- the next participant in the slot would get. server_releases cannot say so, because a login can roll back a release. The owner's
--- own logins could read the slot anyway.
+-- the next participant in the slot would get. server_releases cannot say so of trays and codes, because a login can roll back a
+-- release; it has an image only of one that stands. The owner's own logins could read the slot anyway.
 CREATE OR REPLACE FUNCTION @schema@.server_holds_slot(its @schema@.participants) RETURNS boolean LANGUAGE sql STABLE AS $$
     SELECT its.state = 'withdrawn'
        AND NOT EXISTS (SELECT FROM @schema@.server_cleared c WHERE c.participant = its.id AND c.state = 'withdrawn')
@@ -398,14 +406,16 @@ BEGIN
     -- After a cut network the same station comes back before the server has noticed: its token takes the old connection's place.
     IF same.pid <> pg_backend_pid() AND same.token <> its_token AND @schema@.server_is_live(same.pid, same.sign) THEN
         RAISE EXCEPTION USING ERRCODE = 'VH201', MESSAGE = 'another connection has joined as station ' || its_station,
-            DETAIL = 'a name for each station', HINT = 'close the other program, or choose another name';
+            DETAIL = 'a name for each station',
+            HINT = 'close the other program, or join with another name: vis2hap study join ADDRESS --station NAME';
     END IF;
     own := @schema@.server_own_station();
     IF own.station IS NOT NULL THEN PERFORM pg_advisory_unlock(own.sign); END IF;
-    -- Monitors see a station that is gone for one day.
+    -- Monitors see a station that is gone for one day. One that holds a participant stays: answers may wait there.
     DELETE FROM @schema@.server_stations s
     WHERE s.station = its_station OR s.pid = pg_backend_pid()
-       OR (s.last_seen < clock_timestamp() - interval '1 day' AND NOT @schema@.server_is_live(s.pid, s.sign));
+       OR (s.last_seen < clock_timestamp() - interval '1 day' AND s.participant IS NULL
+           AND NOT @schema@.server_is_live(s.pid, s.sign));
     new_sign := ('x' || left(@schema@.server_salt(), 16))::bit(64)::bigint;
     PERFORM pg_advisory_lock(new_sign);
     INSERT INTO @schema@.server_stations(station, token, login, pid, sign, program)
@@ -534,6 +544,19 @@ BEGIN
 END
 $$;
 
+-- Whether every question of every trial has an answer in its present attempt. A session presents a void trial again before it
+-- ends, and takes an answer to each question: no answer is left out, and none is recorded as missing.
+CREATE OR REPLACE FUNCTION @schema@.server_is_answered(its @schema@.participants) RETURNS boolean LANGUAGE sql STABLE AS $$
+    SELECT NOT EXISTS (
+        SELECT FROM @schema@.trials t
+        CROSS JOIN LATERAL (SELECT @schema@.server_attempt(its.id, t.number) AS attempt) present
+        CROSS JOIN LATERAL jsonb_array_elements_text(@schema@.server_phases(its.protocol_version) -> t.phase::int) asked(question)
+        WHERE t.slot = its.slot AND NOT EXISTS (
+            SELECT FROM @schema@.responses r
+            WHERE r.participant = its.id AND r.trial = t.number AND r.attempt = present.attempt
+              AND r.question = asked.question AND r.is_correction = 0))
+$$;
+
 -- The lowest trial that the participant has not had, where the present attempt at every trial before it is answered whole. A void
 -- lets a trial wait: the session presents it again later. Three voids without an answer between them let nothing pass.
 CREATE OR REPLACE FUNCTION @schema@.server_due(its @schema@.participants) RETURNS bigint LANGUAGE plpgsql STABLE AS $$
@@ -563,18 +586,19 @@ BEGIN
 END
 $$;
 
--- Whether a station gets a ticket in place of an image, which the display's own login then fetches.
+-- Whether the display's own login fetches the image of a ticket, and not the station.
 CREATE OR REPLACE FUNCTION @schema@.server_gives_tickets() RETURNS boolean LANGUAGE sql STABLE AS
 $$ SELECT s.images_to = 'display' FROM @schema@.server_study s WHERE s.id = 1 $$;
 
+-- Gives a ticket in the place of the image: who takes the release back with a ROLLBACK has no image either.
 CREATE OR REPLACE FUNCTION @schema@.presentation(number int) RETURNS TABLE(trial jsonb, image bytea, key text)
     LANGUAGE plpgsql SECURITY DEFINER
-    SET search_path = pg_catalog, pg_temp SET client_min_messages = warning SET lock_timeout = '10s' AS $$
+    SET search_path = pg_catalog, pg_temp SET client_min_messages = warning SET lock_timeout = '3s' AS $$
 DECLARE
     wanted bigint := number;
     own @schema@.server_stations;
     its @schema@.participants;
-    its_ticket text := CASE WHEN @schema@.server_gives_tickets() THEN @schema@.server_salt() END;
+    its_ticket text := @schema@.server_salt();
 BEGIN
     PERFORM @schema@.server_require_fresh_transaction();
     own := @schema@.server_require_claim(NULL);
@@ -596,8 +620,7 @@ BEGIN
     INSERT INTO @schema@.server_releases(participant, slot, trial, attempt, login, station, ticket)
     VALUES (its.id, its.slot, wanted, @schema@.server_attempt(its.id, wanted), session_user, own.station, its_ticket);
     RETURN QUERY
-        SELECT @schema@.server_trial(t, true), coalesce(convert_to(its_ticket, 'UTF8'), i.sealed),
-               CASE WHEN its_ticket IS NULL THEN i.key ELSE '' END
+        SELECT @schema@.server_trial(t, true), convert_to(its_ticket, 'UTF8'), ''::text
         FROM @schema@.trials t
         JOIN @schema@.server_trials s ON s.slot = t.slot AND s.number = t.number
         JOIN @schema@.server_images i ON i.file_code = s.file_code
@@ -631,25 +654,16 @@ BEGIN
 END
 $$;
 
--- What a display may call: the image of a ticket, as long as its presentation is the last one that a station at work was given.
--- Fabrics for getting to know the display are not of the study: their tickets hold for ever.
-CREATE OR REPLACE FUNCTION @schema@.released_image(ticket text) RETURNS TABLE(about jsonb, image bytea, key text)
-    LANGUAGE plpgsql SECURITY DEFINER
-    SET search_path = pg_catalog, pg_temp SET client_min_messages = warning SET lock_timeout = '10s' AS $$
+-- The image of a ticket, as long as its presentation is the last one that a station at work was given.
+CREATE OR REPLACE FUNCTION @schema@.server_image_of(given text, own_station text)
+    RETURNS TABLE(about jsonb, image bytea, key text) LANGUAGE plpgsql AS $$
 DECLARE
-    given text := ticket;
     released @schema@.server_releases;
 BEGIN
-    PERFORM @schema@.server_require_fresh_transaction();
-    RETURN QUERY
-        SELECT '{}'::jsonb, i.sealed, i.key
-        FROM @schema@.server_familiarisation s JOIN @schema@.server_images i ON i.file_code = s.file_code
-        WHERE 'familiarisation ' || s.position = given;
-    IF FOUND THEN RETURN; END IF;
     SELECT r.* INTO released
     FROM @schema@.server_releases r
     JOIN @schema@.server_stations s ON s.station = r.station AND s.participant = r.participant
-    WHERE r.ticket = given AND @schema@.server_is_live(s.pid, s.sign)
+    WHERE r.ticket = given AND r.station = coalesce(own_station, r.station) AND @schema@.server_is_live(s.pid, s.sign)
       AND NOT EXISTS (SELECT FROM @schema@.server_releases later WHERE later.station = r.station AND later.number > r.number);
     IF NOT FOUND THEN
         RAISE EXCEPTION USING ERRCODE = 'VH211', MESSAGE = 'the ticket belongs to no present presentation',
@@ -660,6 +674,46 @@ BEGIN
         SELECT '{}'::jsonb, i.sealed, i.key
         FROM @schema@.server_trials t JOIN @schema@.server_images i ON i.file_code = t.file_code
         WHERE t.slot = released.slot AND t.number = released.trial;
+END
+$$;
+
+-- What a station calls after presentation(), where images go to stations. In a transaction that has written, such as that of the
+-- presentation, it is refused: the release is on record before the image is given out.
+CREATE OR REPLACE FUNCTION @schema@.presented_image(ticket text) RETURNS TABLE(about jsonb, image bytea, key text)
+    LANGUAGE plpgsql SECURITY DEFINER
+    SET search_path = pg_catalog, pg_temp SET client_min_messages = warning SET lock_timeout = '3s' AS $$
+DECLARE
+    own @schema@.server_stations;
+BEGIN
+    PERFORM @schema@.server_require_fresh_transaction();
+    own := @schema@.server_require_claim(NULL);
+    IF @schema@.server_gives_tickets() THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH105', MESSAGE = 'images go to the display''s own login only',
+            DETAIL = 'a display that vis2hap display serve offers', HINT = 'open the study again';
+    END IF;
+    RETURN QUERY SELECT * FROM @schema@.server_image_of(ticket, own.station);
+END
+$$;
+
+-- What a display may call, where images go to displays. Fabrics for getting to know the display are not of the study: their
+-- tickets hold for ever.
+CREATE OR REPLACE FUNCTION @schema@.released_image(ticket text) RETURNS TABLE(about jsonb, image bytea, key text)
+    LANGUAGE plpgsql SECURITY DEFINER
+    SET search_path = pg_catalog, pg_temp SET client_min_messages = warning SET lock_timeout = '10s' AS $$
+DECLARE
+    given text := ticket;
+BEGIN
+    PERFORM @schema@.server_require_fresh_transaction();
+    RETURN QUERY
+        SELECT '{}'::jsonb, i.sealed, i.key
+        FROM @schema@.server_familiarisation s JOIN @schema@.server_images i ON i.file_code = s.file_code
+        WHERE 'familiarisation ' || s.position = given;
+    IF FOUND THEN RETURN; END IF;
+    IF NOT @schema@.server_gives_tickets() THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH105', MESSAGE = 'images go to the stations',
+            DETAIL = 'a study whose images go to displays', HINT = 'ask the owner: vis2hap server roles ADDRESS --images display';
+    END IF;
+    RETURN QUERY SELECT * FROM @schema@.server_image_of(given, NULL);
 END
 $$;
 
@@ -931,6 +985,21 @@ BEGIN
     IF new_state NOT IN ('finished', 'withdrawn') THEN
         PERFORM @schema@.server_wrong_field('state', 'finished, withdrawn or null');
     END IF;
+    IF (new_state IS NOT DISTINCT FROM 'finished') <> (its_kind = 'debriefed')
+       OR (new_state IS NOT DISTINCT FROM 'withdrawn') <> (its_kind = 'withdrawn') THEN
+        PERFORM @schema@.server_wrong_field('state', 'finished with the event debriefed, withdrawn with the event withdrawn');
+    END IF;
+    IF (voided IS NOT NULL) <> (its_kind = 'voided') THEN
+        PERFORM @schema@.server_wrong_field('voids', 'a trial with the event voided, else null');
+    END IF;
+    IF its.state = 'finished' AND voided IS NOT NULL THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH203', MESSAGE = 'participant ' || its_id || ' has finished',
+            DETAIL = 'a void before the end of the session', HINT = 'note what was wrong; exclude the participant in the report';
+    END IF;
+    IF new_state = 'finished' AND NOT @schema@.server_is_answered(its) THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH203', MESSAGE = 'presentations of ' || its_id || ' have no answer yet',
+            DETAIL = 'every answer before the end of the session', HINT = 'take the participant up again';
+    END IF;
     IF its.state = 'withdrawn' AND new_state <> 'withdrawn' THEN
         RAISE EXCEPTION USING ERRCODE = 'VH212', MESSAGE = 'participant ' || its_id || ' has withdrawn',
             DETAIL = 'a participant who takes part', HINT = 'choose another participant';
@@ -1174,11 +1243,13 @@ BEGIN
 END
 $$;
 
--- Before the study is copied elsewhere: nothing is added from here on. cancel_leaving() opens it again.
-CREATE OR REPLACE FUNCTION @schema@.begin_leaving() RETURNS void LANGUAGE plpgsql
+-- Before the study is copied elsewhere: nothing is added from here on. cancel_leaving() opens it again. `given_up`: a JSON list
+-- of stations that are away, whose answers may be lost.
+CREATE OR REPLACE FUNCTION @schema@.begin_leaving(given_up jsonb DEFAULT '[]') RETURNS void LANGUAGE plpgsql
     SET search_path = pg_catalog, pg_temp AS $$
 DECLARE
     live text;
+    away text;
 BEGIN
     PERFORM @schema@.server_lock(true);
     SELECT string_agg(s.station, ', ' ORDER BY s.station) INTO live FROM @schema@.server_stations s
@@ -1187,6 +1258,14 @@ BEGIN
         RAISE EXCEPTION USING ERRCODE = 'VH202', MESSAGE = 'stations are in sessions: ' || live,
             DETAIL = 'no station in a session', HINT = 'end the sessions first';
     END IF;
+    SELECT string_agg(s.station || ' (' || s.participant || ')', ', ' ORDER BY s.station) INTO away
+    FROM @schema@.server_stations s
+    WHERE s.participant IS NOT NULL AND NOT given_up ? s.station;
+    IF away IS NOT NULL THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH202', MESSAGE = 'answers may wait at stations that are away: ' || away,
+            DETAIL = 'every station closed while it reaches the server',
+            HINT = 'open the study there and close it; --lose-answers-at STATION gives up what waits there';
+    END IF;
     UPDATE @schema@.server_study SET state = 'leaving' WHERE id = 1;
 END
 $$;
@@ -1194,7 +1273,8 @@ $$;
 CREATE OR REPLACE FUNCTION @schema@.cancel_leaving() RETURNS void LANGUAGE sql SET search_path = pg_catalog, pg_temp AS
 $$ UPDATE @schema@.server_study SET state = 'open' WHERE id = 1 AND state = 'leaving' $$;
 
--- The functions that return a refusal as a value: nothing that they are given comes into the server's log.
+-- The functions that return a refusal as a value: nothing that they are given comes into the server's log. An operator waits for
+-- joining, claiming and presentations: a busy study must be refused before the station gives up (ServerPatience, 4 s).
 DO $wrap$
 DECLARE
     name text;
@@ -1206,7 +1286,7 @@ BEGIN
         WHERE p.pronamespace = '@schema@'::pg_catalog.regnamespace AND p.proname = 'server_do_' || name;
         EXECUTE format($text$
             CREATE OR REPLACE FUNCTION @schema@.%I(%s) RETURNS jsonb LANGUAGE plpgsql SECURITY DEFINER
-                SET search_path = pg_catalog, pg_temp SET client_min_messages = warning SET lock_timeout = '10s' AS $$
+                SET search_path = pg_catalog, pg_temp SET client_min_messages = warning SET lock_timeout = %L AS $$
             DECLARE
                 message text;
                 detail text;
@@ -1221,7 +1301,7 @@ BEGIN
                         'code', SQLSTATE, 'message', message, 'detail', detail, 'hint', hint));
             END
             $$
-            $text$, name, given, 'server_do_' || name,
+            $text$, name, given, CASE WHEN name IN ('join_study', 'claim') THEN '3s' ELSE '10s' END, 'server_do_' || name,
             (SELECT string_agg('$' || n, ', ') FROM generate_series(1, array_length(string_to_array(given, ', '), 1)) n));
     END LOOP;
 END

@@ -27,8 +27,8 @@ GRANT USAGE ON SCHEMA @schema@ TO "@prefix@_experimenter", "@prefix@_monitor", "
 
 GRANT EXECUTE ON FUNCTION
     @schema@.join_study(text, text, text), @schema@.overview(), @schema@.claim(text, text), @schema@.presentation(int),
-    @schema@.familiarisation_image(int), @schema@.store(jsonb), @schema@.sign_of_life(int), @schema@.leave(),
-    @schema@.record_latency(text, text)
+    @schema@.presented_image(text), @schema@.familiarisation_image(int), @schema@.store(jsonb), @schema@.sign_of_life(int),
+    @schema@.leave(), @schema@.record_latency(text, text)
     TO "@prefix@_experimenter";
 
 GRANT EXECUTE ON FUNCTION @schema@.released_image(text) TO "@prefix@_display";

@@ -18,6 +18,7 @@ constexpr const char* table[] = {
     QT_TRANSLATE_NOOP("study::app::Below", "The session is not paused."),
     QT_TRANSLATE_NOOP("study::app::Below", "The participant has withdrawn already."),
     QT_TRANSLATE_NOOP("study::app::Below", "The participant has withdrawn. Answers cannot be changed."),
+    QT_TRANSLATE_NOOP("study::app::Below", "The session is finished. Answers can be corrected until the debriefing is stored."),
     QT_TRANSLATE_NOOP("study::app::Below", "There is no answer to %1 yet."),
     QT_TRANSLATE_NOOP("study::app::Below", "The note is empty."),
     QT_TRANSLATE_NOOP("study::app::Below", "There is no presentation to flag yet."),
@@ -245,6 +246,17 @@ constexpr const char* table[] = {
     QT_TRANSLATE_NOOP("study::app::Below", "the server refused this login: %1"),
     QT_TRANSLATE_NOOP("study::app::Below", "all slots of the study are taken"),
     QT_TRANSLATE_NOOP("study::app::Below", "The server refused answers of %1 that waited here (%2). They are kept in %3."),
+    QT_TRANSLATE_NOOP("study::app::Below", "the server takes nothing from this station now (%1)"),
+    QT_TRANSLATE_NOOP("study::app::Below", "remove the cause, then go on"),
+    QT_TRANSLATE_NOOP("study::app::Below", "the server lost entries of %1 (%2), so this session cannot go on"),
+    QT_TRANSLATE_NOOP("study::app::Below", "the server gained entries of %1 (%2), so this session cannot go on"),
+    QT_TRANSLATE_NOOP("study::app::Below", "the server has other entries of %1, so this session cannot go on"),
+    QT_TRANSLATE_NOOP("study::app::Below", "the server refused entries of %1, so this session cannot go on"),
+    QT_TRANSLATE_NOOP("study::app::Below", "the log that this station holds, kept in this file"),
+    QT_TRANSLATE_NOOP("study::app::Below", "open the participant again"),
+    QT_TRANSLATE_NOOP("study::app::Below", "%1 was enrolled at another station in the meantime"),
+    QT_TRANSLATE_NOOP("study::app::Below", "a code that nobody has"),
+    QT_TRANSLATE_NOOP("study::app::Below", "type the next free code, or choose the participant in the list"),
 };
 
 }  // namespace

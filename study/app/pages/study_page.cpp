@@ -167,7 +167,6 @@ void StudyPage::arrangeSoon()
 
 void StudyPage::present(const StudyOverview& overview, database::ParticipantKind kind)
 {
-    m_overview = overview;
     m_kind = kind;
     m_message->clearMessage();
     m_message->standBelow(*m_summary);
@@ -175,16 +174,22 @@ void StudyPage::present(const StudyOverview& overview, database::ParticipantKind
     m_going->clear();
     m_title->setText(overview.name);
     m_folder->setText(overview.folder);
-    const int free = overview.placesIn(SlotState::Free);
+    refresh(overview);
+    const bool hasFree = overview.placesIn(SlotState::Free) > 0;
+    m_participant->setText(hasFree ? overview.nextParticipant : QString());
+    m_participant->setEnabled(hasFree);
+    m_enrol->setEnabled(hasFree);
+}
+
+void StudyPage::refresh(const StudyOverview& overview)
+{
+    m_overview = overview;
     const int withdrawn = overview.placesIn(SlotState::Withdrawn);
     const QString counts = tr("Finished %1  ·  in progress %2  ·  free %3")
                                .arg(overview.placesIn(SlotState::Finished))
                                .arg(overview.placesIn(SlotState::Started))
-                               .arg(free);
+                               .arg(overview.placesIn(SlotState::Free));
     m_summary->setText(withdrawn > 0 ? tr("%1  ·  withdrawn %2").arg(counts).arg(withdrawn) : counts);
-    m_participant->setText(free > 0 ? overview.nextParticipant : QString());
-    m_participant->setEnabled(free > 0);
-    m_enrol->setEnabled(free > 0);
     showPlaces();
 }
 
@@ -276,6 +281,7 @@ void StudyPage::resumeChosen()
 
 void StudyPage::enrol()
 {
+    Q_EMIT placesWanted();
     const QString participant = m_participant->text().trimmed();
     const auto alike = std::find_if(m_overview.places.begin(), m_overview.places.end(),
                                     [&](const auto& place) { return lookOf(place.participant) == lookOf(participant); });
@@ -296,7 +302,7 @@ void StudyPage::enrol()
         m_message->showHint(tr("A session is in progress. Press Enter again to enrol %1 as a new participant.").arg(participant));
         Q_EMIT secondEnterAsked();
     } else
-        Q_EMIT sessionRequested(participant);
+        Q_EMIT enrolmentRequested(participant);
 }
 
 void StudyPage::offerTools(bool isOffered) { m_tools->setVisible(isOffered); }

@@ -24,6 +24,8 @@ public:
 
     /// `kind`: sessions of participants of other kinds cannot be continued here.
     void present(const StudyOverview& overview, database::ParticipantKind kind);
+    /// The places as they stand now. What the operator has typed stays.
+    void refresh(const StudyOverview& overview);
     void showFault(const QString& text);
     void showHint(const QString& text);
     void focusFirst();
@@ -33,8 +35,12 @@ public:
     void offerRehearsal(bool isOffered);
 
 Q_SIGNALS:
-    /// The operator enrols this participant, or continues the session if there is one.
+    /// The operator continues the session of this participant.
     void sessionRequested(const QString& participant);
+    /// The operator enrols this participant, whom nobody may have enrolled before.
+    void enrolmentRequested(const QString& participant);
+    /// The page is about to compare a code with those of all participants. Answered by refresh() before the signal returns.
+    void placesWanted();
     /// The page asked the operator to press Enter again.
     void secondEnterAsked();
     void closeRequested();

@@ -47,7 +47,8 @@ State stateAfter(const Plan& plan, const std::vector<database::EventRecord>& log
 {
     State state;
     for (const database::EventRecord& record : log) {
-        auto outcome = apply(plan, state, {eventFromRecord(record.kind, record.payloadJson), record.atNs});
+        auto outcome =
+            apply(plan, state, {eventFromRecord(record.kind, record.payloadJson), record.atNs, session::EventSource::Log});
         if (auto* step = std::get_if<SessionStep>(&outcome)) state = std::move(step->next);
     }
     return state;

@@ -37,7 +37,10 @@ std::filesystem::path folderOfStudy(const std::filesystem::path& place)
     const QDir stations(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/stations");
     const database::StudyFolder folder{
         stations.filePath(QString(name).replace(QRegularExpression("[^A-Za-z0-9_.-]"), "_")).toStdString()};
-    if (!database::readServerNote(folder.folder)) joinStudy(address, folder.folder, session::operatedBy("", "").host);
+    if (database::readServerNote(folder.folder))
+        takeAddress(address, folder);
+    else
+        joinStudy(address, folder.folder, session::operatedBy("", "").host);
     return folder.folder;
 }
 
@@ -65,6 +68,16 @@ std::optional<database::StationStore::Link> OpenStudy::serverLink()
     if (!m_station) return std::nullopt;
     m_station->refresh();
     return m_station->link();
+}
+
+void OpenStudy::enrolNew(const protocols::ParticipantId& participant, database::ParticipantKind kind)
+{
+    if (m_station) m_station->enrolNew(participant, kind);  // a study in a folder has no other station
+}
+
+void OpenStudy::leaveParticipant()
+{
+    if (m_station) m_station->leaveParticipant();
 }
 
 void OpenStudy::storeLatency(const database::OperatorLatency& run)

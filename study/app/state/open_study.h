@@ -39,7 +39,8 @@ struct StudyOverview {
 };
 
 /// The folder of a study that the operator named. An address of a server becomes the folder of this station, which is made at the
-/// first time, below the user's data. Throws the errors of database::joinStudy.
+/// first time, below the user's data; a folder that is there takes the address over. Throws the errors of database::joinStudy and
+/// database::takeAddress.
 std::filesystem::path folderOfStudy(const std::filesystem::path& place);
 
 class OpenStudy {
@@ -52,6 +53,10 @@ public:
     rendering::PresentedImages& images();
     /// How this station stands with its server; none for a study in a folder. Speaks to the server: call it every few seconds.
     std::optional<database::StationStore::Link> serverLink();
+    /// Enrols a participant whom no other station may have enrolled since overview(). Throws badInput.
+    void enrolNew(const protocols::ParticipantId& participant, database::ParticipantKind kind);
+    /// Ends the session's hold on its participant, so that any station can continue the session. Never throws.
+    void leaveParticipant();
     const protocols::Protocol& protocol() const { return m_protocol; }
     QString name() const;
     /// Which package a font for the participants' language needs; empty if there is one.

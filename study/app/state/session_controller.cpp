@@ -300,7 +300,9 @@ std::vector<Correctable> SessionController::correctables() const
 
 bool SessionController::canCorrect() const
 {
-    return !m_view.state.answers.empty() && !std::holds_alternative<session::Withdrawn>(m_view.state.stage);
+    const session::Stage& stage = m_view.state.stage;
+    const bool isOver = std::holds_alternative<session::Finished>(stage) || std::holds_alternative<session::Withdrawn>(stage);
+    return !isOver && !m_view.state.answers.empty();
 }
 
 QString strokeText(const SessionFacts& facts)

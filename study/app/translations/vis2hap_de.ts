@@ -564,6 +564,10 @@
         <translation>Die Versuchsperson ist zurückgetreten. Antworten lassen sich nicht mehr ändern.</translation>
     </message>
     <message>
+        <source>The session is finished. Answers can be corrected until the debriefing is stored.</source>
+        <translation>Der Versuch ist abgeschlossen. Antworten lassen sich korrigieren, bis das Nachgespräch gespeichert ist.</translation>
+    </message>
+    <message>
         <source>There is no answer to %1 yet.</source>
         <translation>Auf %1 gibt es noch keine Antwort.</translation>
     </message>
@@ -1442,6 +1446,50 @@
     <message>
         <source>The server refused answers of %1 that waited here (%2). They are kept in %3.</source>
         <translation>Der Server hat Antworten von %1 abgelehnt, die hier gewartet haben (%2). Sie liegen in %3.</translation>
+    </message>
+    <message>
+        <source>the server takes nothing from this station now (%1)</source>
+        <translation>der Server nimmt von dieser Station zurzeit nichts an (%1)</translation>
+    </message>
+    <message>
+        <source>remove the cause, then go on</source>
+        <translation>beheben Sie die Ursache und fahren Sie dann fort</translation>
+    </message>
+    <message>
+        <source>the server lost entries of %1 (%2), so this session cannot go on</source>
+        <translation>dem Server fehlen Einträge von %1 (%2), deshalb kann diese Sitzung nicht weitergehen</translation>
+    </message>
+    <message>
+        <source>the server gained entries of %1 (%2), so this session cannot go on</source>
+        <translation>der Server hat neue Einträge von %1 (%2), deshalb kann diese Sitzung nicht weitergehen</translation>
+    </message>
+    <message>
+        <source>the server has other entries of %1, so this session cannot go on</source>
+        <translation>der Server hat andere Einträge von %1, deshalb kann diese Sitzung nicht weitergehen</translation>
+    </message>
+    <message>
+        <source>the server refused entries of %1, so this session cannot go on</source>
+        <translation>der Server hat Einträge von %1 abgelehnt, deshalb kann diese Sitzung nicht weitergehen</translation>
+    </message>
+    <message>
+        <source>the log that this station holds, kept in this file</source>
+        <translation>das Protokoll dieser Station, das in dieser Datei liegt</translation>
+    </message>
+    <message>
+        <source>open the participant again</source>
+        <translation>öffnen Sie die Sitzung der Person noch einmal</translation>
+    </message>
+    <message>
+        <source>%1 was enrolled at another station in the meantime</source>
+        <translation>%1 wurde inzwischen an einer anderen Station aufgenommen</translation>
+    </message>
+    <message>
+        <source>a code that nobody has</source>
+        <translation>ein Kürzel, das niemand hat</translation>
+    </message>
+    <message>
+        <source>type the next free code, or choose the participant in the list</source>
+        <translation>geben Sie das nächste freie Kürzel ein, oder wählen Sie die Person in der Liste</translation>
     </message>
 </context>
 <context>
@@ -4437,12 +4485,36 @@ Noch ist nichts gewählt.</translation>
 <context>
     <name>study::app::ServerBar</name>
     <message>
-        <source>Station %1: the server cannot be reached. No entry waits on this computer.</source>
-        <translation>Station %1: Der Server ist nicht erreichbar. Auf diesem Rechner wartet kein Eintrag.</translation>
+        <source>Station %1: the server takes nothing from this station now.</source>
+        <translation>Station %1: Der Server nimmt von dieser Station zurzeit nichts an.</translation>
     </message>
     <message>
-        <source>Station %1: the server cannot be reached. Entries that wait on this computer: %2. They are sent when the server is back.</source>
-        <translation>Station %1: Der Server ist nicht erreichbar. Einträge, die auf diesem Rechner warten: %2. Sie werden gesendet, sobald der Server wieder da ist.</translation>
+        <source>Station %1: the server cannot be reached.</source>
+        <translation>Station %1: Der Server ist nicht erreichbar.</translation>
+    </message>
+    <message>
+        <source>No entry waits on this computer.</source>
+        <translation>Auf diesem Rechner wartet kein Eintrag.</translation>
+    </message>
+    <message>
+        <source>Entries that wait on this computer: %1. They are sent when the server takes them.</source>
+        <translation>Einträge, die auf diesem Rechner warten: %1. Sie werden gesendet, sobald der Server sie annimmt.</translation>
+    </message>
+    <message>
+        <source>Reason: %1</source>
+        <translation>Grund: %1</translation>
+    </message>
+    <message>
+        <source>Station %1: entries wait on this computer: %2. They are being sent.</source>
+        <translation>Station %1: Auf diesem Rechner warten Einträge: %2. Sie werden gerade gesendet.</translation>
+    </message>
+    <message>
+        <source>The clock of this computer is %1 s ahead of the server&apos;s clock. Set it before the next session.</source>
+        <translation>Die Uhr dieses Rechners geht gegenüber der Uhr des Servers %1 s vor. Stellen Sie sie vor der nächsten Sitzung.</translation>
+    </message>
+    <message>
+        <source>The clock of this computer is %1 s behind the server&apos;s clock. Set it before the next session.</source>
+        <translation>Die Uhr dieses Rechners geht gegenüber der Uhr des Servers %1 s nach. Stellen Sie sie vor der nächsten Sitzung.</translation>
     </message>
     <message>
         <source>Station %1: every answer is on the server.</source>

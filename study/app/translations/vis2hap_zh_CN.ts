@@ -564,6 +564,10 @@
         <translation>参与者已退出，回答不能再更改。</translation>
     </message>
     <message>
+        <source>The session is finished. Answers can be corrected until the debriefing is stored.</source>
+        <translation>实验已结束。在保存实验后访谈之前，回答可以更正。</translation>
+    </message>
+    <message>
         <source>There is no answer to %1 yet.</source>
         <translation>%1还没有回答。</translation>
     </message>
@@ -1442,6 +1446,50 @@
     <message>
         <source>The server refused answers of %1 that waited here (%2). They are kept in %3.</source>
         <translation>服务器拒绝了在此等待的 %1 的回答（%2）。它们保存在 %3 中。</translation>
+    </message>
+    <message>
+        <source>the server takes nothing from this station now (%1)</source>
+        <translation>服务器目前不接收本工作站的任何内容（%1）</translation>
+    </message>
+    <message>
+        <source>remove the cause, then go on</source>
+        <translation>请先排除原因，然后继续</translation>
+    </message>
+    <message>
+        <source>the server lost entries of %1 (%2), so this session cannot go on</source>
+        <translation>服务器缺少 %1 的记录（%2 条），因此本次实验无法继续</translation>
+    </message>
+    <message>
+        <source>the server gained entries of %1 (%2), so this session cannot go on</source>
+        <translation>服务器有 %1 的新记录（%2 条），因此本次实验无法继续</translation>
+    </message>
+    <message>
+        <source>the server has other entries of %1, so this session cannot go on</source>
+        <translation>服务器上 %1 的记录与本机不同，因此本次实验无法继续</translation>
+    </message>
+    <message>
+        <source>the server refused entries of %1, so this session cannot go on</source>
+        <translation>服务器拒绝了 %1 的记录，因此本次实验无法继续</translation>
+    </message>
+    <message>
+        <source>the log that this station holds, kept in this file</source>
+        <translation>本工作站持有的记录，已保存在此文件中</translation>
+    </message>
+    <message>
+        <source>open the participant again</source>
+        <translation>请重新打开该参与者</translation>
+    </message>
+    <message>
+        <source>%1 was enrolled at another station in the meantime</source>
+        <translation>%1 已在另一个工作站登记</translation>
+    </message>
+    <message>
+        <source>a code that nobody has</source>
+        <translation>一个无人使用的代码</translation>
+    </message>
+    <message>
+        <source>type the next free code, or choose the participant in the list</source>
+        <translation>请输入下一个可用代码，或在列表中选择该参与者</translation>
     </message>
 </context>
 <context>
@@ -4437,12 +4485,36 @@ Nothing is chosen yet.</source>
 <context>
     <name>study::app::ServerBar</name>
     <message>
-        <source>Station %1: the server cannot be reached. No entry waits on this computer.</source>
-        <translation>工作站 %1：无法连接服务器。本机没有等待发送的记录。</translation>
+        <source>Station %1: the server takes nothing from this station now.</source>
+        <translation>工作站 %1：服务器目前不接收本工作站的任何内容。</translation>
     </message>
     <message>
-        <source>Station %1: the server cannot be reached. Entries that wait on this computer: %2. They are sent when the server is back.</source>
-        <translation>工作站 %1：无法连接服务器。本机等待发送的记录：%2 条。服务器恢复后会自动发送。</translation>
+        <source>Station %1: the server cannot be reached.</source>
+        <translation>工作站 %1：无法连接服务器。</translation>
+    </message>
+    <message>
+        <source>No entry waits on this computer.</source>
+        <translation>本机没有等待发送的记录。</translation>
+    </message>
+    <message>
+        <source>Entries that wait on this computer: %1. They are sent when the server takes them.</source>
+        <translation>本机等待发送的记录：%1 条。服务器可以接收时会自动发送。</translation>
+    </message>
+    <message>
+        <source>Reason: %1</source>
+        <translation>原因：%1</translation>
+    </message>
+    <message>
+        <source>Station %1: entries wait on this computer: %2. They are being sent.</source>
+        <translation>工作站 %1：本机等待发送的记录：%2 条。正在发送。</translation>
+    </message>
+    <message>
+        <source>The clock of this computer is %1 s ahead of the server&apos;s clock. Set it before the next session.</source>
+        <translation>本机时钟比服务器时钟快 %1 秒。请在下一次实验前校准。</translation>
+    </message>
+    <message>
+        <source>The clock of this computer is %1 s behind the server&apos;s clock. Set it before the next session.</source>
+        <translation>本机时钟比服务器时钟慢 %1 秒。请在下一次实验前校准。</translation>
     </message>
     <message>
         <source>Station %1: every answer is on the server.</source>

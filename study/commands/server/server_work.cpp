@@ -75,14 +75,14 @@ int toServer(const std::string& folder, const std::string& address, const std::s
     return 0;
 }
 
-int toFolder(const std::string& address, const std::string& folder)
+int toFolder(const std::string& address, const std::string& folder, const std::vector<std::string>& givenUp)
 {
     const auto by = session::operatedBy("", versionText());
     database::Act move;
     move.who = by.operatorName;
     move.program = by.program;
     move.host = by.host;
-    const auto head = moveToFolder(database::serverAddressFrom(address), StudyFolder{folder}, move);
+    const auto head = moveToFolder(database::serverAddressFrom(address), StudyFolder{folder}, move, givenUp);
     std::printf("%s: the study is back, and the server's tables are gone\n", protocols::printable(folder).c_str());
     std::printf("  log head %s\n", textOf(head).c_str());
     std::printf(
@@ -110,12 +110,16 @@ std::string listOf(const std::vector<std::string>& texts)
 
 }  // namespace
 
-int moveStudy(const std::string& from, const std::string& to, const std::string& station)
+int moveStudy(const std::string& from, const std::string& to, const std::string& station, const std::vector<std::string>& givenUp)
 {
     if (database::isServerAddress(from) == database::isServerAddress(to))
-        throw protocols::badInput({"a study moves between a folder and a server", from + " to " + to,
+        throw protocols::badInput({"a study moves between a folder and a server",
+                                   database::withoutPassword(from) + " to " + database::withoutPassword(to),
                                    "one folder and one address (postgresql://USER@HOST/DATABASE?study=NAME)", "name both"});
-    return database::isServerAddress(from) ? toFolder(from, to) : toServer(from, to, station);
+    if (!givenUp.empty() && !database::isServerAddress(from))
+        throw protocols::badInput({"a study on its way to a server has no answers at stations", "--lose-answers-at",
+                                   "a study that comes back from a server", "leave the option out"});
+    return database::isServerAddress(from) ? toFolder(from, to, givenUp) : toServer(from, to, station);
 }
 
 int joinAsStation(const std::string& address, const std::string& given, const std::string& station)
@@ -162,9 +166,9 @@ int showServer(const std::string& address)
     std::printf("log head %s\n", seen.head.c_str());
     if (seen.stations.empty()) std::printf("no station has joined lately\n");
     for (const auto& one : seen.stations)
-        std::printf("  %-20s %-12s %-10s entries that wait: %d, last sign of life %d s ago, by %s\n", one.station.c_str(),
-                    one.isLive ? "connected" : "away", one.participant.empty() ? "-" : one.participant.c_str(), one.waiting,
-                    one.lastSeenSeconds, one.login.c_str());
+        std::printf("  %-20s %-12s %-10s entries that wait: %s, last sign of life %d s ago, by %s\n", one.station.c_str(),
+                    one.isLive ? "connected" : "away", one.participant.empty() ? "-" : one.participant.c_str(),
+                    one.isLive ? std::to_string(one.waiting).c_str() : "unknown", one.lastSeenSeconds, one.login.c_str());
     return 0;
 }
 

@@ -9,7 +9,9 @@
 namespace study::commands {
 
 /// Between a folder and an address, in either direction. `station`: the owner's name among the stations; empty: the computer's.
-int moveStudy(const std::string& from, const std::string& to, const std::string& station);
+/// `givenUp`: stations that are away, whose answers may be lost on the way back.
+int moveStudy(const std::string& from, const std::string& to, const std::string& station,
+              const std::vector<std::string>& givenUp);
 
 /// Moves a study that was just made in `folder` to the address.
 int moveNewStudy(const std::string& folder, const std::string& address);

@@ -64,6 +64,7 @@ private Q_SLOTS:
     void initTestCase();
     void aStudyComesBackAsItWas();
     void aSessionGoesOnAfterTheMove();
+    void aPresentationThatBeganGoesOnAfterBothMoves();
     void itsTimeOnTheServerIsOnRecord();
     void readersSeeTheStudyWhileItIsOnTheServer();
     void anInterruptedMoveIsCompleted();
@@ -71,6 +72,7 @@ private Q_SLOTS:
     void wrongAddressesAreOneLine_data();
     void wrongAddressesAreOneLine();
     void anAlteredRowOnTheServerIsFound();
+    void aStationThatIsAwayIsNotForgotten();
 
 private:
     StudyFolder folder(const char* name) const { return {m_folder.filePath(name).toStdString()}; }
@@ -121,6 +123,29 @@ void ServerMoveTest::aSessionGoesOnAfterTheMove()
     const StudyStore store = readStudy(study);
     QCOMPARE(store.faults(), std::vector<std::string>());
     QCOMPARE(store.enrolments().front().state, database::SlotState::Finished);
+}
+
+/// A participant who stopped while a presentation was felt is not locked out by a move, in either direction.
+void ServerMoveTest::aPresentationThatBeganGoesOnAfterBothMoves()
+{
+    const StudyFolder study = buildStudy(folder("felt").folder);
+    const auto address = database::serverAddressFrom(m_server->address("felt"));
+    for (const char* person : {"S01", "S02"}) {
+        OpenSession session(study, person);
+        if (person == std::string("S02")) session.playUntilAnswers(5);
+        session.stepUntil("Presenting");
+    }
+    moveToServer(study, address, "owner");
+    for (const char* person : {"S01", "S02"}) {
+        ServerSession session(study, person, database::ParticipantKind::Scripted);
+        session.playUntilAnswers(9);
+        session.stepUntil("Presenting");
+    }
+    moveToFolder(address, study);
+    for (const char* person : {"S01", "S02"}) OpenSession(study, person).playToEnd();
+    const StudyStore store = readStudy(study);
+    QCOMPARE(store.faults(), std::vector<std::string>());
+    QCOMPARE(store.answerCount(), std::size_t{48});
 }
 
 /// The server's log and write-ahead log keep copies, so erasures must be able to name them.
@@ -251,6 +276,34 @@ void ServerMoveTest::anAlteredRowOnTheServerIsFound()
     QVERIFY2(refusal.contains("did not arrive whole"), qPrintable(refusal));
     QVERIFY(!std::filesystem::exists(study.database()));
     QCOMPARE(ServerConnection(address).value("SELECT state FROM @schema@.server_study").toString(), QString("open"));
+}
+
+/// Its answers may wait in its queue. Only the owner's word gives them up.
+void ServerMoveTest::aStationThatIsAwayIsNotForgotten()
+{
+    const StudyFolder study = buildStudy(folder("away").folder);
+    const auto address = database::serverAddressFrom(m_server->address("away"));
+    moveToServer(study, address, "owner");
+    const QString token(64, QLatin1Char('a'));
+    {
+        const ServerConnection station(address);
+        station.call("join_study", {"left", token, "test"});
+        station.call("claim", {"P01", "human"});
+    }
+    const ServerConnection server(address);
+    QTRY_COMPARE(server.call("progress", {}).at("stations").at(0).at("live").get<bool>(), false);
+    // A station that joins later clears the list of those that are gone for days, but not of this one.
+    server.run("UPDATE @schema@.server_stations SET last_seen = clock_timestamp() - interval '3 days'");
+    server.call("join_study", {"right", QString(64, QLatin1Char('b')), "test"});
+    const QString refusal = errorOf([&] { moveToFolder(address, study); });
+    QVERIFY2(refusal.contains("answers may wait at stations that are away: left (P01)"), qPrintable(refusal));
+    QVERIFY2(refusal.contains("--lose-answers-at"), qPrintable(refusal));
+    QVERIFY(errorOf([&] { moveToFolder(address, study, {}, {"right"}); }).contains("left (P01)"));
+    QVERIFY(!std::filesystem::exists(study.database()));
+    QCOMPARE(errorOf([&] { moveToFolder(address, study, {}, {"left"}); }), QString());
+    QCOMPARE(readStudy(study).faults(), std::vector<std::string>());
+    const QString gone = errorOf([&] { server.call("join_study", {"right", token, "test"}); });
+    QVERIFY2(gone.contains("the study is no longer on this server") && !gone.contains("may not"), qPrintable(gone));
 }
 
 QTEST_GUILESS_MAIN(ServerMoveTest)

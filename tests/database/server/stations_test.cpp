@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QThread>
+#include <functional>
 #include <mutex>
 #include <thread>
 
@@ -51,6 +52,16 @@ void playEventfully(SessionHands& session)
     session.send(Corrected{asked.question->id, responseTo(asked), "misheard"});
     session.send(Paused{});
     session.playToEnd();
+}
+
+/// Repeats what a busy study refuses, as an operator does.
+void untilFree(const std::function<void()>& call)
+{
+    for (int tries = 0;; ++tries) try {
+            return call();
+        } catch (const database::ServerRefusal& refusal) {
+            if (refusal.rule() != "VH302" || tries == 20) throw;
+        }
 }
 
 /// Rows of a participant's log without what a second run must have anew: numbers, hashes, salts and wall times.
@@ -362,8 +373,8 @@ void StationsTest::aHundredClaimsTakeAHundredPlaces()
             try {
                 const ServerConnection server(address);
                 const QString token = QString("%1").arg(number, 64, 10, QLatin1Char('0'));
-                server.call("join_study", {QString("station %1").arg(number), token, "test"});
-                server.call("claim", {QString("P%1").arg(number, 3, 10, QLatin1Char('0')), "human"});
+                untilFree([&] { server.call("join_study", {QString("station %1").arg(number), token, "test"}); });
+                untilFree([&] { server.call("claim", {QString("P%1").arg(number, 3, 10, QLatin1Char('0')), "human"}); });
             } catch (const protocols::Error&) {
                 ++refused;
             }
@@ -399,8 +410,8 @@ void StationsTest::whatWaitedTooLongIsKeptAside()
     network.mend();
     const StationStore store(left);
     QCOMPARE(store.link().waiting, std::size_t{0});
-    const QString fault = QString::fromStdString(store.link().fault);
-    QVERIFY2(fault.contains("P01") && fault.contains("not-sent-P01"), qPrintable(fault));
+    const QString kept = QString::fromStdString(store.link().setAside);
+    QVERIFY2(kept.contains("P01") && kept.contains("not-sent-P01"), qPrintable(kept));
     QCOMPARE(rowsOf(owner).answerCount(), std::size_t{24});
     QCOMPARE(rowsOf(owner).faults(), std::vector<std::string>());
 }

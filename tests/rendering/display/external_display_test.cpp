@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <QElapsedTimer>
+#include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
@@ -92,6 +93,24 @@ private Q_SLOTS:
             display.show(grey);
         }
         QCOMPARE(cv::countNonZero(felt()), 0);
+    }
+
+    void theDriverGetsNoPasswordOfAServer()
+    {
+        qputenv("PGPASSWORD", "Sekret1");
+        qputenv("OF_THE_LAB", "kept");
+        const std::string seen = m_folder.filePath("environment").toStdString();
+        {
+            ExternalDisplay display(program("env > '" + seen + "'; exec " + reference().command));
+            display.show(grey);
+        }
+        qunsetenv("PGPASSWORD");
+        qunsetenv("OF_THE_LAB");
+        QFile file(QString::fromStdString(seen));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray variables = file.readAll();
+        QVERIFY(variables.contains("OF_THE_LAB=kept"));
+        QVERIFY(!variables.contains("Sekret1") && !variables.contains("PGPASSWORD"));
     }
 
     void aWaitForADriverCanBeStopped_data()

@@ -16,10 +16,13 @@
 #include "database/study_store.h"
 #include "study/app/pages/monitor_window.h"
 #include "study/app/pages/start_page.h"
+#include "study/app/server_bar.h"
+#include "tests/support/error_text.h"
 #include "tests/support/open_window.h"
 #include "tests/support/played_session.h"
 #include "tests/support/server/cut_network.h"
 #include "tests/support/server/private_server.h"
+#include "tests/support/server/server_session.h"
 
 using namespace tests::support;
 using database::ServerConnection;
@@ -82,6 +85,9 @@ private Q_SLOTS:
     void anAddressOnTheStartPageJoinsTheStudy();
     void thePageSaysWhereTheAnswersAre();
     void thePageNoticesASilentServerByItself();
+    void aSessionThatAnotherStationContinuedEndsOnThePage();
+    void theSecondStationDoesNotEnrolTheSameCode();
+    void theBarSaysWhyTheServerTakesNothing();
     void aWrongAddressIsOneLineOnTheStartPage();
     void theMonitorShowsStationsAtWorkLostAndWithEntries();
     void theMonitorFollowsSessionsAtTheStations();
@@ -162,6 +168,90 @@ void AppServerTest::thePageNoticesASilentServerByItself()
     QTRY_VERIFY_WITH_TIMEOUT(bar->text().contains("every answer is on the server"), 20000);
     open.playToEnd();
     QCOMPARE(readStudy(owner).answerCount(), std::size_t{24});
+}
+
+void AppServerTest::aSessionThatAnotherStationContinuedEndsOnThePage()
+{
+    const database::StudyFolder owner = studyOnServer("continued");
+    CutNetwork network(m_server->port());
+    OpenWindow open({m_server->address("continued", "owner", network.port())});
+    const auto* bar = open.window().findChild<QLabel*>("serverBar");
+    open.enrolAndBegin();
+    open.playTo("Presenting", "Q2");
+    network.cut();
+    open.perform(open.nextEvent());  // touched
+    open.perform(open.nextEvent());  // answered
+    {
+        const QString place = filePath("continued-other");
+        const database::StudyFolder other{
+            joinStudy(database::serverAddressFrom(m_server->address("continued")), place.toStdString(), "other").folder};
+        QTRY_VERIFY_WITH_TIMEOUT(errorOf([&] { ServerSession(other, "P01"); }).isEmpty(), 40000);
+        ServerSession(other, "P01").playUntilAnswers(6);
+    }
+    const std::size_t answers = readStudy(owner).answerCount();
+    network.mend();
+    QTRY_VERIFY_WITH_TIMEOUT(!open.window().session(), 20000);
+    QVERIFY2(open.message("studyMessage").contains("so this session cannot go on"), qPrintable(open.message("studyMessage")));
+    QTRY_VERIFY2_WITH_TIMEOUT(bar->text().startsWith("The server refused answers of P01") && bar->text().contains("not-sent-P01"),
+                              qPrintable(bar->text()), 8000);
+    QCOMPARE(readStudy(owner).answerCount(), answers);
+    open.window().startSession(protocols::ParticipantId("P01"));
+    open.playToEnd();
+    QCOMPARE(readStudy(owner).answerCount(), std::size_t{24});
+    QCOMPARE(readStudy(owner).faults(), std::vector<std::string>());
+    QVERIFY(bar->text().contains("not-sent-P01"));
+}
+
+/// Both pages propose P01. The list of the second is older than the enrolment at the first.
+void AppServerTest::theSecondStationDoesNotEnrolTheSameCode()
+{
+    studyOnServer("twice");
+    OpenWindow open({m_server->address("twice")});
+    {
+        const QString place = filePath("twice-other");
+        ServerSession other(
+            {joinStudy(database::serverAddressFrom(m_server->address("twice")), place.toStdString(), "other").folder}, "P01");
+        other.playUntilAnswers(2);
+    }
+    QCOMPARE(open.widget<QLineEdit>("participantField").text(), QString("P01"));
+    open.gui().click("enrolButton");
+    QVERIFY(!open.window().session());
+    QVERIFY2(open.message("studyMessage").contains("P01 is already enrolled"), qPrintable(open.message("studyMessage")));
+    open.window().requestSession(protocols::ParticipantId("P01"), study::app::MainWindow::Enrolment::NewOnly);
+    QTRY_VERIFY2(open.message("studyMessage").contains("P01 was enrolled at another station"),
+                 qPrintable(open.message("studyMessage")));
+    QVERIFY(!open.window().session());
+}
+
+void AppServerTest::theBarSaysWhyTheServerTakesNothing()
+{
+    study::app::ServerBar bar(nullptr);
+    database::StationStore::Link link;
+    link.isUp = true;
+    link.waiting = 2;
+    link.station = "left";
+    const auto textFor = [&] {
+        bar.present(link);
+        return bar.text();
+    };
+    QCOMPARE(textFor(), QString("Station left: entries wait on this computer: 2. They are being sent."));
+    link.isUp = false;
+    link.isRefused = true;
+    link.fault = "participant P02 is at station right";
+    QVERIFY2(textFor().startsWith("Station left: the server takes nothing from this station now. Entries that wait on this "
+                                  "computer: 2."),
+             qPrintable(textFor()));
+    QVERIFY(textFor().endsWith("Reason: participant P02 is at station right"));
+    QVERIFY(!textFor().contains("every answer is on the server"));
+    link.setAside = "The server refused answers of P01 that waited here (why). They are kept in not-sent-P01-1.json.";
+    QVERIFY(textFor().startsWith("The server refused answers of P01"));
+    link = {};
+    link.isUp = true;
+    link.station = "left";
+    link.clockAhead = std::chrono::seconds(-61);
+    QVERIFY2(textFor().contains("61 s behind the server's clock"), qPrintable(textFor()));
+    link.clockAhead = std::chrono::seconds(59);
+    QCOMPARE(textFor(), QString("Station left: every answer is on the server."));
 }
 
 void AppServerTest::aWrongAddressIsOneLineOnTheStartPage()

@@ -15,9 +15,11 @@
 #include "study/app/pages/monitor_window.h"
 #include "study/app/pages/tools/tools_page.h"
 #include "study/commands/study_tools.h"
+#include "study/exports/write_export.h"
 #include "study/records/stored_study.h"
 #include "study/records/study_status.h"
 #include "tests/support/open_window.h"
+#include "tests/support/played_session.h"
 
 using namespace study::app;
 using tests::support::OpenWindow;
@@ -51,6 +53,7 @@ private Q_SLOTS:
     void statusIsTheTextOfTheCommand();
     void soundStudyAndEachFaultAreShown();
     void everyFileIsMadeAndRecorded();
+    void exportOfAnOpenKeyHoldsNoMeans();
     void nothingIsWrittenIntoTheStudyOrAMissingFolder();
     void faultIsShownAndLongWorkStops();
     void monitorOpensBesideThePage();
@@ -110,6 +113,24 @@ void AppToolsTest::everyFileIsMadeAndRecorded()
         QCOMPARE(act.who, std::string("Mai"));
     }
     QCOMPARE(kinds, (std::vector<std::string>{"backup", "export", "report", "backup"}));
+}
+
+/// The operator must not see scores. The command line writes them: who calls it there holds the open key anyway.
+void AppToolsTest::exportOfAnOpenKeyHoldsNoMeans()
+{
+    constexpr int people = 14;
+    const auto study = newStudy({.conditions = {"v_grey", "h&f"}, .participants = people});
+    for (int one = 1; one <= people; ++one)
+        tests::support::OpenSession(study, (one < 10 ? "S0" : "S") + std::to_string(one)).playToEnd();
+    const auto store = study::records::openStudy(study.folder);
+    const fs::path command = filePath("by-command").toStdString();
+    QCOMPARE(study::exports::writeExport(store, command, {.format = "csv"}, {}), std::string());
+    QVERIFY(fs::exists(command / "conditions.csv"));
+    const fs::path into = folderFor("by-window").toStdString();
+    const auto done =
+        study::commands::studyTools("Mai")(StudyTool::Export, study.folder, into, [](double, const std::string&) {});
+    QVERIFY(fs::exists(done.made / "progress.csv"));
+    QVERIFY(!fs::exists(done.made / "conditions.csv"));
 }
 
 void AppToolsTest::nothingIsWrittenIntoTheStudyOrAMissingFolder()

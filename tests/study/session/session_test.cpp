@@ -235,7 +235,7 @@ const char* const drawnGrid =
     ".\n"
     "Debriefing              De   .    .    .    .    .    .    .    .    .    .    .    .    De   Pl   .    Dep  .    Wi   De   "
     "Fi\n"
-    "Finished                Fi   .    .    .    .    .    .    .    .    .    .    .    .    Fi   .    .    .    .    Wi   Fi   "
+    "Finished                Fi   .    .    .    .    .    .    .    .    .    .    .    .    .    .    .    .    .    Wi   Fi   "
     ".\n"
     "Withdrawn               Wi   .    .    .    .    .    .    .    .    .    .    .    .    .    .    .    .    .    .    Wi   "
     ".\n"
@@ -407,6 +407,21 @@ private Q_SLOTS:
         QVERIFY(session.refusalOf(Corrected{QuestionId("Q9"), Tenths{10}, ""}).contains("no answer to Q9"));
         session << Corrected{QuestionId("Q1"), FabricId("F03"), "far back"};
         QCOMPARE(session.state().answers[3].response, GivenAnswer(FabricId("F03")));
+    }
+
+    /// A finished participant's answers count in the means of a blinded report, so they stay. Logs of 0.5.0 may hold a
+    /// correction.
+    void aFinishedSessionTakesNoCorrectionButItsLogMay()
+    {
+        const Corrected correction{QuestionId("Q3"), Tenths{70}, "misheard"};
+        Session session = debriefing() << correction;
+        QCOMPARE(session.state().answers.back().response, GivenAnswer(Tenths{70}));
+        session = finished();
+        QCOMPARE(session.refusalOf(correction),
+                 QString("The session is finished. Answers can be corrected until the debriefing is stored."));
+        const auto replayed = apply(session.plan(), session.state(), {correction, 0, EventSource::Log});
+        QVERIFY(std::holds_alternative<SessionStep>(replayed));
+        QCOMPARE(std::get<SessionStep>(replayed).next.answers.back().response, GivenAnswer(Tenths{70}));
     }
 
     void aVoidPresentationComesAgainAtTheEndOfItsBlock()

@@ -1,0 +1,251 @@
+// What a login of a station cannot do by statements of its own: end a session that was not held, and take back what it has seen.
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QUuid>
+#include <nlohmann/json.hpp>
+
+#include "database/server/server_connection.h"
+#include "database/server/server_roles.h"
+#include "database/server/study_move.h"
+#include "tests/support/error_text.h"
+#include "tests/support/server/private_server.h"
+#include "tests/support/server/server_session.h"
+#include "tests/support/study_builder.h"
+
+using namespace tests::support;
+using database::ServerConnection;
+using database::StudyFolder;
+
+namespace {
+
+const QString tokenOfOne = QString(64, QLatin1Char('a'));
+
+nlohmann::json entryOf(const std::string& participant, int before, const std::string& kind, const nlohmann::json& state = nullptr)
+{
+    return {{"id", QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString()},
+            {"after", before},
+            {"event",
+             {{"participant", participant},
+              {"sitting", 1},
+              {"kind", kind},
+              {"payload", "{}"},
+              {"at_ns", 1},
+              {"wall_time", "2026-01-01T00:00:00Z"}}},
+            {"answers", nlohmann::json::array()},
+            {"finger", nullptr},
+            {"voids", nullptr},
+            {"note", nullptr},
+            {"state", state},
+            {"facts", nlohmann::json::array()},
+            {"stored_at", 2}};
+}
+
+QString stored(const ServerConnection& server, const nlohmann::json& entry)
+{
+    return errorOf([&] { server.call("store", {QString::fromStdString(entry.dump())}); });
+}
+
+}  // namespace
+
+class WholeSessionsTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase();
+    void onlyTheEndOfASessionFinishesIt_data();
+    void onlyTheEndOfASessionFinishesIt();
+    void aSessionWithoutAnAnswerIsNotFinished();
+    void aFinishedSessionGetsNoVoid();
+    void aReleaseThatIsTakenBackGivesNoImage();
+    void anImageIsForItsOwnStation();
+    void aBusyStudyIsRefusedBeforeTheStationGivesUp();
+
+private:
+    database::ServerAddress as(const char* login, const std::string& study) const
+    {
+        return database::serverAddressFrom(m_server->address(study, login));
+    }
+    StudyFolder studyOfAnna(const std::string& name, const StudyRecipe& recipe = {}) const;
+    QTemporaryDir m_folder;
+    std::unique_ptr<PrivateServer> m_server;
+};
+
+void WholeSessionsTest::initTestCase()
+{
+    if (const QString why = PrivateServer::whyMissing(); !why.isEmpty()) QSKIP(qPrintable(why));
+    m_server = std::make_unique<PrivateServer>();
+    const ServerConnection server(as("owner", "none"));
+    for (const char* login : {"anna", "bert"}) server.run(QString("CREATE ROLE %1 LOGIN").arg(login));
+    studyOfAnna("kinds");
+}
+
+StudyFolder WholeSessionsTest::studyOfAnna(const std::string& name, const StudyRecipe& recipe) const
+{
+    const StudyFolder folder = buildStudy(m_folder.filePath(QString::fromStdString(name)).toStdString(), recipe);
+    moveToServer(folder, as("owner", name), "owner");
+    makeRoles(as("owner", name), {{"anna", "experimenter"}, {"bert", "experimenter"}});
+    return folder;
+}
+
+void WholeSessionsTest::onlyTheEndOfASessionFinishesIt_data()
+{
+    QTest::addColumn<QString>("kind");
+    QTest::addColumn<QString>("state");
+    QTest::addColumn<QString>("expected");
+    QTest::newRow("debriefed without a state") << "debriefed"
+                                               << ""
+                                               << "finished with the event debriefed";
+    QTest::newRow("a note that finishes") << "noted"
+                                          << "finished"
+                                          << "finished with the event debriefed";
+    QTest::newRow("a note that withdraws") << "noted"
+                                           << "withdrawn"
+                                           << "withdrawn with the event withdrawn";
+    QTest::newRow("withdrawn without a state") << "withdrawn"
+                                               << ""
+                                               << "withdrawn with the event withdrawn";
+    QTest::newRow("debriefed that withdraws") << "debriefed"
+                                              << "withdrawn"
+                                              << "finished with the event debriefed";
+    QTest::newRow("debriefed without answers") << "debriefed"
+                                               << "finished"
+                                               << "have no answer yet";
+}
+
+void WholeSessionsTest::onlyTheEndOfASessionFinishesIt()
+{
+    QFETCH(QString, kind);
+    QFETCH(QString, state);
+    QFETCH(QString, expected);
+    const ServerConnection anna(as("anna", "kinds"));
+    anna.call("join_study", {"one", tokenOfOne, "test"});
+    anna.call("claim", {"P01", "human"});
+    const auto given = state.isEmpty() ? nlohmann::json() : nlohmann::json(state.toStdString());
+    const QString refusal = stored(anna, entryOf("P01", 0, kind.toStdString(), given));
+    QVERIFY2(refusal.contains(expected), qPrintable(refusal));
+    QCOMPARE(ServerConnection(as("owner", "kinds")).value("SELECT state FROM @schema@.participants").toString(),
+             QString("started"));
+}
+
+void WholeSessionsTest::aSessionWithoutAnAnswerIsNotFinished()
+{
+    const StudyFolder owner = studyOfAnna("answers");
+    const StudyFolder place{joinStudy(as("anna", "answers"), m_folder.filePath("answers-place").toStdString(), "one").folder};
+    int events = 0;
+    {
+        ServerSession session(place, "P01");
+        session.playUntilAnswers(23);  // of 24
+        events = static_cast<int>(session.store.events(protocols::ParticipantId("P01")).size());
+    }
+    {
+        const ServerConnection anna(as("anna", "answers"));
+        anna.call("join_study", {"one", tokenOfOne, "test"});
+        anna.call("claim", {"P01", "human"});
+        const QString refusal = stored(anna, entryOf("P01", events, "debriefed", "finished"));
+        QVERIFY2(refusal.contains("presentations of P01 have no answer yet"), qPrintable(refusal));
+    }
+    ServerSession session(place, "P01");
+    session.stepUntil("Presenting");
+    session.send(study::session::Voided{"wrong piece"});  // its answers so far do not count
+    session.playToEnd();
+    QCOMPARE(session.store.slots().front().state, database::SlotState::Finished);
+    QCOMPARE(readStudy(owner).faults(), std::vector<std::string>());
+}
+
+void WholeSessionsTest::aFinishedSessionGetsNoVoid()
+{
+    studyOfAnna("ended");
+    const StudyFolder place{joinStudy(as("anna", "ended"), m_folder.filePath("ended-place").toStdString(), "one").folder};
+    int events = 0;
+    {
+        ServerSession session(place, "P01");
+        session.playToEnd();
+        events = static_cast<int>(session.store.events(protocols::ParticipantId("P01")).size());
+    }
+    const ServerConnection anna(as("anna", "ended"));
+    anna.call("join_study", {"one", tokenOfOne, "test"});
+    anna.call("claim", {"P01", "human"});
+    auto voided = entryOf("P01", events, "voided");
+    voided["voids"] = 3;
+    QVERIFY2(stored(anna, voided).contains("has finished"), qPrintable(stored(anna, voided)));
+    auto hidden = entryOf("P01", events, "noted");
+    hidden["voids"] = 3;
+    QVERIFY(stored(anna, hidden).contains("a trial with the event voided"));
+    QCOMPARE(stored(anna, entryOf("P01", events, "noted")), QString());
+}
+
+/// Nobody could see afterwards that the station had had the image.
+void WholeSessionsTest::aReleaseThatIsTakenBackGivesNoImage()
+{
+    studyOfAnna("back");
+    const ServerConnection anna(as("anna", "back")), owner(as("owner", "back"));
+    anna.call("join_study", {"one", tokenOfOne, "test"});
+    anna.call("claim", {"P01", "human"});
+    const auto presented = [&] {
+        QSqlQuery row = anna.run("SELECT image, key FROM @schema@.presentation(1)");
+        return row.next() ? std::pair(row.value(0).toByteArray(), row.value(1).toString()) : std::pair<QByteArray, QString>();
+    };
+    const auto image = [&](const QByteArray& ticket) {
+        return anna.value("SELECT key FROM @schema@.presented_image(?)", {QString::fromLatin1(ticket)}).toString();
+    };
+    anna.run("BEGIN");
+    const auto [taken, key] = presented();
+    QCOMPARE(key, QString());
+    QCOMPARE(taken.size(), 64);
+    const QString early = errorOf([&] { (void)image(taken); });
+    QVERIFY2(early.contains("the transaction has written already"), qPrintable(early));
+    anna.run("ROLLBACK");
+    QCOMPARE(owner.value("SELECT count(*) FROM @schema@.server_releases").toInt(), 0);
+    const QString late = errorOf([&] { (void)image(taken); });
+    QVERIFY2(late.contains("no present presentation"), qPrintable(late));
+    const auto [ticket, none] = presented();
+    QCOMPARE(image(ticket).size(), 64);
+    QCOMPARE(owner.value("SELECT count(*) FROM @schema@.server_releases").toInt(), 1);
+    QCOMPARE(owner.value("SELECT login FROM @schema@.server_fetches").toString(), QString("anna"));
+}
+
+void WholeSessionsTest::anImageIsForItsOwnStation()
+{
+    studyOfAnna("own");
+    const ServerConnection anna(as("anna", "own")), bert(as("bert", "own")), owner(as("owner", "own"));
+    anna.call("join_study", {"one", tokenOfOne, "test"});
+    anna.call("claim", {"P01", "human"});
+    bert.call("join_study", {"two", QString(64, QLatin1Char('b')), "test"});
+    bert.call("claim", {"P02", "human"});
+    anna.run("SELECT * FROM @schema@.presentation(1)");
+    const QString ticket = owner.value("SELECT ticket FROM @schema@.server_releases").toString();
+    const QString other = errorOf([&] { (void)bert.value("SELECT key FROM @schema@.presented_image(?)", {ticket}); });
+    QVERIFY2(other.contains("no present presentation"), qPrintable(other));
+    owner.run("UPDATE @schema@.server_study SET images_to = 'display'");
+    const QString display = errorOf([&] { (void)anna.value("SELECT key FROM @schema@.presented_image(?)", {ticket}); });
+    QVERIFY2(display.contains("display's own login only"), qPrintable(display));
+}
+
+void WholeSessionsTest::aBusyStudyIsRefusedBeforeTheStationGivesUp()
+{
+    studyOfAnna("crowd");
+    const ServerConnection anna(as("anna", "crowd")), owner(as("owner", "crowd"));
+    anna.call("join_study", {"one", tokenOfOne, "test"});
+    anna.call("claim", {"P01", "human"});
+    owner.run("BEGIN");
+    owner.run("SELECT * FROM @schema@.server_study FOR UPDATE");
+    owner.run("SELECT * FROM @schema@.server_stations FOR UPDATE");
+    const std::function<void()> steps[] = {[&] {
+                                               anna.call("join_study", {"one", tokenOfOne, "test"});
+                                           },
+                                           [&] {
+                                               anna.call("claim", {"P01", "human"});
+                                           },
+                                           [&] { anna.run("SELECT * FROM @schema@.presentation(1)"); }};
+    for (const auto& step : steps) {
+        QElapsedTimer timer;
+        timer.start();
+        const QString refusal = errorOf(step);
+        QVERIFY2(refusal.contains("keeps the study busy") && refusal.contains("within 3 seconds"), qPrintable(refusal));
+        QVERIFY2(timer.elapsed() < database::ServerPatience().presentation.count(), qPrintable(QString::number(timer.elapsed())));
+    }
+    owner.run("ROLLBACK");
+}
+
+QTEST_GUILESS_MAIN(WholeSessionsTest)
+#include "whole_sessions_test.moc"

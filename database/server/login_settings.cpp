@@ -17,9 +17,15 @@ constexpr const char* untilNextHost = "2";
 
 constexpr const char* compiledMode = "prefer";
 
+/// 127.0.0.1 and its like; a name such as 127.lab.example is none.
+bool isLoopback(const std::string& host)
+{
+    return host.starts_with("127.") && host.find_first_not_of("0123456789.") == std::string::npos;
+}
+
 bool isThisComputer(const std::string& host)
 {
-    return host.empty() || host.starts_with('/') || host.starts_with('@') || host == "localhost" || host.starts_with("127.") ||
+    return host.empty() || host.starts_with('/') || host.starts_with('@') || host == "localhost" || isLoopback(host) ||
            host == "::1";
 }
 

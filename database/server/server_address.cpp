@@ -100,7 +100,13 @@ void requireKnownSetting(const std::string& name, const std::string& text)
 std::string withoutPassword(const std::string& text)
 {
     const auto [begin, end] = secretIn(text);
-    return begin == end ? text : text.substr(0, begin) + text.substr(end);
+    std::string shown = begin == end ? text : text.substr(0, begin) + text.substr(end);
+    constexpr std::string_view name = "password=";  // of sslpassword, too
+    for (auto at = shown.find(name); at != std::string::npos; at = shown.find(name, at + name.size())) {
+        const auto from = at + name.size();
+        shown.erase(from, std::min(shown.find('&', from), shown.size()) - from);
+    }
+    return shown;
 }
 
 bool isServerAddress(const std::string& text) { return text.starts_with("postgresql://") || text.starts_with("postgres://"); }

@@ -144,8 +144,8 @@ void StationStore::requireLink()
     if (m_link) return;
     // Nobody waits twice for the same cut. refresh() goes on trying.
     if (std::chrono::steady_clock::now() - m_lostAt < rest) throw away();
-    connectNow();
     try {
+        connectNow();
         sendWaiting();
         if (m_isOpen && !m_isClaimed) claim(m_participant, m_kind);
     } catch (const protocols::Error& fault) {

@@ -192,6 +192,7 @@ ServerNote ownersNote(const StudyFolder& folder)
 /// Fetches the study and checks it; the folder then has a sound study.db, or none.
 void bringBack(const ServerConnection& server, const StudyFolder& folder, const std::vector<std::string>& givenUp)
 {
+    if (stateOf(server) == "leaving") server.run(QStringLiteral("SELECT @schema@.cancel_leaving()"));  // a move was interrupted
     server.run(QStringLiteral("SELECT @schema@.begin_leaving(CAST(? AS jsonb))"), {toQt(nlohmann::json(givenUp).dump())});
     try {
         fetchInto(server, folder);

@@ -115,12 +115,7 @@ public:
         std::size_t gap = std::max<std::size_t>(2, std::min(m_blockLength + 1, others / 2));
         auto repeated = dealRepetitions(placesIn(pieces), counts, gap);
         while (!repeated) {
-            auto exchanged = pieces;
-            for (int exchange = 0; exchange < 200 && !repeated; ++exchange) {
-                exchangeTwo(exchanged);
-                repeated = dealRepetitions(placesIn(exchanged), counts, gap);
-            }
-            if (repeated) pieces = std::move(exchanged);
+            repeated = exchangeUntilApart(pieces, counts, gap);
             if (!repeated) gap = std::max<std::size_t>(2, gap * 3 / 4);
         }
         const auto places = placesIn(pieces);
@@ -140,6 +135,22 @@ private:
         m_random.shuffle(pieces);
         std::ranges::stable_sort(pieces, {}, [&](std::size_t piece) { return uses[piece]; });
         return pieces;
+    }
+
+    /// As few exchanges as help, so that pairs and stretches stay nearly even.
+    std::optional<std::vector<int>> exchangeUntilApart(std::vector<int>& pieces, const std::vector<int>& counts, std::size_t gap)
+    {
+        constexpr int mostExchanges = 8, draws = 50;
+        for (int exchanges = 1; exchanges <= mostExchanges; ++exchanges)
+            for (int draw = 0; draw < draws; ++draw) {
+                auto exchanged = pieces;
+                for (int exchange = 0; exchange < exchanges; ++exchange) exchangeTwo(exchanged);
+                auto repeated = dealRepetitions(placesIn(exchanged), counts, gap);
+                if (!repeated) continue;
+                pieces = std::move(exchanged);
+                return repeated;
+            }
+        return std::nullopt;
     }
 
     /// Two places of the list, where no piece of more than two then comes twice in a row.

@@ -25,11 +25,12 @@ struct LaidPieces {
 };
 
 /// [participant]. The order of the pieces treats all presentations alike: over the study ordered pairs of pieces and the pieces
-/// of each stretch are even, and of more than two pieces none comes twice in a row. Only then each piece's additional
-/// presentations are drawn among all its presentations, each set equally likely. So whoever sees all trays and knows these rules
-/// can only count: k of the n trays of a piece are additional. Two rules make small exceptions. No additional presentation is
-/// first. At least `blockLength` others lie between a presentation and its repetition, or half of the list where it is shorter;
-/// fewer where the pieces do not allow this, and one always. So the first places of repetitions are rarer.
+/// of each stretch are even (nearly, where repetitions need room), and of more than two pieces none comes twice in a row. Only
+/// then each piece's additional presentations are drawn among all its presentations, each set equally likely. So whoever sees all
+/// trays and knows these rules can only count: k of the n trays of a piece are additional. Two rules make small exceptions. No
+/// additional presentation is first. At least `blockLength` others lie between a presentation and its repetition, or half of the
+/// list where it is shorter; fewer where the pieces do not allow this, and one always. So the first places of repetitions are
+/// rarer.
 ///
 /// Each piece has equally many additional presentations, or one more; these pieces change from participant to participant. (If
 /// nearly every presentation is repeated, those with one more have more repetitions.) Where there are fewer than fabrics, a piece

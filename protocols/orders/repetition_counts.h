@@ -34,7 +34,8 @@ public:
             auto& at = m_at.emplace_back(own.empty() ? 0 : length);
             for (std::size_t copy = 0; copy < own.size(); ++copy) {
                 at[own[copy].original].push_back(copy);
-                for (const std::size_t neighbour : own[copy].neighbours) at[neighbour].push_back(copy);
+                for (const std::size_t neighbour : own[copy].neighbours)  // both may be one place, or the original
+                    if (std::ranges::find(at[neighbour], copy) == at[neighbour].end()) at[neighbour].push_back(copy);
             }
         }
     }

@@ -205,7 +205,7 @@ PlanRow exclusionRow(const StudyData& data, const Screening& screening)
     PlanRow row{"excluded participants", "nobody; flagged ones are left out beside the main analysis", "nobody; " + flagged,
                 Accord::AsPlanned};
     if (!data.blinded) return row;
-    row.done = "no analysis while blinded; " + flagged;
+    row.done = "no analysis while blinded; " + flagged + " by the rules that need no key";
     row.accord = Accord::Unknown;
     return row;
 }

@@ -113,13 +113,16 @@ BlindedQuestion blindedQuestion(StudyData& data, const QuestionInfo& question, s
 /// Why the participants of the study allow no means; empty where they do.
 std::string whyNoMeansOf(const StudyData& data, std::size_t finished)
 {
-    const std::string none = "There are no means under K-labels yet: ";
+    const std::string none =
+        data.openPlaces > 0 ? "There are no means under K-labels yet: " : "There are no means under K-labels: ";
     if (finished < fewestFinished)
         return none + counted(finished, "participant") + (finished == 1 ? " has" : " have") + " finished, and at least " +
                std::to_string(fewestFinished) + " are needed.";
     if (data.openPlaces > 0)
         return none + counted(data.openPlaces, "place") + " of the study " + (data.openPlaces == 1 ? "is" : "are") +
-               " not finished. Means before and after one participant would name the labels of that participant.";
+               " not finished. Means before and after one participant would name the labels of that participant. Who withdraws "
+               "after the end leaves "
+               "a place open.";
     return {};
 }
 

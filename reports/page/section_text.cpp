@@ -165,10 +165,9 @@ std::string flagRules(const StudyAnalysis& analysis)
 {
     std::vector<std::string> rules;
     for (const std::string& sentence : ruleSentences()) rules.push_back(protocols::escapedMarkup(sentence));
-    // The analysis of a blinded study holds no answers, but may flag somebody by this rule.
-    const bool isApplied =
-        std::ranges::any_of(analysis.flags, [](const QualityFlag& flag) { return flag.kind == FlagKind::MismatchRatedHigh; });
-    if (isApplied || !analysis.data.mismatchedResponses.empty()) rules.push_back(protocols::escapedMarkup(mismatchRule()));
+    if (!analysis.data.mismatchedResponses.empty()) rules.push_back(protocols::escapedMarkup(mismatchRule()));
+    if (analysis.data.blinded)
+        rules.push_back("blank_glass_rated_high and mismatch_rated_high need the key: they appear after the unblinding");
     return folded("Rules of the flags", bulletList(rules));
 }
 

@@ -415,9 +415,9 @@ void MainWindow::leaveStaleSession()
     m_session.reset();
     m_study->leaveParticipant();
     m_strayKeys->holdEnterOfStudy();
-    showStudy();
-    showStudyFault(inOwnLanguage(link->stale));
     tellParticipant();
+    showingFaults(*m_pages->study, [this] { showStudy(); });
+    showStudyFault(inOwnLanguage(link->stale));
 }
 
 void MainWindow::closeStudy()

@@ -420,6 +420,7 @@ std::string writeExport(const database::StudyStore& store, const fs::path& out, 
     protocols::FolderDraft draft(out, protocols::Earlier::FilesJoined);
     const Export job{store, facts, protocol, naming ? &*naming : nullptr, draft.path(), form.isPublic};
     std::string whyNoMeans;
+    bool isWithoutMeans = false;
     if (form.format == "script")
         players::writeScripts(job.store, job.naming, job.out);
     else if (blinded) {
@@ -427,6 +428,7 @@ std::string writeExport(const database::StudyStore& store, const fs::path& out, 
         const auto aggregates = records::aggregatesOf(data);
         writeBlinded(job, form, aggregates);
         if (data) whyNoMeans = aggregates.why;
+        isWithoutMeans = form.format == "csv" && !aggregates.why.empty();
     } else
         writeOpen(job, form);
     if (form.isPublic) writePublicFiles(job, form);
@@ -434,6 +436,7 @@ std::string writeExport(const database::StudyStore& store, const fs::path& out, 
     if (form.withSamples) write(job, (beside + "finger_samples.csv").c_str(), records::fingerSamplesCsv(store, {}, naming));
     if (form.withLog) records::writeExportedLog(store, draft.path() / beside);
     draft.putInPlace();
+    if (isWithoutMeans) fs::remove(out / "conditions.csv");  // of an earlier export: its means are given out no more
     return whyNoMeans;
 }
 

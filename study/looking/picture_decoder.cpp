@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::uint64_t largestPicture = std::uint64_t{1} << 30;  ///< bytes; a camera's largest BMP has 0.4 GB
 constexpr std::uint64_t mostPixels = std::uint64_t{1} << 28;      ///< as of a PNG
-/// The shortest codes of the formats: GIF repeats 4,095 pixels in 12 bits. Small drawings may well be of one colour.
+/// GIF repeats 4,095 pixels in 12 bits; codes of JPEG and BMP are longer. Small drawings may well be of one colour.
 constexpr std::uint64_t mostPixelsPerByte = 4096, usualPixels = std::uint64_t{1} << 20;
 
 std::uint8_t byteAt(std::string_view bytes, std::size_t at) { return static_cast<std::uint8_t>(bytes[at]); }
@@ -171,14 +171,16 @@ void requireWhole(std::string_view bytes, const std::filesystem::path& file)
 }
 
 /// A few bytes may promise a picture that fills the memory. No photograph has fewer bytes for its pixels.
-void requireBelievable(QSize size, std::size_t bytes, const std::filesystem::path& file)
+void requireBelievable(const QImageReader& reader, std::size_t bytes, const std::filesystem::path& file)
 {
+    const QSize size = reader.size();
+    const bool hasShorterCodes = reader.format() == "webp";  // pixels of one colour need no bits
     const std::uint64_t pixels =
         static_cast<std::uint64_t>(std::max(0, size.width())) * static_cast<std::uint64_t>(std::max(0, size.height()));
-    if (pixels <= mostPixels && pixels <= mostPixelsPerByte * bytes + usualPixels) return;
+    if (pixels <= mostPixels && (hasShorterCodes || pixels <= mostPixelsPerByte * bytes + usualPixels)) return;
     const std::string stated =
         std::to_string(size.width()) + " x " + std::to_string(size.height()) + " pixels in " + std::to_string(bytes) + " bytes";
-    throw protocols::badInput({"is not a readable picture (it states " + stated + ")", file.string(),
+    throw protocols::badInput({"has too many pixels for its bytes or for this program (" + stated + ")", file.string(),
                                "at most " + std::to_string(mostPixels) + " pixels, and bytes for them", "export it again"});
 }
 
@@ -218,7 +220,7 @@ cv::Mat decodeByQt(const std::filesystem::path& file)
     QImageReader::setAllocationLimit(1024);  // MiB; enough for the largest camera pictures
     std::string reports;
     const JpegReports kept(reports);
-    requireBelievable(reader.size(), bytes.size(), file);
+    requireBelievable(reader, bytes.size(), file);
     const QImage image = reader.read();
     if (image.isNull())
         throw protocols::badInput({"the image cannot be read (" + reader.errorString().toStdString() + ")", file.string(),

@@ -79,7 +79,18 @@ bool hasEveryAnswer(const std::vector<protocols::BlindedTrial>& trials, const pr
     });
 }
 
-/// Finds the participants who ended their session with every answer, and the running orders that have none.
+/// Participants whose answers may have been in means that were given out, and who are in none any more.
+std::size_t withdrawnAfterTheEnd(const database::StudyStore& store)
+{
+    std::set<protocols::ParticipantId> ended, withdrawn;
+    for (const auto& event : store.eventsOfKind("debriefed")) ended.insert(event.participant);
+    for (const auto& event : store.eventsOfKind("withdrawn"))
+        if (ended.contains(event.participant)) withdrawn.insert(event.participant);
+    return withdrawn.size();
+}
+
+/// Finds the participants who ended their session with every answer, and the running orders that have none. Who withdrew after
+/// the end leaves a place open for good, so that no two sets of means differ by one person.
 void describeFinished(const database::StudyStore& store, const protocols::Protocol& protocol,
                       const std::vector<database::CurrentAnswer>& answers, reports::StudyData& data)
 {
@@ -90,7 +101,7 @@ void describeFinished(const database::StudyStore& store, const protocols::Protoc
         if (enrolment.state == database::SlotState::Finished &&
             hasEveryAnswer(store.trials(enrolment.slot), protocol, answered[enrolment.participant]))
             data.finished.insert(enrolment.participant.value);
-    data.openPlaces = store.slots().size() - data.finished.size();
+    data.openPlaces = store.slots().size() - data.finished.size() + withdrawnAfterTheEnd(store);
 }
 
 /// A rating, a choice if answers of this kind are right or wrong, otherwise words.

@@ -232,9 +232,14 @@ private Q_SLOTS:
         QTest::addColumn<QString>("conditions");
         QTest::addColumn<int>("caught");
         QTest::addColumn<int>("repeated");
-        QTest::newRow("one condition") << 8 << R"("h")" << 0 << 3;
-        QTest::newRow("one condition and a catch trial") << 6 << R"("h")" << 1 << 1;
-        QTest::newRow("two conditions") << 6 << R"("h", "f")" << 1 << 2;
+        QTest::addColumn<QString>("answer");
+        const QString choice = QStringLiteral(R"("alternatives": 3)"),
+                      rating = QStringLiteral(R"("scale": {"min": 0, "max": 10})");
+        QTest::newRow("one condition") << 8 << R"("h")" << 0 << 3 << choice;
+        QTest::newRow("one condition and a catch trial") << 6 << R"("h")" << 1 << 1 << choice;
+        QTest::newRow("two conditions") << 6 << R"("h", "f")" << 1 << 2 << choice;
+        QTest::newRow("ratings of one condition") << 9 << R"("h")" << 0 << 5 << rating;
+        QTest::newRow("ratings of two conditions") << 6 << R"("h", "f")" << 1 << 2 << rating;
     }
 
     void aRepetitionKeepsItsDistanceWithFewConditions()
@@ -243,13 +248,15 @@ private Q_SLOTS:
         QFETCH(QString, conditions);
         QFETCH(int, caught);
         QFETCH(int, repeated);
+        QFETCH(QString, answer);
         const QString json = QStringLiteral(R"({"schema": "vis2hap.protocol/1", "name": "a", "participants": 8, "fabrics": %1,
-            "conditions": [%2], "phases": [{"questions": ["Q1"], "alternatives": 3, "catch_trials": %3,
+            "conditions": [%2], "phases": [{"questions": ["Q1"], %5, "catch_trials": %3,
             "anchors": {"repeated": %4}}]})")
                                  .arg(fabrics)
                                  .arg(conditions)
                                  .arg(caught)
-                                 .arg(repeated);
+                                 .arg(repeated)
+                                 .arg(answer);
         const Protocol protocol = protocolFromJson(json.toStdString(), "test");
         const auto distance =
             static_cast<std::size_t>(std::min(protocol.breakAfterPresentations + 1, (protocol.presentations() - repeated) / 2));
@@ -262,6 +269,9 @@ private Q_SLOTS:
                 }
                 QVERIFY2(spreadOf(pieces, fabrics) <= 1, "pieces of additional presentations");
             }
+        if (answer.contains("scale"))
+            for (const auto& range : balanceOf(drawDesign(protocol, 1), protocol).ranges)
+                if (range.what.starts_with("ordered pairs of fabrics")) QVERIFY2(range.max - range.min <= 3, range.what.c_str());
     }
 
     /// Formerly the last trial was a repetition in 53 to 91 % of the lists, and the second a catch trial in 65 %.

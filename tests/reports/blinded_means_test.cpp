@@ -234,8 +234,9 @@ private Q_SLOTS:
         data.openPlaces = 1;
         QCOMPARE(
             blindedMeans(data).why,
-            std::string("There are no means under K-labels yet: 1 place of the study is not finished. Means before and after "
-                        "one participant would name the labels of that participant."));
+            std::string(
+                "There are no means under K-labels yet: 1 place of the study is not finished. Means before and after "
+                "one participant would name the labels of that participant. Who withdraws after the end leaves a place open."));
         QVERIFY(blindedMeans(data).questions.empty());
         data.finished = {"P05", "P06"};
         QVERIFY(blindedMeans(data).why.find("2 participants have finished, and at least 3 are needed.") != std::string::npos);

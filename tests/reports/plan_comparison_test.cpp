@@ -156,7 +156,7 @@ private Q_SLOTS:
     {
         const QString row =
             "excluded participants: nobody; flagged ones are left out beside the main analysis | no analysis while "
-            "blinded; %1 (-)";
+            "blinded; %1 by the rules that need no key (-)";
         StudyData data = blinded(plannedStudy(3, 4));
         int ratings = 0;
         for (auto& one : data.responses)

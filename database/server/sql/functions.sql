@@ -411,9 +411,10 @@ BEGIN
     END IF;
     own := @schema@.server_own_station();
     IF own.station IS NOT NULL THEN PERFORM pg_advisory_unlock(own.sign); END IF;
-    -- Monitors see a station that is gone for one day. One that holds a participant stays: answers may wait there.
+    -- Monitors see a station that is gone for one day. One that holds a participant stays: answers may wait there. A process of a
+    -- server that started again may have the number of its last connection, but not its lock.
     DELETE FROM @schema@.server_stations s
-    WHERE s.station = its_station OR s.pid = pg_backend_pid()
+    WHERE s.station = its_station OR s.station = own.station
        OR (s.last_seen < clock_timestamp() - interval '1 day' AND s.participant IS NULL
            AND NOT @schema@.server_is_live(s.pid, s.sign));
     new_sign := ('x' || left(@schema@.server_salt(), 16))::bit(64)::bigint;
@@ -995,6 +996,10 @@ BEGIN
     IF its.state = 'finished' AND voided IS NOT NULL THEN
         RAISE EXCEPTION USING ERRCODE = 'VH203', MESSAGE = 'participant ' || its_id || ' has finished',
             DETAIL = 'a void before the end of the session', HINT = 'note what was wrong; exclude the participant in the report';
+    END IF;
+    IF its.state = 'finished' AND cardinality(rows) > 0 THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH203', MESSAGE = 'participant ' || its_id || ' has finished',
+            DETAIL = 'a correction before the end of the session', HINT = 'note what was wrong';
     END IF;
     IF new_state = 'finished' AND NOT @schema@.server_is_answered(its) THEN
         RAISE EXCEPTION USING ERRCODE = 'VH203', MESSAGE = 'presentations of ' || its_id || ' have no answer yet',

@@ -143,7 +143,7 @@ CREATE TABLE @schema@.server_fetches(
 
 -- token: proves that a new connection is the same station. sign: the advisory lock that the station's connection holds as long as it lives.
 CREATE TABLE @schema@.server_stations(
-    station text COLLATE "C" PRIMARY KEY, token text NOT NULL, login text NOT NULL, pid int NOT NULL UNIQUE,
+    station text COLLATE "C" PRIMARY KEY, token text NOT NULL, login text NOT NULL, pid int NOT NULL,
     sign bigint NOT NULL,
     participant text COLLATE "C" UNIQUE, queue_length bigint NOT NULL DEFAULT 0, program text NOT NULL,
     last_seen timestamptz NOT NULL DEFAULT clock_timestamp());

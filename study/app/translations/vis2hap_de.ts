@@ -1440,6 +1440,78 @@
         <translation>der Server hat diese Anmeldung abgelehnt: %1</translation>
     </message>
     <message>
+        <source>the server refused user or password: %1</source>
+        <translation>der Server hat Benutzer oder Passwort abgelehnt: %1</translation>
+    </message>
+    <message>
+        <source>the server has too many connections: %1</source>
+        <translation>der Server hat zu viele Verbindungen: %1</translation>
+    </message>
+    <message>
+        <source>the server stops: %1</source>
+        <translation>der Server wird beendet: %1</translation>
+    </message>
+    <message>
+        <source>the server takes no connections now: %1</source>
+        <translation>der Server nimmt zurzeit keine Verbindungen an: %1</translation>
+    </message>
+    <message>
+        <source>there is no password for this login: %1</source>
+        <translation>für diese Anmeldung gibt es kein Passwort: %1</translation>
+    </message>
+    <message>
+        <source>the server does not encrypt: %1</source>
+        <translation>der Server verschlüsselt nicht: %1</translation>
+    </message>
+    <message>
+        <source>the certificate of the server is not accepted here: %1</source>
+        <translation>das Zertifikat des Servers wird hier nicht anerkannt: %1</translation>
+    </message>
+    <message>
+        <source>the certificate belongs to another server: %1</source>
+        <translation>das Zertifikat gehört einem anderen Server: %1</translation>
+    </message>
+    <message>
+        <source>the certificate of the lab&apos;s authority cannot be read: %1</source>
+        <translation>das Zertifikat der Zertifizierungsstelle ist nicht lesbar: %1</translation>
+    </message>
+    <message>
+        <source>the key of this login cannot be used: %1</source>
+        <translation>der Schlüssel dieser Anmeldung ist nicht verwendbar: %1</translation>
+    </message>
+    <message>
+        <source>the server wants a certificate of this login: %1</source>
+        <translation>der Server verlangt ein Zertifikat dieser Anmeldung: %1</translation>
+    </message>
+    <message>
+        <source>the server refused the encryption: %1</source>
+        <translation>der Server hat die Verschlüsselung abgelehnt: %1</translation>
+    </message>
+    <message>
+        <source>a certificate cannot be used: %1</source>
+        <translation>ein Zertifikat ist nicht verwendbar: %1</translation>
+    </message>
+    <message>
+        <source>the service is unknown: %1</source>
+        <translation>der Dienst ist unbekannt: %1</translation>
+    </message>
+    <message>
+        <source>the service file cannot be read: %1</source>
+        <translation>die Dienstdatei ist nicht lesbar: %1</translation>
+    </message>
+    <message>
+        <source>a setting of the address is wrong: %1</source>
+        <translation>eine Einstellung der Adresse ist falsch: %1</translation>
+    </message>
+    <message>
+        <source>hosts and ports do not agree: %1</source>
+        <translation>Hosts und Ports passen nicht zusammen: %1</translation>
+    </message>
+    <message>
+        <source>no server of the list takes entries: %1</source>
+        <translation>kein Server der Liste nimmt Einträge an: %1</translation>
+    </message>
+    <message>
         <source>all slots of the study are taken</source>
         <translation>alle Plätze der Studie sind vergeben</translation>
     </message>

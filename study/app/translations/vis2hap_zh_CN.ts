@@ -1440,6 +1440,78 @@
         <translation>服务器拒绝了此登录：%1</translation>
     </message>
     <message>
+        <source>the server refused user or password: %1</source>
+        <translation>服务器拒绝了用户名或密码：%1</translation>
+    </message>
+    <message>
+        <source>the server has too many connections: %1</source>
+        <translation>服务器的连接过多：%1</translation>
+    </message>
+    <message>
+        <source>the server stops: %1</source>
+        <translation>服务器正在停止：%1</translation>
+    </message>
+    <message>
+        <source>the server takes no connections now: %1</source>
+        <translation>服务器目前不接受连接：%1</translation>
+    </message>
+    <message>
+        <source>there is no password for this login: %1</source>
+        <translation>此登录没有密码：%1</translation>
+    </message>
+    <message>
+        <source>the server does not encrypt: %1</source>
+        <translation>服务器不加密：%1</translation>
+    </message>
+    <message>
+        <source>the certificate of the server is not accepted here: %1</source>
+        <translation>此处不接受服务器的证书：%1</translation>
+    </message>
+    <message>
+        <source>the certificate belongs to another server: %1</source>
+        <translation>证书属于另一台服务器：%1</translation>
+    </message>
+    <message>
+        <source>the certificate of the lab&apos;s authority cannot be read: %1</source>
+        <translation>无法读取证书颁发机构的证书：%1</translation>
+    </message>
+    <message>
+        <source>the key of this login cannot be used: %1</source>
+        <translation>无法使用此登录的密钥：%1</translation>
+    </message>
+    <message>
+        <source>the server wants a certificate of this login: %1</source>
+        <translation>服务器要求此登录提供证书：%1</translation>
+    </message>
+    <message>
+        <source>the server refused the encryption: %1</source>
+        <translation>服务器拒绝了加密：%1</translation>
+    </message>
+    <message>
+        <source>a certificate cannot be used: %1</source>
+        <translation>无法使用某个证书：%1</translation>
+    </message>
+    <message>
+        <source>the service is unknown: %1</source>
+        <translation>未知的服务：%1</translation>
+    </message>
+    <message>
+        <source>the service file cannot be read: %1</source>
+        <translation>无法读取服务文件：%1</translation>
+    </message>
+    <message>
+        <source>a setting of the address is wrong: %1</source>
+        <translation>地址中的某项设置有误：%1</translation>
+    </message>
+    <message>
+        <source>hosts and ports do not agree: %1</source>
+        <translation>主机与端口不一致：%1</translation>
+    </message>
+    <message>
+        <source>no server of the list takes entries: %1</source>
+        <translation>列表中没有服务器接受条目：%1</translation>
+    </message>
+    <message>
         <source>all slots of the study are taken</source>
         <translation>研究的所有名额都已占用</translation>
     </message>

@@ -200,6 +200,17 @@ std::string sentenceOnKey(const database::StudyStore& store, const database::Stu
                                : "The study has no passphrase: the key that names fabrics and conditions lies open.";
 }
 
+std::vector<std::string> factsOfAllVersions(const database::StudyStore& store)
+{
+    std::vector<std::string> facts;
+    for (const auto& version : store.protocolVersions()) {
+        const auto protocol = protocols::keptProtocolFromJson(version.json, "the study's protocol", store.facts().programVersion);
+        for (const auto& fact : protocol.facts)
+            if (std::ranges::find(facts, fact) == facts.end()) facts.push_back(fact);
+    }
+    return facts;
+}
+
 /// Other texts of consent, by which participants may have agreed; the newest first.
 ordered_json consentsBefore(const database::StudyStore& store)
 {
@@ -230,7 +241,7 @@ ordered_json dataSheetOf(const database::StudyStore& store)
                        {"blinded", !store.unblinding().has_value()},
                        {"passphrase", facts.hasPassphrase},
                        {"participants", peopleOf(store)},
-                       {"facts_asked", protocol.facts},
+                       {"facts_asked", factsOfAllVersions(store)},
                        {"consent", protocol.consent},
                        {"consents_before", consentsBefore(store)},
                        {"display_response", displayResponseSentence(facts)}};

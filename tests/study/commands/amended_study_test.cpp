@@ -96,7 +96,7 @@ private Q_SLOTS:
     void theDataSheetHasBothConsents()
     {
         const QString text = mustRun({"study", "data-sheet", study()}).out;
-        QVERIFY2(text.contains("Later consent") && text.contains("First consent") && text.contains("handedness"),
+        QVERIFY2(text.contains("Later consent") && text.contains("First consent") && text.contains("age, handedness"),
                  qPrintable(text));
         QVERIFY(text.indexOf("Later consent") < text.indexOf("First consent"));
         const json sheet = json::parse(mustRun({"study", "data-sheet", study(), "--json"}).out.toStdString());

@@ -325,6 +325,10 @@ void MainJobTest::aSealedStudyShowsProgressOnly()
 
     mustRun({"report", study, "--out", path("masked-report"), "--quick"}, passphrase);
     QCOMPARE(readJson(path("masked-report/results.json"))["conditions"][0].get<std::string>(), std::string("K1"));
+    QVERIFY(QDir().mkpath(path("masked-export")));
+    QFile earlier(path("masked-export/conditions.csv"));  // an export that gave out means
+    QVERIFY(earlier.open(QIODevice::WriteOnly));
+    earlier.close();
     const auto masked = mustRun({"export", study, "--out", path("masked-export")}, passphrase);
     QVERIFY(QFile::exists(path("masked-export/progress.csv")) && !QFile::exists(path("masked-export/answers.csv")));
     const QString why = "There are no means under K-labels yet: 1 participant has finished, and at least 3 are needed.\n";

@@ -259,6 +259,12 @@ private Q_SLOTS:
             QCOMPARE(row["share"].is_null(), row["question"] != "Q1");
             QCOMPARE(row["mean"].is_null(), row["question"] == "Q1");
         }
+        // Means with another person in this place would differ by one person from those above.
+        OpenSession(folder, personAt(enough)).send(study::session::WithdrawnEvent{"asked for it later"});
+        QVERIFY(aggregates().rows.empty() && !aggregates().why.empty());
+        OpenSession replaced(folder, "replacement");
+        replaced.playToEnd();
+        QVERIFY(aggregates().rows.empty() && aggregates().why.starts_with(why));
     }
 
     /// A station that sends what it likes may end a session early. Its participant counts nowhere, and `verify` names them.

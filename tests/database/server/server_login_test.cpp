@@ -181,7 +181,7 @@ void ServerLoginTest::eachRefusalSaysWhatHelps_data()
     row("wrong password", "FATAL:  password authentication failed for user \"a\"", "28P01", 2, "user or password", "~/.pgpass");
     row("wrong password, in Chinese", "\u81f4\u547d\u9519\u8bef:  \u7528\u6237 \"a\" Password \u8ba4\u8bc1\u5931\u8d25", "28P01",
         2, "user or password", "~/.pgpass");
-    row("a code that nobody gave, in Chinese", "\u81f4\u547d\u9519\u8bef:  \u2026", "", 2, "refused this login", "~/.pgpass");
+    row("a refusal that passed, in Chinese", "\u81f4\u547d\u9519\u8bef:  \u2026", "", 3, "refused a connection", "try again");
     row("no password", "connection to server at \"h\" failed: fe_sendauth: no password supplied", "", 2, "no password for this",
         "chmod 600 ~/.pgpass");
     row("no certificate", "FATAL:  connection requires a valid client certificate", "28000", 2, "refused this login",

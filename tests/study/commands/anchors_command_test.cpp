@@ -16,10 +16,10 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr int participants = 4, mismatched = 4, repeated = 6, repeatedChoices = 5, renderings = 20;
+constexpr int participants = 8, mismatched = 4, repeated = 6, repeatedChoices = 5, renderings = 20;
 
 constexpr const char* protocolText =
-    R"({"schema": "vis2hap.protocol/1", "name": "anchored", "participants": 4, "fabrics": 5,
+    R"({"schema": "vis2hap.protocol/1", "name": "anchored", "participants": 8, "fabrics": 5,
     "conditions": ["v_grey", "f", "h", "h&f"], "break_after": 6, "planned": [["h&f", "v_grey"]],
     "phases": [{"questions": ["Q1"], "alternatives": 3, "anchors": {"repeated": 5}},
                {"questions": ["Q2", "Q3"], "scale": {"min": 0, "max": 10}, "anchors": {"mismatched": 4, "repeated": 6}}]})";

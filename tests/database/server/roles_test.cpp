@@ -1,7 +1,6 @@
 // Blinding by rights: what an experimenter, a monitor and an analyst can learn from a study on a server, tried as each of them.
 #include <QTemporaryDir>
 #include <QTest>
-#include <QUuid>
 #include <nlohmann/json.hpp>
 
 #include "database/server/server_connection.h"
@@ -26,27 +25,6 @@ const QString token = QString(64, QLatin1Char('a'));
 bool isAmong(const std::vector<std::string>& texts, const char* wanted)
 {
     return std::find(texts.begin(), texts.end(), wanted) != texts.end();
-}
-
-/// An entry as a station sends it, for the function store().
-nlohmann::json entry(const std::string& participant, int before, const std::string& kind)
-{
-    return {{"id", QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString()},
-            {"after", before},
-            {"event",
-             {{"participant", participant},
-              {"sitting", 1},
-              {"kind", kind},
-              {"payload", "{}"},
-              {"at_ns", 1},
-              {"wall_time", "2026-01-01T00:00:00Z"}}},
-            {"answers", nlohmann::json::array()},
-            {"finger", nullptr},
-            {"voids", nullptr},
-            {"note", nullptr},
-            {"state", nullptr},
-            {"facts", nlohmann::json::array()},
-            {"stored_at", 2}};
 }
 
 }  // namespace
@@ -195,14 +173,14 @@ void RolesTest::nothingIsStoredForAnybodyElse()
     const auto send = [](const ServerConnection& server, const nlohmann::json& json) {
         return errorOf([&] { server.call("store", {QString::fromStdString(json.dump())}); });
     };
-    QVERIFY(send(bert, entry("P10", 0, "begun")).contains("not claimed"));
-    QVERIFY(send(bert, entry("P11", 0, "unblinded")).contains("kind"));
-    QVERIFY(send(bert, entry("P11", 7, "begun")).contains("another station went on"));
+    QVERIFY(send(bert, sentEntry("P10", 0, "begun")).contains("not claimed"));
+    QVERIFY(send(bert, sentEntry("P11", 0, "unblinded")).contains("kind"));
+    QVERIFY(send(bert, sentEntry("P11", 7, "begun")).contains("another station went on"));
     const QString scripted = errorOf([&] { bert.call("claim", {"P12", "scripted"}); });
     QVERIFY2(scripted.contains("only the owner"), qPrintable(scripted));
     const QString taken = errorOf([&] { bert.call("claim", {"P10", "human"}); });
     QVERIFY2(taken.contains("is at station one"), qPrintable(taken));
-    auto forged = entry("P11", 0, "answered");
+    auto forged = sentEntry("P11", 0, "answered");
     forged["answers"].push_back({{"trial", 3},
                                  {"question", "Q1"},
                                  {"presentation_code", "AAA"},
@@ -224,7 +202,7 @@ void RolesTest::nothingIsStoredForAnybodyElse()
         QVERIFY(errorOf([&] { bert.run("SELECT * FROM @schema@.presentation(?)", {number}); }).contains("not due"));
     bert.run("SELECT * FROM @schema@.presentation(?)", {1});
     QVERIFY(errorOf([&] { bert.run("SELECT * FROM @schema@.presentation(?)", {2}); }).contains("not due"));
-    QCOMPARE(send(bert, entry("P11", 0, "begun")), QString());
+    QCOMPARE(send(bert, sentEntry("P11", 0, "begun")), QString());
     QCOMPARE(readStudy(m_owner).faults(), std::vector<std::string>());
 }
 
@@ -244,7 +222,7 @@ void RolesTest::aSlotThatAStationHasSeenWaitsForTheOwner()
     anna.call("join_study", {"one", token, "test"});
     QCOMPARE(anna.call("claim", {"FAKE", "human"}).at("slot").get<int>(), 1);
     anna.run("SELECT * FROM @schema@.presentation(1)");
-    auto leaves = entry("FAKE", 0, "withdrawn");
+    auto leaves = sentEntry("FAKE", 0, "withdrawn");
     leaves["state"] = "withdrawn";
     anna.call("store", {QString::fromStdString(leaves.dump())});
     QCOMPARE(anna.call("claim", {"P02", "human"}).at("slot").get<int>(), 2);
@@ -269,7 +247,7 @@ void RolesTest::voidsInARowShowNothingAhead()
     anna.call("claim", {"P01", "human"});
     for (const int number : {1, 2, 3}) {
         anna.run("SELECT * FROM @schema@.presentation(?)", {number});
-        auto voided = entry("P01", number - 1, "voided");
+        auto voided = sentEntry("P01", number - 1, "voided");
         voided["voids"] = number;
         anna.call("store", {QString::fromStdString(voided.dump())});
     }
@@ -309,7 +287,7 @@ void RolesTest::aRefusedEntryStaysOutOfTheLog()
     const QString secret = QString(64, QLatin1Char('c'));
     anna.call("join_study", {"late", secret, "test"});
     anna.call("claim", {"P14", "human"});
-    auto late = entry("P14", 9, "noted");
+    auto late = sentEntry("P14", 9, "noted");
     late["note"] = {{"trial", 1}, {"text", "SPOKEN ALOUD"}, {"is_flag", false}};
     late["facts"] = {{"age", "SEVENTY", std::string(64, 'd')}};
     const QString refusal = errorOf([&] { anna.call("store", {QString::fromStdString(late.dump())}); });
@@ -353,7 +331,7 @@ void RolesTest::textsAreNeverStatements()
     (void)errorOf([&] { server.call("join_study", {text, token, "test"}); });
     (void)errorOf([&] { server.call("claim", {text, text}); });
     (void)errorOf([&] { server.call("claim", {text, "human"}); });
-    auto json = entry(text.toStdString(), 0, text.toStdString());
+    auto json = sentEntry(text.toStdString(), 0, text.toStdString());
     (void)errorOf([&] { server.call("store", {QString::fromStdString(json.dump())}); });
     QCOMPARE(readStudy(m_owner).faults(), std::vector<std::string>());
 }

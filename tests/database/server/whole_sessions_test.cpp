@@ -2,7 +2,6 @@
 #include <QElapsedTimer>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QUuid>
 #include <nlohmann/json.hpp>
 
 #include "database/server/server_connection.h"
@@ -20,26 +19,6 @@ using database::StudyFolder;
 namespace {
 
 const QString tokenOfOne = QString(64, QLatin1Char('a'));
-
-nlohmann::json entryOf(const std::string& participant, int before, const std::string& kind, const nlohmann::json& state = nullptr)
-{
-    return {{"id", QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString()},
-            {"after", before},
-            {"event",
-             {{"participant", participant},
-              {"sitting", 1},
-              {"kind", kind},
-              {"payload", "{}"},
-              {"at_ns", 1},
-              {"wall_time", "2026-01-01T00:00:00Z"}}},
-            {"answers", nlohmann::json::array()},
-            {"finger", nullptr},
-            {"voids", nullptr},
-            {"note", nullptr},
-            {"state", state},
-            {"facts", nlohmann::json::array()},
-            {"stored_at", 2}};
-}
 
 QString stored(const ServerConnection& server, const nlohmann::json& entry)
 {
@@ -121,7 +100,7 @@ void WholeSessionsTest::onlyTheEndOfASessionFinishesIt()
     anna.call("join_study", {"one", tokenOfOne, "test"});
     anna.call("claim", {"P01", "human"});
     const auto given = state.isEmpty() ? nlohmann::json() : nlohmann::json(state.toStdString());
-    const QString refusal = stored(anna, entryOf("P01", 0, kind.toStdString(), given));
+    const QString refusal = stored(anna, sentEntry("P01", 0, kind.toStdString(), given));
     QVERIFY2(refusal.contains(expected), qPrintable(refusal));
     QCOMPARE(ServerConnection(as("owner", "kinds")).value("SELECT state FROM @schema@.participants").toString(),
              QString("started"));
@@ -141,7 +120,7 @@ void WholeSessionsTest::aSessionWithoutAnAnswerIsNotFinished()
         const ServerConnection anna(as("anna", "answers"));
         anna.call("join_study", {"one", tokenOfOne, "test"});
         anna.call("claim", {"P01", "human"});
-        const QString refusal = stored(anna, entryOf("P01", events, "debriefed", "finished"));
+        const QString refusal = stored(anna, sentEntry("P01", events, "debriefed", "finished"));
         QVERIFY2(refusal.contains("presentations of P01 have no answer yet"), qPrintable(refusal));
     }
     ServerSession session(place, "P01");
@@ -165,13 +144,13 @@ void WholeSessionsTest::aFinishedSessionGetsNoVoid()
     const ServerConnection anna(as("anna", "ended"));
     anna.call("join_study", {"one", tokenOfOne, "test"});
     anna.call("claim", {"P01", "human"});
-    auto voided = entryOf("P01", events, "voided");
+    auto voided = sentEntry("P01", events, "voided");
     voided["voids"] = 3;
     QVERIFY2(stored(anna, voided).contains("has finished"), qPrintable(stored(anna, voided)));
-    auto hidden = entryOf("P01", events, "noted");
+    auto hidden = sentEntry("P01", events, "noted");
     hidden["voids"] = 3;
     QVERIFY(stored(anna, hidden).contains("a trial with the event voided"));
-    QCOMPARE(stored(anna, entryOf("P01", events, "noted")), QString());
+    QCOMPARE(stored(anna, sentEntry("P01", events, "noted")), QString());
 }
 
 /// Nobody could see afterwards that the station had had the image.

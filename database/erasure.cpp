@@ -1,18 +1,25 @@
 #include "database/erasure.h"
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cstdlib>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "database/disk/payload_fields.h"
 #include "database/event_chain.h"
-#include "database/rescue.h"
+#include "database/rescue_files.h"
 #include "database/schema.h"
 #include "database/stored_texts.h"
 #include "database/study_rows.h"
 #include "database/study_upgrade.h"
 #include "protocols/files/byte_search.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/folder_draft.h"
+#include "protocols/files/whole_file.h"
 
 namespace database {
 
@@ -21,6 +28,7 @@ namespace {
 constexpr const char* emptiedTables[] = {"responses", "voids", "notes", "finger_samples", "events"};
 constexpr const char* certifiedKind = "certified";
 constexpr std::size_t shortestText = 8;  // a shorter one may stand in a file by chance
+constexpr std::uintmax_t spareBytes = std::uintmax_t{1} << 20;
 
 std::vector<std::string> textsFrom(const SqliteConnection& sqlite, const char* select, const std::string& participant)
 {
@@ -119,6 +127,77 @@ void removeFromTables(const SqliteConnection& sqlite, const Erasure& erasure, Er
     transaction.commit();
 }
 
+/// Erasures of this participant that were recorded, and ended before they or a later one had a certificate. Those of versions
+/// without certificates are not meant.
+std::vector<std::int64_t> interruptedErasures(const SqliteConnection& sqlite, const std::string& participant)
+{
+    std::vector<std::int64_t> open;
+    std::int64_t lastCertain =
+        sqlite.value(QStringLiteral("SELECT MAX(sequence) FROM events WHERE kind = ?"), {toQt(upgradedKind)}).toLongLong();
+    QSqlQuery row =
+        sqlite.run(QStringLiteral("SELECT event FROM erasures WHERE participant = ? ORDER BY event"), {toQt(participant)});
+    while (row.next()) open.push_back(row.value(0).toLongLong());
+    row = sqlite.run(QStringLiteral("SELECT payload FROM events WHERE kind = ? AND participant = ''"), {toQt(certifiedKind)});
+    while (row.next()) {
+        const std::int64_t certified = numberIn(payloadIn(fromQt(row.value(0))), "erasure", 0);
+        if (std::ranges::find(open, certified) != open.end()) lastCertain = std::max(lastCertain, certified);
+    }
+    std::erase_if(open, [&](std::int64_t erasure) { return erasure <= lastCertain; });
+    return open;
+}
+
+protocols::Error noRoom(const std::filesystem::path& place, std::uintmax_t bytes)
+{
+    return protocols::environmentFault(
+        {"there is no room to write the database anew", place.string(),
+         std::to_string(bytes / spareBytes + 1) + " MB there and in the folder for temporary files",
+         "make room and run the command again; nothing was erased"});
+}
+
+/// Where SQLite writes its temporary files, by its documentation.
+std::filesystem::path temporaryFolderOfSqlite()
+{
+    const char* const places[] = {std::getenv("SQLITE_TMPDIR"), std::getenv("TMPDIR"), "/var/tmp", "/usr/tmp", "/tmp"};
+    for (const char* place : places)
+        if (std::error_code none; place && std::filesystem::is_directory(place, none) && ::access(place, W_OK | X_OK) == 0)
+            return place;
+    return ".";
+}
+
+dev_t deviceOf(const std::filesystem::path& folder)
+{
+    struct stat status {};
+    return ::stat(folder.c_str(), &status) == 0 ? status.st_dev : dev_t{};
+}
+
+/// What the steps after the removal need: a temporary copy and a write-ahead log with every page, and the certificate. The
+/// removal cannot be taken back, and what was removed can no longer be searched for later.
+void requireRoom(const std::filesystem::path& database)
+{
+    const std::filesystem::path folder = database.parent_path(), temporary = temporaryFolderOfSqlite();
+    protocols::makeFolders(certificatesFolder({folder}));
+    protocols::requireWritable(certificateFile({folder}, 0));
+    std::error_code unknown;
+    const std::uintmax_t once = std::filesystem::file_size(database, unknown) + spareBytes;
+    const bool isOneDisk = deviceOf(folder) == deviceOf(temporary);
+    for (const auto& place : {folder, temporary}) {
+        const std::uintmax_t needed = isOneDisk ? 2 * once : once;
+        const auto room = std::filesystem::space(place, unknown);
+        if (!unknown && room.available < needed) throw noRoom(place, needed);
+    }
+}
+
+void writeAnew(const SqliteConnection& sqlite)
+{
+    try {
+        sqlite.run(QStringLiteral("VACUUM"));
+    } catch (const protocols::Error& fault) {
+        throw protocols::environmentFault(
+            {std::string("the data are removed, but the database could not be written anew: ") + fault.what(), sqlite.folder(),
+             "room for another copy of the database", "make room and run the command again, which completes the erasure"});
+    }
+}
+
 }  // namespace
 
 ErasureRecord eraseFrom(const SqliteConnection& sqlite, const Erasure& erasure)
@@ -135,12 +214,14 @@ ErasureRecord eraseFrom(const SqliteConnection& sqlite, const Erasure& erasure)
         throw protocols::environmentFault({"another program reads the study, so the data would stay in its files", folder,
                                            "no open monitor, report or database browser",
                                            "close it and run the command again; nothing was erased"});
+    requireRoom(sqlite.file());
     ErasureRecord record;
+    record.interrupted = interruptedErasures(sqlite, erasure.participant.value);
     const std::set<std::string> texts = textsOnlyOf(sqlite, erasure);
     // SQLite overwrites what it frees; VACUUM then writes every page anew.
     sqlite.run(QStringLiteral("PRAGMA secure_delete = ON"));
     removeFromTables(sqlite, erasure, record);
-    sqlite.run(QStringLiteral("VACUUM"));
+    writeAnew(sqlite);
     if (!logIsEmptied(sqlite))
         throw protocols::environmentFault({"the data are removed, but another program keeps an older state of the study", folder,
                                            "no open monitor, report or database browser",
@@ -150,8 +231,12 @@ ErasureRecord eraseFrom(const SqliteConnection& sqlite, const Erasure& erasure)
     record.searchedFiles = search.files;
     record.searchedTexts = texts.size();
     record.found = search.found;
-    // Numbers and times are too short for the search, so that a copy of the older study counts as found.
-    for (const std::string& copy : copiesBeforeUpgradeOf(erasure.participant.value, {sqlite.file().parent_path()}))
+    // Numbers and times are too short for the search, so that copies of the database count as found by their rows.
+    const StudyFolder study{sqlite.file().parent_path()};
+    auto copies = copiesBeforeUpgradeOf(erasure.participant.value, study);
+    const bool answersToo = erasure.answersToo || !record.interrupted.empty();
+    std::ranges::copy(databasesAbout(erasure.participant.value, answersToo, study), std::back_inserter(copies));
+    for (const std::string& copy : copies)
         if (std::ranges::find(record.found, copy) == record.found.end()) record.found.push_back(copy);
     return record;
 }

@@ -93,16 +93,41 @@ protocols::AllocationKey neededKey(const StudyStore& store, const Passphrase& pa
                                "a terminal to ask on, --passphrase-file FILE or VIS2HAP_PASSPHRASE", "give the passphrase"});
 }
 
+void layOpen(const StudyFolder& folder, const protocols::AllocationKey& key)
+{
+    if (!fs::exists(folder.allocationKey()))
+        protocols::writeWholeFile(folder.allocationKey(), protocols::toJson(key), protocols::Sync::Now,
+                                  protocols::Readers::OwnerOnly);
+}
+
+/// The disk may have been full at the unblinding, or another account unblinded the study.
+protocols::Error notLaidOpen(const StudyStore& store)
+{
+    const fs::path file = store.folder().allocationKey();
+    if (fs::exists(file))
+        return protocols::environmentFault({"the study is unblinded, and this account cannot read the allocation key",
+                                            file.string(), "a file of the account that reads the study",
+                                            "give the file to this account (chown)"});
+    return protocols::workFailed({"the study is unblinded, but its open allocation key is missing", file.string(),
+                                  "the file that the unblinding writes",
+                                  "run vis2hap unblind again with the passphrase, which writes it"});
+}
+
 }  // namespace
 
 Unblinded unblind(StudyStore& store, const UnblindingRecord& record, const Passphrase& passphrase)
 {
     const auto key = neededKey(store, passphrase);
     store.recordUnblinding(record);
-    if (!fs::exists(store.folder().allocationKey()))
-        protocols::writeWholeFile(store.folder().allocationKey(), protocols::toJson(key), protocols::Sync::Now,
-                                  protocols::Readers::OwnerOnly);
+    layOpen(store.folder(), key);
     return Unblinded(record);
+}
+
+bool completeUnblinding(const StudyStore& store, const Passphrase& passphrase)
+{
+    if (!store.unblinding() || fs::exists(store.folder().allocationKey())) return false;
+    layOpen(store.folder(), neededKey(store, passphrase));
+    return true;
 }
 
 std::optional<Unblinded> recordedUnblinding(const StudyStore& store)
@@ -111,7 +136,11 @@ std::optional<Unblinded> recordedUnblinding(const StudyStore& store)
     return std::nullopt;
 }
 
-protocols::AllocationKey readAllocationKey(const StudyStore& store, const Unblinded&) { return neededKey(store, {}); }
+protocols::AllocationKey readAllocationKey(const StudyStore& store, const Unblinded&)
+{
+    if (auto key = readKey(store, {})) return std::move(*key);
+    throw notLaidOpen(store);
+}
 
 std::optional<protocols::AllocationKey> readKeyForAggregates(const StudyStore& store, const Passphrase& passphrase)
 {
@@ -160,7 +189,9 @@ KeyFindings findingsOfKeys(const StudyStore& store, const Passphrase& passphrase
         }
     };
     check([&] { (void)readStationKey(store); });
-    check([&] { (void)readKey(store, {}); });
+    check([&] {
+        if (!readKey(store, {}) && store.unblinding()) throw notLaidOpen(store);
+    });
     if (!store.facts().hasPassphrase) return findings;
     check([&] { checkSealedKey(store, passphrase, findings); });
     const fs::path open = store.folder().allocationKey();

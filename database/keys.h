@@ -33,7 +33,12 @@ private:
 Unblinded unblind(StudyStore& store, const UnblindingRecord& record, const Passphrase& passphrase);
 std::optional<Unblinded> recordedUnblinding(const StudyStore& store);
 
-/// The key of an unblinded study. Throws workFailed where it is not the one committed in the database.
+/// Writes the open key of an unblinded study where it is missing: the disk was full at the unblinding, or somebody removed it.
+/// False where nothing was to do. Throws badInput without the right passphrase.
+bool completeUnblinding(const StudyStore& store, const Passphrase& passphrase);
+
+/// The key of an unblinded study. Throws workFailed where it is missing, or not the one committed in the database;
+/// environmentFault where this account cannot read it.
 protocols::AllocationKey readAllocationKey(const StudyStore& store, const Unblinded& permission);
 
 /// The key for aggregates under K-labels, before the unblinding. Empty where the study has a passphrase and nobody gives it.

@@ -5,16 +5,22 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cinttypes>
+#include <cstdio>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
 
 #include "database/audit.h"
+#include "database/disk/server_note.h"
+#include "database/erasure.h"
+#include "database/rescue_files.h"
 #include "database/schema.h"
 #include "database/study_rows.h"
 #include "protocols/files/disk_sync.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/files/whole_file.h"
 
 namespace database {
@@ -22,31 +28,6 @@ namespace database {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int mostFiles = 1000;
-
-std::string nameOf(const StudyFolder& folder)
-{
-    const fs::path whole = fs::absolute(folder.folder).lexically_normal();
-    return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
-}
-
-fs::path besideOf(const StudyFolder& folder)
-{
-    const fs::path whole = fs::absolute(folder.folder).lexically_normal();
-    return (whole.has_filename() ? whole : whole.parent_path()).parent_path();
-}
-
-std::string prefixBeside(const StudyFolder& folder) { return nameOf(folder) + "-rescue-"; }
-
-/// A file name that is free: PREFIX1.db, PREFIX2.db ...
-fs::path freeName(const fs::path& where, const std::string& prefix)
-{
-    std::error_code unknown;
-    int number = 1;
-    while (number < mostFiles && fs::exists(where / (prefix + std::to_string(number) + ".db"), unknown)) ++number;
-    return where / (prefix + std::to_string(number) + ".db");
-}
 
 /// False where the connection cannot be read, or the file lacks a row of the copy.
 bool wroteWhatIsRead(const SqliteConnection& sqlite, const PageCopy& copy, const fs::path& file)
@@ -81,15 +62,6 @@ bool wroteCopy(const SqliteConnection& sqlite, const PageCopy* copy, const fs::p
     }
 }
 
-void addRescues(const fs::path& where, const std::string& prefix, std::vector<fs::path>& files)
-{
-    std::error_code unreadable;
-    for (const auto& entry : fs::directory_iterator(where, unreadable)) {
-        const std::string name = entry.path().filename().string();
-        if (name.starts_with(prefix) && name.ends_with(".db")) files.push_back(entry.path());
-    }
-}
-
 void requireSound(const SqliteConnection& rescued)
 {
     checkedVersion(rescued);
@@ -121,13 +93,65 @@ std::optional<LogHead> headOfPresent(const StudyFolder& folder)
     }
 }
 
+std::string hashOfEntry(const SqliteConnection& sqlite, std::int64_t sequence)
+{
+    return fromQt(sqlite.value(QStringLiteral("SELECT hash FROM events WHERE sequence = ?"), {qlonglong(sequence)}));
+}
+
+protocols::Error refused(const std::string& what, const fs::path& rescue, const std::string& expected, const std::string& next)
+{
+    return protocols::badInput({what, rescue.string(), expected, next + "; nothing was changed"});
+}
+
+/// The log of the present study.db must be the beginning of the rescued one.
 void requireBeginning(const StudyFolder& folder, const LogHead& present, const SqliteConnection& rescued)
 {
-    if (fromQt(rescued.value(QStringLiteral("SELECT hash FROM events WHERE sequence = ?"), {qlonglong(present.sequence)})) !=
-        present.hash)
-        throw protocols::badInput({"the study has answers that the rescue file lacks", rescued.file().string(),
-                                   "a rescue file that continues " + folder.database().string(),
-                                   "keep both; move study.db aside to use the rescue file"});
+    if (hashOfEntry(rescued, present.sequence) == present.hash) return;
+    const SqliteConnection study(folder.database(), SqliteConnection::Mode::Read);
+    const std::string continues = "a rescue file that continues " + folder.database().string();
+    if (hashOfEntry(rescued, 1) != hashOfEntry(study, 1))
+        throw refused("study.db and the rescue file are of two studies", rescued.file(), continues,
+                      "move the one that does not belong to this folder aside");
+    const LogHead other = headIn(rescued);
+    if (other.sequence <= present.sequence && hashOfEntry(study, other.sequence) == other.hash)
+        throw refused("the study has every entry of the rescue file already", rescued.file(), continues,
+                      "delete the rescue file, which may hold answers that were erased since");
+    throw refused("the study has answers that the rescue file lacks, and the rescue file others that the study lacks",
+                  rescued.file(), continues,
+                  "keep both; to look into the rescue file, copy the folder, move study.db out of the copy, and run this there");
+}
+
+/// Without a study.db that can be read, the keys say whose folder it is.
+void requireOwnKeys(const StudyFolder& folder, const SqliteConnection& rescued)
+{
+    const std::string expected = "a rescue file of the study in " + folder.folder.string();
+    switch (originOf(rescued, folder)) {
+        case Origin::ThisStudy:
+            return;
+        case Origin::AnotherStudy:
+            throw refused("the rescue file is of another study", rescued.file(), expected, "choose another rescue file");
+        case Origin::Unknown:
+            throw refused("the folder has no station key, so that nothing says to which study it belongs", rescued.file(),
+                          expected, "restore the folder from its newest backup and do it again");
+    }
+}
+
+/// A database from before an erasure would bring the erased data back.
+void requireErasuresOf(const StudyFolder& folder, const SqliteConnection& rescued)
+{
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(certificatesFolder(folder), none)) {
+        const std::string name = entry.path().filename().string();
+        std::int64_t erasure = 0;
+        if (std::sscanf(name.c_str(), "erasure-%" SCNd64 ".txt", &erasure) != 1) continue;
+        const auto kind =
+            fromQt(rescued.value(QStringLiteral("SELECT kind FROM events WHERE sequence = ?"), {qlonglong(erasure)}));
+        if (kind != "erased")
+            throw refused(
+                "the rescue file is from before the erasure of " + name + " and would bring the erased data back", rescued.file(),
+                "a rescue file or a backup from after it",
+                "where this file is the only one left: move the certificate aside, do it again, and then erase at once");
+    }
 }
 
 /// Moves the whole log of the present study.db into it, so that it is complete without its other files.
@@ -210,11 +234,7 @@ fs::path movePresentAside(const StudyFolder& folder)
 
 std::filesystem::path keepAside(const SqliteConnection& sqlite, const PageCopy* copy, const StudyFolder& folder)
 {
-    std::error_code none;
-    const fs::path inside = freeName(folder.folder, "rescue-");
-    const fs::path beside = freeName(besideOf(folder), prefixBeside(folder));
-    const fs::path temporary = freeName(fs::temp_directory_path(none), prefixBeside(folder));
-    for (const fs::path& file : {inside, beside, temporary})
+    for (const fs::path& file : placesForRescue(folder))
         if (wroteCopy(sqlite, copy, file)) return file;
     throw protocols::environmentFault({"the answers cannot be kept aside", folder.folder.string(), "room for a copy of study.db",
                                        "leave this window open and free space"});
@@ -239,36 +259,17 @@ bool holdsAllOf(const PageCopy& copy, const std::filesystem::path& database, Fac
     }
 }
 
-std::vector<std::filesystem::path> rescueFiles(const StudyFolder& folder)
-{
-    std::vector<fs::path> files;
-    addRescues(folder.folder, "rescue-", files);
-    addRescues(besideOf(folder), prefixBeside(folder), files);
-    std::ranges::sort(files, {}, [](const fs::path& file) {
-        std::error_code unknown;
-        return fs::last_write_time(file, unknown);
-    });
-    return files;
-}
-
-std::vector<std::filesystem::path> rescueFilesOutside(const StudyFolder& folder)
-{
-    std::vector<fs::path> files;
-    std::error_code none;
-    addRescues(besideOf(folder), prefixBeside(folder), files);
-    const fs::path temporary = fs::temp_directory_path(none);
-    if (!none && !fs::equivalent(temporary, besideOf(folder), none)) addRescues(temporary, prefixBeside(folder), files);
-    // In these folders others may put what they like under such a name.
-    std::erase_if(files, [](const fs::path& file) {
-        std::error_code unknown;
-        return fs::symlink_status(file, unknown).type() != fs::file_type::regular || ::access(file.c_str(), R_OK) != 0;
-    });
-    return files;
-}
-
 Rescue bringBack(const StudyFolder& folder, const std::filesystem::path& rescue)
 {
     std::error_code ignored;
+    if (const auto note = readServerNote(folder.folder))
+        throw refused("the study lies on a server, and its answers are there", rescue, "a study in its folder",
+                      "bring the study back with vis2hap study move " + protocols::shellWord(note->address) + " " +
+                          protocols::shellWord(folder.folder.string()));
+    if (::access(folder.folder.c_str(), W_OK) != 0)
+        throw protocols::environmentFault({"the study folder cannot be written", folder.folder.string(),
+                                           "a folder that this account may write",
+                                           "check its permissions and its file system; nothing was changed"});
     const bool hasPresent = fs::exists(folder.database());
     requireRegular(rescue, "rescue-N.db, a file that the program kept aside");
     if (hasPresent) requireRegular(folder.database(), "the database of a study, or no file of this name");
@@ -278,18 +279,20 @@ Rescue bringBack(const StudyFolder& folder, const std::filesystem::path& rescue)
         const SqliteConnection rescued(rescue, SqliteConnection::Mode::Read);
         requireSound(rescued);
         result.events = static_cast<std::size_t>(headIn(rescued).sequence);
-        if (const auto present = hasPresent ? headOfPresent(folder) : std::nullopt) {
+        if (const auto present = hasPresent ? headOfPresent(folder) : std::nullopt; present && present->sequence > 0) {
             requireBeginning(folder, *present, rescued);
             result.events -= static_cast<std::size_t>(present->sequence);
             makeComplete(folder);
+        } else {
+            requireOwnKeys(folder, rescued);
+            requireErasuresOf(folder, rescued);
         }
         writeWhole(rescued, made.file);
     }
-    const auto kept = rescueFiles(folder);
     if (hasPresent) result.earlier = movePresentAside(folder);
     for (const char* ending : {"-wal", "-shm"}) fs::remove(folder.database().string() + ending, ignored);
     protocols::putFileInPlace(made.file, folder.database());
-    if (std::ranges::any_of(kept, [&](const fs::path& file) { return fs::equivalent(file, rescue, ignored); }))
+    if (isLeftBy(rescue, folder))
         for (const char* ending : {"", "-wal", "-shm"}) fs::remove(rescue.string() + ending, ignored);
     return result;
 }

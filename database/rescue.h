@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <vector>
 
 #include "database/disk/page_copy.h"
 #include "database/disk/study_folder.h"
@@ -26,22 +25,16 @@ enum class Facts { MayDiffer, MustAgree };
 /// studies.
 bool holdsAllOf(const PageCopy& copy, const std::filesystem::path& database, Facts facts = Facts::MayDiffer);
 
-/// The rescue files in the study folder and beside it, oldest first.
-std::vector<std::filesystem::path> rescueFiles(const StudyFolder& folder);
-
-/// Files outside of the study folder, and those of studies of this name in the folder for temporary files, that can be read. They
-/// may be of another study of this name.
-std::vector<std::filesystem::path> rescueFilesOutside(const StudyFolder& folder);
-
 struct Rescue {
     std::size_t events = 0;         ///< entries of the log that the study gained
     std::filesystem::path earlier;  ///< the database that stood there, kept under another name; empty where there was none
 };
 
 /// Puts what the rescue file and its write-ahead log hold in the place of study.db. The log of the present study.db must be the
-/// beginning of the rescued one; a study.db that is damaged, or no study, is only put aside. Throws badInput where the present
-/// log is another, or where the file is no database of a study; nothing is changed then. A file of rescueFiles() is gone
-/// afterwards, any other one stays. The caller holds the write lock.
+/// beginning of the rescued one. A study.db that is damaged, or no study, is only put aside; then the keys in the folder must be
+/// those of the rescued study, and no certificate of an erasure may be newer. Throws badInput where that is not so, where the
+/// file is no database of a study, and for a study on a server; nothing is changed then. A file that isLeftBy() the folder is
+/// gone afterwards, any other one stays. The caller holds the write lock.
 Rescue bringBack(const StudyFolder& folder, const std::filesystem::path& rescue);
 
 }  // namespace database

@@ -151,6 +151,8 @@ struct ErasureRecord {
     std::size_t searchedFiles = 0;   ///< files of the study in which the removed texts were looked for
     std::size_t searchedTexts = 0;   ///< salts, facts, notes and words that no other participant has
     std::vector<std::string> found;  ///< files that still hold one of them, relative to the study
+    /// Earlier erasures of this participant, by their entries, that ended before the search: their texts are no longer known.
+    std::vector<std::int64_t> interrupted;
 };
 
 /// The last entry of the log. Its hash commits to every entry before it.

@@ -113,8 +113,8 @@ public:
 
     /// Removes facts and, if `answersToo`, every answer and note; the participant then counts as withdrawn. The erasure is
     /// recorded, and the log can still be verified. Afterwards every file of the study is searched for what was removed. Throws
-    /// badInput for an unknown participant or an empty who or why, environmentFault while another program reads the study: the
-    /// same call later completes the erasure.
+    /// badInput for an unknown participant or an empty who or why, environmentFault while another program reads the study, or
+    /// where room is missing: the same call later completes the erasure.
     ErasureRecord erase(const Erasure& erasure);
     std::vector<Erasure> erasures() const;
 

@@ -81,6 +81,7 @@ void requireSameParts(const UsualTexts& texts, const UsualTexts& english, const 
     requireSameParts(texts.instructions, english.instructions, "instructions", where);
     requireSameParts(texts.letters, english.letters, "letters", where);
     requireSameParts(texts.participant, english.participant, "participant", where);
+    requireSameParts(texts.ownData, english.ownData, "own_data", where);
 }
 
 /// The files of all languages, read once.
@@ -166,7 +167,8 @@ UsualTexts usualTextsFromJson(std::string_view text, const std::string& where)
             .checklist = listAt(document, "checklist", where),
             .readings = listAt(document, "readings", where),
             .facts = listAt(document, "facts", where),
-            .participant = textsAt(document, "participant", where)};
+            .participant = textsAt(document, "participant", where),
+            .ownData = textsAt(document, "own_data", where)};
 }
 
 std::vector<std::string> languagesOfUsualTexts()

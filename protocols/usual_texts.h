@@ -1,6 +1,6 @@
 // The sentences that a study uses where its protocol gives none: the questions of the paper, consent, how to stroke. The
-// operator reads them to the participant. Also what the participant reads on a screen of their own. Each language has a file:
-// protocols/texts/usual_texts.LANGUAGE.json.
+// operator reads them to the participant. Also what the participant reads on a screen of their own and on the sheet with their
+// data. Each language has a file: protocols/texts/usual_texts.LANGUAGE.json.
 #pragma once
 
 #include <map>
@@ -32,6 +32,7 @@ struct UsualTexts {
     std::string strokeWords;
     std::vector<std::string> checklist, readings, facts;  ///< of the paper's study
     TextsByKey participant;
+    TextsByKey ownData;  ///< of the sheet on which a person reads what a study stores about them
 };
 
 /// The languages that have usual texts, English first.

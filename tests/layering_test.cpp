@@ -100,11 +100,12 @@ const QList<Room>& rooms()
          "displays, their drivers, the stimulus bank, the simulated finger",
          {"rendering/composition/friction_image.h", "rendering/images/", "protocols/"}},
         {"database/disk/",
-         "names of a study's files; whether open ones are in place, and a copy of what they held; texts that may be altered; the "
-         "note of a study on a server",
+         "names of a study's files; the lock of its folder; whether open files are in place, and a copy of what they held; texts "
+         "that "
+         "may be altered; the note of a study on a server",
          {"protocols/finger_sample.h", "protocols/files/"}},
         {"database/",
-         "`study.db`, the append-only log, the lock, keys and unblinding",
+         "`study.db`, the append-only log, rescue files, keys and unblinding",
          {"database/disk/", "database/disk/server_note.h", "database/server/study_move.h", "protocols/"},
          true},
         {"database/server/",

@@ -9,12 +9,12 @@
 #include <optional>
 
 #include "database/disk/server_note.h"
+#include "database/disk/write_lock.h"
 #include "database/evidence/operator_latency.h"
 #include "database/server/answer_queue.h"
 #include "database/server/server_connection.h"
 #include "database/server/server_link.h"
 #include "database/session_store.h"
-#include "database/write_lock.h"
 
 namespace database {
 

@@ -98,7 +98,8 @@ int eachBlock(const fs::path& file, const std::function<bool(std::string_view)>&
 {
     const mode_t kind = kindAt(file);
     const bool waits = kind == S_IFIFO;
-    const Descriptor open(file, waits ? O_RDONLY | O_NONBLOCK : O_RDONLY);
+    // Some files of the kernel look regular and wait for ever, such as /proc/kmsg.
+    const Descriptor open(file, waits || kind == S_IFREG ? O_RDONLY | O_NONBLOCK : O_RDONLY);
     if (!open.isOpen()) return errno;
     if (isEndless(kind, open.number())) return isDevice;
     if (waits && !getsSomething(open.number())) return nobodyWrites;

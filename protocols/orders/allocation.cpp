@@ -87,26 +87,30 @@ std::vector<FileCode> drawMoreFileCodes(const AllocationKey& key, int count, con
     return codes;
 }
 
-/// Three digits each, all different within the study as long as there are enough.
+/// Smallest code on a piece: 100 for up to 900 codes, 1000 for up to 9000, and so on.
+int smallestSwatchCode(std::size_t count)
+{
+    int smallest = 100;
+    while (count > 9 * static_cast<std::size_t>(smallest)) smallest *= 10;
+    return smallest;
+}
+
+/// Codes that all have the same number of digits and all differ within the study.
 std::vector<SwatchLabels> drawSwatches(const Protocol& protocol, const std::vector<FabricId>& fabrics, std::size_t slots,
                                        const SecretKey& secret)
 {
     Random random = drawsFor("allocation/swatch codes", secret);
-    std::vector<SwatchLabels> drawn;
-    std::vector<int> numbers;
     const std::size_t sets = protocol.swatchCodes == SwatchCodes::PerParticipant ? slots : 1;
-    for (std::size_t set = 0; set < sets; ++set) {
-        auto& labels = drawn.emplace_back();
-        if (numbers.size() < fabrics.size()) {
-            numbers.resize(900);
-            std::iota(numbers.begin(), numbers.end(), 100);
-            random.shuffle(numbers);
-        }
+    const int smallest = smallestSwatchCode(sets * fabrics.size());
+    std::vector<int> numbers(9 * static_cast<std::size_t>(smallest));
+    std::iota(numbers.begin(), numbers.end(), smallest);
+    random.shuffle(numbers);
+    std::vector<SwatchLabels> drawn(sets);
+    for (SwatchLabels& labels : drawn)
         for (const FabricId& fabric : fabrics) {
             labels[fabric] = std::to_string(numbers.back());
             numbers.pop_back();
         }
-    }
     drawn.resize(slots, drawn.front());
     return drawn;
 }

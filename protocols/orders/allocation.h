@@ -54,7 +54,7 @@ SealedCode sealed(const FileCode& code, const SecretKey& stationKey);
 /// Throws workFailed where the code was sealed with another key or altered.
 FileCode opened(const SealedCode& code, const SecretKey& stationKey);
 
-/// The neutral codes on the fabric pieces: three digits, all different on one tray.
+/// The neutral codes on the fabric pieces: three digits, or more in a study with over 900 codes. All codes of a new study differ.
 using SwatchLabels = std::map<FabricId, std::string>;
 
 struct Allocation {

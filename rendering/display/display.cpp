@@ -69,6 +69,8 @@ std::unique_ptr<HapticDisplay> openDisplay(const std::string& specification, con
                                .nextStep = "correct the name of the display"});
 }
 
+cv::Size sessionImagePx() { return {displayWidthPx, displayHeightPx}; }
+
 bool hasDriver(const std::string& specification)
 {
     return specification.starts_with("exec:") || specification.starts_with("tcp:");

@@ -64,6 +64,9 @@ public:
 /// does not answer. `stop` ends the wait for a driver, from any thread, and the program that was started for it.
 std::unique_ptr<HapticDisplay> openDisplay(const std::string& specification, const std::stop_token& stop = {});
 
+/// Size of the images that sessions send to every display, whatever its surface.
+cv::Size sessionImagePx();
+
 /// Whether opening this display waits for a driver, which may take seconds.
 bool hasDriver(const std::string& specification);
 

@@ -36,7 +36,7 @@ public:
 
 private:
     struct Demand {
-        const char* text;
+        std::string text;
         std::string (DriverCheck::*faultOf)();
     };
     static const std::vector<Demand>& demands();
@@ -45,6 +45,7 @@ private:
     std::string hello();
     std::string nothingFirst();
     std::string shows();
+    std::string showsSizeOfSessions();
     std::string statusNamesTheImage();
     std::string imageBytesAreNoLines();
     std::string newImageReplaces();
@@ -76,6 +77,9 @@ const std::vector<DriverCheck::Demand>& DriverCheck::demands()
         {"sends hello with its schema, a name and the size of its surface", &DriverCheck::hello},
         {"shows nothing after hello", &DriverCheck::nothingFirst},
         {"shows an image and replies in time", &DriverCheck::shows},
+        {"shows an image of " + std::to_string(displayWidthPx) + " × " + std::to_string(displayHeightPx) +
+             " px, the size that sessions send",
+         &DriverCheck::showsSizeOfSessions},
         {"names the shown image in its status", &DriverCheck::statusNamesTheImage},
         {"counts the bytes of an image and does not interpret them", &DriverCheck::imageBytesAreNoLines},
         {"replaces the image by a new one", &DriverCheck::newImageReplaces},
@@ -164,6 +168,15 @@ std::string DriverCheck::shows()
             (isShow ? m_result.showMs : m_result.clearMs).push_back(took.count());
         }
     return {};
+}
+
+/// A device with another number of pixels must scale the image.
+std::string DriverCheck::showsSizeOfSessions()
+{
+    const std::string grey(static_cast<std::size_t>(displayWidthPx) * static_cast<std::size_t>(displayHeightPx), '\x80');
+    m_driver.showing = m_driver.nextId();
+    const std::string line = showLine(*m_driver.showing, displayWidthPx, displayHeightPx, grey.size());
+    return expect(m_driver.ask(line, grey), MessageKind::Shown);
 }
 
 std::string DriverCheck::statusNamesTheImage()

@@ -10,6 +10,8 @@
 #include <opencv2/core.hpp>
 #include <thread>
 
+#include "protocols/files/utf8.h"
+
 namespace rendering {
 
 namespace {
@@ -23,6 +25,8 @@ constexpr nanoseconds oldestTouch = std::chrono::seconds(2);
 constexpr milliseconds restBeforeNextTry(250);
 constexpr int linesAtOnce = 1000;  // A driver that floods the connection must not block the window.
 constexpr std::size_t noiseKept = 80;
+constexpr std::size_t reasonKept = 240;
+constexpr std::size_t addressKept = 60;  // A command with many options would hide the reason.
 
 std::string secondsText(milliseconds duration)
 {
@@ -46,6 +50,9 @@ std::string printable(const std::string& line)
         text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
     return text;
 }
+
+/// Reason of a reply `failed`, for messages; it may have characters of any language.
+std::string reasonIn(const DriverMessage& reply) { return protocols::inShort(reply.why, reasonKept); }
 
 }  // namespace
 
@@ -107,8 +114,7 @@ void ExternalDisplay::ask(const DriverRequest& request, int tries)
         if (!reply) continue;
         m_isGivenUp = false;
         wakeIfLinesWait();
-        if (reply->kind == MessageKind::Failed)
-            throw protocols::workFailed(fault("the display refuses: " + printable(reply->why)));
+        if (reply->kind == MessageKind::Failed) throw protocols::workFailed(fault("the display refuses: " + reasonIn(*reply)));
         return;
     }
     m_isGivenUp = true;
@@ -129,7 +135,7 @@ ExternalDisplay::StartResult ExternalDisplay::start()
     if (!reply) return m_isTimedOut ? StartResult::GiveUp : StartResult::TryAgain;
     if (reply->kind == MessageKind::Hello && reply->schema == displaySchema) return StartResult::Started;
     if (reply->kind == MessageKind::Failed)
-        lose("does not start: " + printable(reply->why));
+        lose("does not start: " + reasonIn(*reply));
     else
         lose("uses \"" + printable(m_hello.schema) + "\", but this program uses " + displaySchema);
     return StartResult::GiveUp;
@@ -235,7 +241,8 @@ void ExternalDisplay::lose(const std::string& why)
 
 protocols::Fault ExternalDisplay::fault(const std::string& what) const
 {
-    return {what, "display " + m_address.text(), "a reply by the protocol " + std::string(displaySchema),
+    return {what, "display " + protocols::inShort(m_address.text(), addressKept),
+            "a reply by the protocol " + std::string(displaySchema),
             "check the device and its driver (`vis2hap display check` names the fault), then show the image again"};
 }
 

@@ -37,8 +37,9 @@ int makeDrawn(const MakeCall& call)
     options.pairing = call.places();
     Progress progress("fabrics");
     const auto dataset = makeDrawnFabrics(call.folder, options, [&](int done, int total) { progress.show(done, total); });
-    std::printf("%s: %zu drawn fabrics with %d photographs, presses and strokes each; law of friction: %s\n", call.folder.c_str(),
-                dataset.fabrics.size(), options.samples, rendering::fabrics::frictionLaw().c_str());
+    std::printf("%s: %zu drawn fabrics with %d photographs, presses and strokes each; law of friction: %s\n",
+                protocols::printable(call.folder).c_str(), dataset.fabrics.size(), options.samples,
+                rendering::fabrics::frictionLaw().c_str());
     return 0;
 }
 

@@ -9,6 +9,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/number_text.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/images/image_io.h"
 #include "study/commands/command_line.h"
@@ -81,8 +82,9 @@ void write(const HeightCall& call, const measuring::Reconstruction& result)
     facts.update(result.facts);
     protocols::writeWholeFile(draft.file(result.name + ".json"), facts.dump(2) + "\n", Sync::Later);
     draft.putInPlace();
-    std::printf("%s.tiff  %d x %d, 0 to %.4g mm, Sq %.4g mm%s\n", (fs::path(call.out) / result.name).c_str(),
-                result.heightMm.cols, result.heightMm.rows, high, sd[0],
+    std::printf("%s.tiff  %d x %d, 0 to %.4g mm, Sq %.4g mm%s\n",
+                protocols::printable((fs::path(call.out) / result.name).string()).c_str(), result.heightMm.cols,
+                result.heightMm.rows, high, sd[0],
                 facts.contains("curl_residual")
                     ? (", curl " + protocols::shortest(std::round(1e4 * facts["curl_residual"].get<double>()) / 1e4)).c_str()
                     : "");

@@ -5,6 +5,7 @@
 
 #include "database/evidence/acts.h"
 #include "database/rescue.h"
+#include "database/rescue_files.h"
 #include "database/study_store.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/safe_text.h"
@@ -27,13 +28,17 @@ int erase(const std::string& study, const database::Erasure& erasure)
     database::StudyStore store({study}, database::StudyStore::Access::Write);
     const auto record = store.erase(erasure);
     const auto certificate = records::writeErasureCertificate(store, erasure, record);
-    std::printf("%s: erased %s of %s; the erasure is recorded\n", study.c_str(),
+    std::printf("%s: erased %s of %s; the erasure is recorded\n", protocols::printable(study).c_str(),
                 erasure.answersToo ? "facts, debriefing, answers and notes" : "facts and debriefing",
                 erasure.participant.value.c_str());
     for (const auto& file : record.found) std::printf("  still in %s\n", protocols::printable(file).c_str());
+    for (const auto entry : record.interrupted)
+        std::printf("  the erasure of entry %lld was interrupted before its search: look through files from before it\n",
+                    static_cast<long long>(entry));
     std::printf("  %s: what was removed, where it was searched, and which copies may exist\n",
                 protocols::printable(certificate.string()).c_str());
-    return static_cast<int>(record.found.empty() ? protocols::ExitCode::Done : protocols::ExitCode::WorkFailed);
+    return static_cast<int>(record.found.empty() && record.interrupted.empty() ? protocols::ExitCode::Done
+                                                                               : protocols::ExitCode::WorkFailed);
 }
 
 int backup(const std::string& study, const std::string& out)
@@ -44,11 +49,26 @@ int backup(const std::string& study, const std::string& out)
         std::fprintf(stderr, "warning: %s\n", protocols::printable(fault).c_str());
         faults += (faults.empty() ? "" : "; ") + fault;
     }
-    std::printf("%s: a copy of %s with %zu answers; `tar xf` restores it\n", out.c_str(), study.c_str(), store.answers().size());
+    std::printf("%s: a copy of %s with %zu answers; `tar xf` restores it\n", protocols::printable(out).c_str(),
+                protocols::printable(study).c_str(), store.answers().size());
     std::printf("  log head %s\n", records::headTextOf(store).c_str());
     recordAct(store, "backup", out, faults);
     if (const auto acts = headOfActs(store); acts.sequence > 0) std::printf("  acts head %s\n", textOf(acts).c_str());
     return 0;
+}
+
+/// A file that cannot be used may not be the only one.
+database::StudyStore::Rescued rescued(const database::StudyFolder& folder, const fs::path& file, const std::vector<fs::path>& all)
+{
+    try {
+        return database::StudyStore::rescue(folder, file);
+    } catch (const protocols::Error&) {
+        for (const fs::path& other : all)
+            if (other != file)
+                std::fprintf(stderr, "note: another rescue file is %s; --from takes it\n",
+                             protocols::printable(other.string()).c_str());
+        throw;
+    }
 }
 
 int rescue(const std::string& study, const std::string& from)
@@ -59,7 +79,7 @@ int rescue(const std::string& study, const std::string& from)
         throw protocols::badInput({"there is no rescue file of this study", study, "rescue-N.db in the folder or beside it",
                                    "name it with --from FILE"});
     const fs::path file = from.empty() ? files.back() : fs::path(from);
-    const auto done = database::StudyStore::rescue(folder, file);
+    const auto done = rescued(folder, file, files);
     std::printf("%s: brought back from %s, new entries of the log: %zu\n", protocols::printable(study).c_str(),
                 protocols::printable(file.string()).c_str(), done.events);
     if (!done.earlier.empty())

@@ -81,19 +81,25 @@ std::optional<std::string> asked(const std::string& question)
     return isThere ? std::optional(inOneForm(line, "terminal")) : std::nullopt;
 }
 
+/// A shell takes the line feed off what it puts into a variable, and leaves the carriage return of a Windows file.
+std::string withoutLineEnd(std::string text)
+{
+    for (const char end : {'\n', '\r'})
+        if (text.ends_with(end)) text.pop_back();
+    return text;
+}
+
 /// The first line of the file, without its end. Windows writes such files in UTF-16, too.
 std::string firstLineOf(const std::string& file)
 {
     std::string text = protocols::decodedText(protocols::readWholeFile(file), file).text;
-    text = text.substr(0, text.find('\n'));
-    if (text.ends_with('\r')) text.pop_back();
-    return text;
+    return withoutLineEnd(text.substr(0, text.find('\n')));
 }
 
 std::optional<std::string> givenBeforehand(const PassphraseOption& option)
 {
     if (!option.file.empty()) return inOneForm(firstLineOf(option.file), option.file);
-    if (const char* value = std::getenv(variable)) return inOneForm(value, variable);
+    if (const char* value = std::getenv(variable)) return inOneForm(withoutLineEnd(value), variable);
     return std::nullopt;
 }
 
@@ -134,6 +140,9 @@ std::string newPassphrase(const PassphraseOption& option, const std::string& key
                                    "give one; --no-passphrase leaves the key open, for simulated studies and tests"});
     if (std::ranges::all_of(*given, [](char c) { return static_cast<unsigned char>(c) <= ' '; }))
         throw protocols::badInput({"the passphrase holds only blanks", "", "letters, digits and signs", "choose another one"});
+    if (std::ranges::any_of(*given, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }))
+        throw protocols::badInput({"the passphrase holds a control character, which nobody can type", "",
+                                   "letters, digits, signs and blanks", "choose another one"});
     if (given->size() < shortestPassphrase)
         throw protocols::badInput({"the passphrase is too short", "", std::to_string(shortestPassphrase) + " characters or more",
                                    "choose a longer one, such as four words"});

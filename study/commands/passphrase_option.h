@@ -23,7 +23,7 @@ database::Passphrase passphraseFrom(const PassphraseOption& option, const std::s
 database::Passphrase givenPassphrase(const PassphraseOption& option);
 
 /// A new passphrase for this key: a terminal asks twice. Throws badInput where there is none, or where it has less than 8
-/// characters.
+/// characters, or a control character.
 std::string newPassphrase(const PassphraseOption& option, const std::string& key = "the allocation key of this study");
 
 }  // namespace study::commands

@@ -59,8 +59,8 @@ int makeSigningKey(const KeyCall& call)
         seed, call.hasNoPassphrase ? std::nullopt : std::optional(newPassphrase(call.passphrase, "the signing key")));
     protocols::writeWholeFile(call.out, text, protocols::Sync::Now, protocols::Readers::OwnerOnly);
     protocols::writeWholeFile(openFile, protocols::pemOf(protocols::publicKeyOf(seed)));
-    std::printf("%s: the signing key; keep it secret, and away from the studies\n", call.out.c_str());
-    std::printf("%s: the public key; give it to everybody who checks\n", openFile.c_str());
+    std::printf("%s: the signing key; keep it secret, and away from the studies\n", protocols::printable(call.out).c_str());
+    std::printf("%s: the public key; give it to everybody who checks\n", protocols::printable(openFile).c_str());
     return 0;
 }
 
@@ -81,7 +81,7 @@ int sign(const SignCall& call)
     const std::string text = records::signedHeadText(store, seed, versionText());
     protocols::writeWholeFile(call.out, text);
     std::fputs(protocols::printableLines(text).c_str(), stdout);
-    std::printf("%s: signed; this proves who vouches for the head, not when\n", call.out.c_str());
+    std::printf("%s: signed; this proves who vouches for the head, not when\n", protocols::printable(call.out).c_str());
     recordAct(store, "sign", call.out);
     return 0;
 }

@@ -43,7 +43,7 @@ int check(const ProtocolCall& call)
         std::printf("%s:%zu:%zu: %s\n", protocols::printable(call.file).c_str(), fault.line, fault.column,
                     protocols::printable(fault.text).c_str());
     if (checked.faults.empty())
-        std::printf("%s: no fault; `vis2hap protocol show %s` draws the session\n", call.file.c_str(),
+        std::printf("%s: no fault; `vis2hap protocol show %s` draws the session\n", protocols::printable(call.file).c_str(),
                     protocols::shellWord(call.file).c_str());
     else
         std::printf("%s: %zu %s; protocols/protocol.schema.json describes each field, and protocols/examples has examples\n",

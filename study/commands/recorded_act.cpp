@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "database/server/study_move.h"
+#include "protocols/files/safe_text.h"
 #include "study/commands/command_line.h"
 #include "study/session/operated_by.h"
 
@@ -18,7 +19,8 @@ void noteIfOpen(const std::filesystem::path& path)
     const auto status = std::filesystem::status(path, ignored);
     if (!std::filesystem::is_directory(status) || (status.permissions() & (perms::group_all | perms::others_all)) == perms::none)
         return;
-    std::fprintf(stderr, "note: others on this computer can open the folder %s; `chmod 700` closes it\n", path.c_str());
+    std::fprintf(stderr, "note: others on this computer can open the folder %s; `chmod 700` closes it\n",
+                 protocols::printable(path.string()).c_str());
 }
 
 }  // namespace
@@ -39,7 +41,7 @@ void recordAct(const database::StudyStore& store, const std::string& kind, const
                const std::string& note)
 {
     if (const std::string refused = addAct(store, kind, path, {}, note); !refused.empty())
-        std::fprintf(stderr, "not recorded: %s\n", refused.c_str());
+        std::fprintf(stderr, "not recorded: %s\n", protocols::printable(refused).c_str());
     noteIfOpen(path);
 }
 

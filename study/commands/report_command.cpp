@@ -106,7 +106,8 @@ int report(const ReportCall& call, StageTimes times)
         const auto store = records::openStudy(call.study);
         reports::writeProgressReport(records::blindedReport(store), call.out);
         recordAct(store, "report", call.out);
-        std::printf("%s/index.html: progress, balance and flags; the rest needs the owner's passphrase\n", call.out.c_str());
+        std::printf("%s/index.html: progress, balance and flags; the rest needs the owner's passphrase\n",
+                    protocols::printable(call.out).c_str());
         if (!call.checkWith.empty()) checkReport(call.out, call.checkWith);
         return 0;
     }

@@ -32,11 +32,18 @@ nlohmann::ordered_json comparedWith(const database::StudyStore& store, const std
     auto rows = nlohmann::ordered_json::array();
     if (against.empty()) return rows;
     records::requireLastingHead(store);
-    for (const auto& head : records::headsIn(against)) {
+    const auto given = records::headsIn(against);
+    for (const auto& head : given.heads) {
         const std::string fault = records::faultAgainst(store, head);
         const std::string text = head.sequence == 0 ? head.hash : textOf(head);
         rows.push_back({{"head", text}, {"contained", fault.empty()}});
         if (!fault.empty()) faults.push_back("head " + text + ": " + fault);
+    }
+    for (const std::string& text : given.unread) {
+        rows.push_back({{"head", text}, {"contained", nullptr}, {"why", {{"contained", "this cannot be read as a head"}}}});
+        faults.push_back("'" + text +
+                         "' looks like a head and cannot be read; expected SEQUENCE:HASH with 16 to 64 of the digits 0 to 9 and "
+                         "a to f; compare it with what was given out");
     }
     return rows;
 }
@@ -86,7 +93,8 @@ void print(const std::string& study, const database::StudyStore& store, const re
     std::printf("%s: %s (%zu answers, %zu stimuli, hash chain, keys, protocol)\n", protocols::printable(study).c_str(),
                 faults.empty() ? "sound" : (std::to_string(faults.size()) + (faults.size() == 1 ? " fault" : " faults")).c_str(),
                 store.answerCount(), store.stimulusHashes().size());
-    if (heads > 0 && faults.empty()) std::printf("  the log contains %s\n", heads == 1 ? "the given head" : "all given heads");
+    if (heads == 1 && faults.empty()) std::puts("  the log contains the given head");
+    if (heads > 1 && faults.empty()) std::printf("  the log contains all %zu given heads\n", heads);
     if (signature.is_object() && signature["valid"] == true)
         std::printf("  the signature is that of the public key; the signer's clock said %s, which it does not prove\n",
                     protocols::printable(signature["time"].get<std::string>()).c_str());
@@ -127,12 +135,17 @@ int unblind(const std::string& study, const std::string& who, const std::string&
         std::printf("%s: already unblinded by %s on %s (%s)\n", protocols::printable(study).c_str(),
                     protocols::printable(earlier->who).c_str(), earlier->wallTime.c_str(),
                     protocols::printable(earlier->why).c_str());
+        if (database::completeUnblinding(store, passphraseFrom(passphrase))) {
+            recordAct(store, "unblind");
+            std::puts("  its allocation key was missing; it lies open again");
+        }
         return 0;
     }
     const auto done = database::unblind(store, {who, why, session::SystemClock().wallTime()}, passphraseFrom(passphrase));
     recordAct(store, "unblind");
     const auto key = readAllocationKey(store, done);
-    std::printf("%s: unblinded by %s; this is recorded\n", study.c_str(), who.c_str());
+    std::printf("%s: unblinded by %s; this is recorded\n", protocols::printable(study).c_str(),
+                protocols::printable(who).c_str());
     std::map<protocols::ConditionLabel, protocols::ConditionId> names;
     for (const auto& [code, entry] : key.entries) names[entry.label] = entry.condition;
     for (const auto& [label, condition] : names) std::printf("  %s is %s\n", label.value.c_str(), condition.value.c_str());

@@ -4,8 +4,10 @@
 #include <QStringList>
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include "protocols/files/csv_table.h"
+#include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/markup_text.h"
 #include "protocols/files/number_text.h"
@@ -46,14 +48,16 @@ struct PrintedHead {
     database::LogHead head;
 };
 
+/// Begins the command in the foot of every page.
+constexpr const char* checkCommand = "<code>vis2hap verify ";
+
 Markup footOf(const PrintedHead& printed)
 {
     const std::string head = shortTextOf(printed.head);
     const QString entries =
         printed.head.sequence == 1 ? SheetText::tr("1 entry") : SheetText::tr("%1 entries").arg(printed.head.sequence);
-    const QString check = "<code>vis2hap verify " +
-                          QString::fromStdString(protocols::escapedMarkup(protocols::shellWord(printed.study))) + " --against " +
-                          QString::fromStdString(head) + "</code>";
+    const QString check = checkCommand + QString::fromStdString(protocols::escapedMarkup(protocols::shellWord(printed.study))) +
+                          " --against " + QString::fromStdString(head) + "</code>";
     const QString sentences =
         QString::fromStdString(marked(SheetText::tr("Head of the log when this page was made: %1 (%2). Check: %3")));
     return "<p class=\"foot\">" + sentences.arg("<b>" + QString::fromStdString(head) + "</b>", entries, check).toStdString() +
@@ -67,29 +71,45 @@ Markup page(const std::string& title, const std::string& body, const PrintedHead
     return "<!DOCTYPE html>\n<html lang=\"" + protocols::escapedMarkup(language) + "\"><head><meta charset=\"utf-8\"><title>" +
            protocols::escapedMarkup(title) +
            "</title><style>\n"
-           "body{font:14pt 'DejaVu Sans',sans-serif;margin:15mm;color:#000;background:#fff}\n"
-           "h1{font-size:20pt}h2{font-size:15pt;margin-top:10mm}table{border-collapse:collapse}\n"
-           "td,th{border:1px solid #000;padding:2mm 5mm;text-align:left}\n"
-           ".label{display:inline-block;border:1px dashed #000;padding:6mm 9mm;margin:2mm;font-size:26pt;font-weight:bold}\n"
-           ".sheet+.sheet{page-break-before:always}p{max-width:170mm}.foot{font-size:9pt;margin-top:10mm}.blank "
-           "td{height:9mm;min-width:25mm}\n"
+           "body{font:14pt 'DejaVu Sans',sans-serif;margin:15mm;color:#000;background:#fff;overflow-wrap:anywhere}\n"
+           "h1{font-size:20pt}h2{font-size:15pt;margin-top:10mm}p,table{max-width:170mm}\n"
+           "table{border-collapse:collapse;table-layout:fixed;width:100%}tr{page-break-inside:avoid}\n"
+           "td,th{border:1px solid #000;padding:2mm 3mm;text-align:left}th{font-size:12pt}\n"
+           ".blank td{height:9mm}.blank th{font-size:9pt;padding:2mm}\n"
+           ".label{display:inline-block;border:1px dashed #000;padding:5mm 9mm;margin:2mm;text-align:center}\n"
+           ".label b{display:block;font-size:26pt;border-bottom:1mm solid #000}.label small{font-size:9pt}\n"
+           ".ends{display:flex;justify-content:space-between;margin:0 5.9%}.ends span{width:47%}\n"
+           ".ends span+span{text-align:right}.sheet+.sheet{page-break-before:always}.foot{font-size:9pt;margin-top:10mm}\n"
            "</style></head><body>\n<h1>" +
            protocols::escapedMarkup(title) + "</h1>\n" + body + footOf(printed) + "</body></html>\n";
 }
 
 Markup paragraph(const QString& text) { return "<p>" + marked(text) + "</p>\n"; }
 
-Markup headRow(std::initializer_list<QString> captions)
+/// A column of a table. Its width is fixed, so that a long name pushes no other column off the page.
+struct Column {
+    QString caption;
+    const char* width;  ///< CSS; "auto": an equal share of the rest
+};
+
+/// Beginning of a table. Each page that the table reaches begins with `title` (markup, may be empty) and the captions.
+Markup tableHead(const Markup& title, std::initializer_list<Column> columns)
 {
-    std::string row = "<tr>";
-    for (const QString& caption : captions) row += "<th>" + marked(caption) + "</th>";
-    return row + "</tr>\n";
+    std::string widths, captions;
+    for (const Column& column : columns) {
+        widths += "<col style=\"width:" + std::string(column.width) + "\">";
+        captions += "<th>" + marked(column.caption) + "</th>";
+    }
+    const std::string titleRow =
+        title.empty() ? "" : "<tr><th colspan=\"" + std::to_string(columns.size()) + "\">" + title + "</th></tr>\n";
+    return "<colgroup>" + widths + "</colgroup>\n<thead>" + titleRow + "<tr>" + captions + "</tr></thead>\n";
 }
 
 /// One set of labels. All slots share one set where the pieces are labelled once.
 struct LabelSet {
     std::string title;  ///< markup
     protocols::SwatchLabels codes;
+    bool isOfOnePlace = true;
 };
 
 std::vector<LabelSet> labelSetsOf(const database::StudyFacts& facts, const protocols::Protocol& protocol)
@@ -97,7 +117,7 @@ std::vector<LabelSet> labelSetsOf(const database::StudyFacts& facts, const proto
     std::vector<LabelSet> sets;
     if (facts.swatches.empty()) return sets;
     if (protocol.swatchCodes == protocols::SwatchCodes::Once)
-        return {{marked(SheetText::tr("All participants")), facts.swatches.front()}};
+        return {{marked(SheetText::tr("All participants")), facts.swatches.front(), false}};
     for (std::size_t slot = 0; slot < facts.swatches.size(); ++slot)
         sets.push_back({marked(SheetText::tr("Place %1").arg(slot + 1)), facts.swatches[slot]});
     return sets;
@@ -106,10 +126,13 @@ std::vector<LabelSet> labelSetsOf(const database::StudyFacts& facts, const proto
 Markup labelsPage(const database::StudyFacts& facts, const std::vector<LabelSet>& sets, const PrintedHead& printed)
 {
     std::string body =
-        paragraph(SheetText::tr("Cut out the labels. Fix each label to the back of its piece, as the preparation sheet shows."));
+        paragraph(SheetText::tr("Cut out the labels. Fix each label to the back of its piece, as the preparation sheet shows.")) +
+        paragraph(SheetText::tr("The line on a label is below the code, so that nobody reads 199 as 661."));
     for (const auto& set : sets) {
-        body += "<h2>" + set.title + "</h2>\n<div>";
-        for (const auto& [fabric, code] : set.codes) body += "<span class=\"label\">" + code + "</span>";
+        // Labels of several places lie on one table after they were cut out.
+        const std::string place = set.isOfOnePlace ? "<small>" + set.title + "</small>" : "";
+        body += "<div class=\"sheet\"><h2>" + set.title + "</h2>\n";
+        for (const auto& [fabric, code] : set.codes) body += "<span class=\"label\"><b>" + code + "</b>" + place + "</span>";
         body += "</div>\n";
     }
     return page(SheetText::tr("%1: labels of the fabric pieces").arg(QString::fromStdString(facts.name)).toStdString(), body,
@@ -121,11 +144,12 @@ Markup preparationPage(const database::StudyFacts& facts, const std::vector<Labe
     std::string body =
         paragraph(SheetText::tr("For the person who labels the pieces. The operator of a session only needs the codes."));
     for (const auto& set : sets) {
-        body += "<div class=\"sheet\"><h2>" + set.title + "</h2>\n<table>" +
-                headRow({SheetText::tr("code"), SheetText::tr("fabric"), SheetText::tr("id")});
+        body += "<div class=\"sheet\">\n<table>" +
+                tableHead(set.title,
+                          {{SheetText::tr("code"), "18%"}, {SheetText::tr("id"), "20%"}, {SheetText::tr("fabric"), "auto"}});
         for (const auto& [fabric, code] : set.codes)
-            body += "<tr><td><b>" + code + "</b></td><td>" + protocols::escapedMarkup(facts.fabricNames.at(fabric)) +
-                    "</td><td>" + protocols::escapedMarkup(fabric.value) + "</td></tr>\n";
+            body += "<tr><td><b>" + code + "</b></td><td>" + protocols::escapedMarkup(fabric.value) + "</td><td>" +
+                    protocols::escapedMarkup(facts.fabricNames.at(fabric)) + "</td></tr>\n";
         body +=
             "</table>\n" + paragraph(SheetText::tr("You also need sandpaper, silk and a second piece of one fabric, for the two "
                                                    "ends of the scale."));
@@ -168,11 +192,12 @@ int sectionsOf(const protocols::RatingScale& scale)
     return scale.labels.size() > 1 ? static_cast<int>(scale.labels.size()) - 1 : scale.sections;
 }
 
-/// The line with its equal sections. Only the ends have numbers, because the participant memorises the rest.
+/// The line with its equal sections, and the words of its ends, each below its half of the line. Only the ends have numbers,
+/// because the participant memorises the rest.
 Markup scaleDrawing(const protocols::RatingScale& scale, const protocols::Protocol& protocol)
 {
     const double width = 900, left = 60;
-    std::string svg = "<svg viewBox=\"0 0 1020 190\" width=\"100%\" role=\"img\" aria-label=\"" +
+    std::string svg = "<svg viewBox=\"0 0 1020 130\" width=\"100%\" role=\"img\" aria-label=\"" +
                       protocols::escapedMarkup(participantText(protocol, "card_title")) +
                       "\">"
                       "<line x1=\"60\" y1=\"80\" x2=\"960\" y2=\"80\" stroke=\"#000\" stroke-width=\"5\"/>";
@@ -183,16 +208,15 @@ Markup scaleDrawing(const protocols::RatingScale& scale, const protocols::Protoc
         svg += "<line x1=\"" + x + "\" x2=\"" + x + "\" y1=\"" + (isEnd ? "45" : "62") + "\" y2=\"" + (isEnd ? "115" : "98") +
                "\" stroke=\"#000\" stroke-width=\"4\"/>";
     }
-    const auto end = [&](double x, protocols::Tenths value, const char* anchor, const std::string& words) {
+    const auto number = [&](double x, protocols::Tenths value) {
         return "<text x=\"" + shortest(x) + "\" y=\"30\" font-size=\"32\" font-weight=\"bold\" text-anchor=\"middle\">" +
-               spokenNumber(value.inScaleUnits(), protocol) + "</text><text x=\"" + shortest(x) +
-               "\" y=\"160\" font-size=\"24\" text-anchor=\"" + anchor + "\">" + protocols::escapedMarkup(words) + "</text>";
+               spokenNumber(value.inScaleUnits(), protocol) + "</text>";
     };
-    return svg +
-           end(left, scale.min, "start", scale.labels.empty() ? participantText(protocol, "scale_low") : scale.labels.front()) +
-           end(left + width, scale.max, "end",
-               scale.labels.empty() ? participantText(protocol, "scale_high") : scale.labels.back()) +
-           "</svg>\n";
+    const bool hasWords = !scale.labels.empty();
+    const std::string low = hasWords ? scale.labels.front() : participantText(protocol, "scale_low");
+    const std::string high = hasWords ? scale.labels.back() : participantText(protocol, "scale_high");
+    return svg + number(left, scale.min) + number(left + width, scale.max) + "</svg>\n<div class=\"ends\"><span>" +
+           protocols::escapedMarkup(low) + "</span><span>" + protocols::escapedMarkup(high) + "</span></div>\n";
 }
 
 /// What stands on the card of one scale.
@@ -235,10 +259,12 @@ Markup sessionPage(const database::StudyFacts& facts, const PrintedHead& printed
         paragraph(SheetText::tr(
             "At the end of a sitting the app shows the head of the log. Copy it here: the number, the colon and the 16 digits. "
             "Keep this sheet away from the computer. It then shows later whether the log was cut, put back or written anew.")) +
-        "<table>" +
-        headRow(
-            {SheetText::tr("date"), SheetText::tr("participant"), SheetText::tr("operator"), SheetText::tr("head of the log")});
-    for (int row = 0; row < rows; ++row) body += "<tr class=\"blank\"><td></td><td></td><td></td><td></td></tr>\n";
+        "<table class=\"blank\">" +
+        tableHead({}, {{SheetText::tr("date"), "24mm"},
+                       {SheetText::tr("participant"), "auto"},
+                       {SheetText::tr("operator"), "auto"},
+                       {SheetText::tr("head of the log"), "62mm"}});
+    for (int row = 0; row < rows; ++row) body += "<tr><td></td><td></td><td></td><td></td></tr>\n";
     return page(SheetText::tr("%1: sittings").arg(QString::fromStdString(facts.name)).toStdString(), body + "</table>\n",
                 printed);
 }
@@ -247,8 +273,11 @@ Markup sessionPage(const database::StudyFacts& facts, const PrintedHead& printed
 Markup instructionsPage(const database::StudyStore& store, const protocols::Protocol& protocol, const std::string& study,
                         const PrintedHead& printed)
 {
-    std::string body = paragraph(SheetText::tr("The app shows each sentence at the beginning of its block. Read it aloud.")) +
-                       "<table>" + headRow({SheetText::tr("questions"), SheetText::tr("instruction"), SheetText::tr("sentence")});
+    std::string body =
+        paragraph(SheetText::tr("The app shows each sentence at the beginning of its block. Read it aloud.")) + "<table>" +
+        tableHead(
+            {},
+            {{SheetText::tr("questions"), "22%"}, {SheetText::tr("instruction"), "26%"}, {SheetText::tr("sentence"), "auto"}});
     for (const auto& phase : protocol.phases)
         for (const auto& instruction : phase.instructions) {
             std::string questions;
@@ -257,7 +286,7 @@ Markup instructionsPage(const database::StudyStore& store, const protocols::Prot
                     protocols::escapedMarkup(instruction.text) + "</td></tr>\n";
         }
     body += "</table>\n<h2>" + marked(SheetText::tr("Order")) + "</h2>\n<table>" +
-            headRow({SheetText::tr("place"), SheetText::tr("instructions")});
+            tableHead({}, {{SheetText::tr("place"), "20%"}, {SheetText::tr("instructions"), "auto"}});
     for (const auto& slot : store.slots()) {
         std::string order;
         protocols::InstructionId before;
@@ -274,6 +303,18 @@ Markup instructionsPage(const database::StudyStore& store, const protocols::Prot
                 body + "</table>\n", printed);
 }
 
+/// Removes a page of another study, or of this one before an amendment. Keeps a file with this name that is no such page.
+void removeEarlierSheet(const std::filesystem::path& sheet)
+{
+    std::error_code problem;
+    if (!std::filesystem::is_regular_file(sheet, problem)) return;
+    if (protocols::readWholeFile(sheet).find(checkCommand) == std::string::npos) return;
+    if (!std::filesystem::remove(sheet, problem) && problem)
+        throw protocols::environmentFault({"a sheet of an earlier run cannot be removed: " + problem.message(), sheet.string(),
+                                           "a folder with the sheets of this study only",
+                                           "delete the file, or write the sheets to another folder"});
+}
+
 }  // namespace
 
 void writeSheets(const database::StudyStore& store, const std::filesystem::path& out)
@@ -283,17 +324,19 @@ void writeSheets(const database::StudyStore& store, const std::filesystem::path&
     const auto sets = labelSetsOf(facts, protocol);
     const auto folder = std::filesystem::absolute(store.folder().folder).lexically_normal();
     const PrintedHead printed{(folder.has_filename() ? folder : folder.parent_path()).filename().string(), store.head()};
+    const auto cards = cardScalesOf(protocol);
+    const std::pair<const char*, Markup> sheets[] = {
+        {"labels.html", labelsPage(facts, sets, printed)},
+        {"session.html", sessionPage(facts, printed)},
+        {"preparation.html", preparationPage(facts, sets, printed)},
+        {"scale-card.html", cards.empty() ? "" : scaleCards(facts, protocol, cards, printed)},
+        {"instructions.html", hasInstructions(protocol) ? instructionsPage(store, protocol, facts.name, printed) : ""}};
     protocols::FolderDraft draft(out, protocols::Earlier::FilesJoined);
-    const auto write = [&](const char* name, const std::string& html) {
-        protocols::writeWholeFile(draft.file(name), html, protocols::Sync::Later);
-    };
-    write("labels.html", labelsPage(facts, sets, printed));
-    write("session.html", sessionPage(facts, printed));
-    write("preparation.html", preparationPage(facts, sets, printed));
-    if (const auto cards = cardScalesOf(protocol); !cards.empty())
-        write("scale-card.html", scaleCards(facts, protocol, cards, printed));
-    if (hasInstructions(protocol)) write("instructions.html", instructionsPage(store, protocol, facts.name, printed));
+    for (const auto& [name, html] : sheets)
+        if (!html.empty()) protocols::writeWholeFile(draft.file(name), html, protocols::Sync::Later);
     draft.putInPlace();
+    for (const auto& [name, html] : sheets)
+        if (html.empty()) removeEarlierSheet(out / name);
 }
 
 }  // namespace study::making

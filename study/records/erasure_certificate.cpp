@@ -60,6 +60,10 @@ std::filesystem::path writeErasureCertificate(const database::StudyStore& store,
                                      (record.fingerSamples > 0
                                           ? ", " + std::to_string(record.fingerSamples) + " samples of the finger on the display"
                                           : std::string()));
+    text += line("What stays",
+                 "the code of the participant, the number of the running order, and the times of enrolment and of "
+                 "changes of its state" +
+                     std::string(erasure.answersToo ? "" : "; answers and notes"));
     text += line("Ordered by", protocols::printable(erasure.who));
     text += line("Reason", protocols::printable(erasure.why));
     text += line("Time", record.wallTime);
@@ -68,6 +72,10 @@ std::filesystem::path writeErasureCertificate(const database::StudyStore& store,
     text += line("Files searched for " + std::to_string(record.searchedTexts) + " removed texts",
                  std::to_string(record.searchedFiles));
     text += line("Found in", whereFound(record.found));
+    for (const auto entry : record.interrupted)
+        text += "The erasure of entry " + std::to_string(entry) +
+                " was interrupted before its search. Its texts are no longer known, so that only databases could be searched for "
+                "them, by their rows. Look through other files that were made before it.\n";
     text +=
         "\nCopies made before this erasure are not changed by it: backups, exports, reports, and copies of the folder. "
         "Erase or delete them, too.\n";

@@ -20,36 +20,79 @@ constexpr std::size_t hashLength = 64;  // SHA-256 in hexadecimal
 
 bool isDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 bool isWordPart(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
+bool isBlank(char c) { return c == ' ' || c == '\t'; }
+
+constexpr std::size_t shortestCopy = 8;   // fewer digits after a colon are a time, or anything else
+constexpr std::size_t shortestWord = 12;  // the same, where blanks or other letters stand there
 bool isHashDigit(char c) { return isDigit(c) || (c >= 'a' && c <= 'f'); }
 
-/// The hash, or its first 16 digits and more, at the beginning of the text; empty where there is none.
-std::string_view hashAt(std::string_view text)
+std::string inSmallLetters(std::string_view text)
 {
-    const auto digits = static_cast<std::size_t>(std::ranges::find_if_not(text, isHashDigit) - text.begin());
-    const bool isHash = digits >= database::shortHeadLength && digits <= hashLength;
-    const bool ends = isHash && (digits == text.size() || !isWordPart(text[digits]));
-    return ends ? text.substr(0, digits) : std::string_view();
+    std::string small(text);
+    std::ranges::transform(small, small.begin(), [](unsigned char c) { return std::tolower(c); });
+    return small;
 }
 
-/// The head around the colon at `colon`.
-std::optional<LogHead> headAround(std::string_view text, std::size_t colon)
+/// What stands around a colon: a number, perhaps blanks, and a word in small letters.
+struct Around {
+    std::size_t begin = 0, end = 0;
+    std::string_view number;
+    bool hasBlanks = false;
+    std::string word;
+
+    std::size_t hashDigitsInWord() const { return static_cast<std::size_t>(std::ranges::count_if(word, isHashDigit)); }
+    bool isHash() const { return !word.empty() && hashDigitsInWord() == word.size(); }
+    bool isHead() const { return isHash() && word.size() >= database::shortHeadLength && word.size() <= hashLength; }
+    /// Whoever copies a head by hand may leave out a digit, or take 0 for O.
+    bool seemsHead() const
+    {
+        if (std::ranges::none_of(word, [](char c) { return c >= 'a' && c <= 'f'; })) return false;  // a date and a time
+        if (isHash() && word.size() >= shortestCopy && !hasBlanks) return true;
+        return word.size() >= shortestWord && std::ranges::any_of(word, isDigit) && 4 * hashDigitsInWord() >= 3 * word.size();
+    }
+};
+
+std::optional<Around> around(std::string_view text, std::size_t colon)
 {
-    const std::string_view hash = hashAt(text.substr(colon + 1));
-    std::size_t begin = colon;
-    while (begin > 0 && isDigit(text[begin - 1])) --begin;
-    if (hash.empty() || begin == colon || (begin > 0 && isWordPart(text[begin - 1]))) return std::nullopt;
-    LogHead head{0, std::string(hash)};
-    const auto [end, fault] = std::from_chars(text.data() + begin, text.data() + colon, head.sequence);
-    return fault == std::errc() ? std::optional(head) : std::nullopt;
+    Around found{colon, colon + 1, {}, false, {}};
+    while (found.begin > 0 && isDigit(text[found.begin - 1])) --found.begin;
+    if (found.begin == colon) return std::nullopt;
+    const char before = found.begin == 0 ? ' ' : text[found.begin - 1];
+    if (isWordPart(before) || before == '-' || before == '.') return std::nullopt;  // "SHA-256: …", or an address of a computer
+    found.number = text.substr(found.begin, colon - found.begin);
+    while (found.end < text.size() && isBlank(text[found.end])) ++found.end;
+    const std::size_t word = found.end;
+    found.hasBlanks = word > colon + 1;
+    while (found.end < text.size() && isWordPart(text[found.end])) ++found.end;
+    found.word = inSmallLetters(text.substr(word, found.end - word));
+    if (before == ':' && !found.isHead()) return std::nullopt;  // a time, or an address
+    return found;
 }
 
-std::vector<LogHead> headsInText(std::string_view text)
+std::optional<LogHead> headOf(const Around& found)
 {
-    std::vector<LogHead> heads;
-    for (std::size_t colon = text.find(':'); colon != std::string_view::npos; colon = text.find(':', colon + 1))
-        if (auto head = headAround(text, colon); head && std::ranges::find(heads, *head) == heads.end())
-            heads.push_back(std::move(*head));
-    return heads;
+    LogHead head{0, found.word};
+    const auto [end, fault] = std::from_chars(found.number.data(), found.number.data() + found.number.size(), head.sequence);
+    return found.isHead() && fault == std::errc() ? std::optional(std::move(head)) : std::nullopt;
+}
+
+void addOnce(auto& list, auto&& value)
+{
+    if (std::ranges::find(list, value) == list.end()) list.push_back(std::forward<decltype(value)>(value));
+}
+
+GivenHeads headsInText(std::string_view text)
+{
+    GivenHeads given;
+    for (std::size_t colon = text.find(':'); colon != std::string_view::npos; colon = text.find(':', colon + 1)) {
+        const auto found = around(text, colon);
+        if (!found) continue;
+        if (auto head = headOf(*found))
+            addOnce(given.heads, std::move(*head));
+        else if (found->seemsHead())
+            addOnce(given.unread, std::string(text.substr(found->begin, found->end - found->begin)));
+    }
+    return given;
 }
 
 /// Heads of the acts are given out beside those of the log, and no hash can be that of both.
@@ -62,22 +105,23 @@ bool isAmongActs(const database::StudyStore& store, const LogHead& head)
 
 }  // namespace
 
-std::vector<LogHead> headsIn(const std::string& headOrFile)
+GivenHeads headsIn(const std::string& headOrFile)
 {
-    if (headOrFile.size() == hashLength && hashAt(headOrFile) == headOrFile) return {{0, headOrFile}};
-    const std::size_t colon = headOrFile.find(':');
-    if (colon != std::string::npos)
-        if (auto head = headAround(headOrFile, colon); head && textOf(*head) == headOrFile) return {*head};
+    const std::string small = inSmallLetters(headOrFile);
+    if (small.size() == hashLength && std::ranges::all_of(small, isHashDigit)) return {{{0, small}}, {}};
+    if (const std::size_t colon = headOrFile.find(':'); colon != std::string::npos)
+        if (const auto found = around(headOrFile, colon); found && found->begin == 0 && found->end == headOrFile.size())
+            if (const auto head = headOf(*found)) return {{*head}, {}};
     std::error_code unknown;
     if (!std::filesystem::is_regular_file(headOrFile, unknown))
         throw protocols::badInput({"this is neither a head of a log nor a file", headOrFile,
                                    "SEQUENCE:HASH as a session, report, export or backup gives it, or a file that contains one",
                                    "check the text"});
-    auto heads = headsInText(protocols::readWholeFile(headOrFile));
-    if (heads.empty())
+    auto given = headsInText(protocols::readWholeFile(headOrFile));
+    if (given.heads.empty() && given.unread.empty())
         throw protocols::badInput({"the file contains no head of a log", headOrFile, "SEQUENCE:HASH, for example in results.json",
                                    "name a report's results.json, an export.json or a certificate"});
-    return heads;
+    return given;
 }
 
 std::string headTextOf(const database::StudyStore& store)
@@ -103,8 +147,7 @@ std::string faultAgainst(const database::StudyStore& store, const LogHead& head)
         return "the log ends at entry " + std::to_string(last.sequence) + ", and the head is entry " +
                std::to_string(head.sequence) + ": entries were cut off, or an earlier database was put back";
     return "no entry of the log and no act has this hash in this place: they were cut off or written anew, or the head is that "
-           "of "
-           "another study";
+           "of another study";
 }
 
 }  // namespace study::records

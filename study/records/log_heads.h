@@ -9,9 +9,16 @@
 
 namespace study::records {
 
+/// Heads that somebody gives, and texts that look like heads and cannot be read, because a digit is missing or is none.
+struct GivenHeads {
+    std::vector<database::LogHead> heads;
+    std::vector<std::string> unread;
+};
+
 /// The heads in `headOrFile`: SEQUENCE:HASH with at least 16 digits of the hash, or a whole hash alone (sequence 0), or else
-/// every SEQUENCE:HASH in the text of this file. Throws badInput where there is none, or where the file cannot be read.
-std::vector<database::LogHead> headsIn(const std::string& headOrFile);
+/// every SEQUENCE:HASH in the text of this file. Capital letters and blanks after the colon are accepted, because people copy
+/// heads by hand. Throws badInput where there is none, or where the file cannot be read.
+GivenHeads headsIn(const std::string& headOrFile);
 
 /// The end of the log as SEQUENCE:HASH. For a study of an earlier version that is not upgraded, words that say so: each copy of
 /// it is chained anew, with a head of its own.

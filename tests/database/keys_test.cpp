@@ -113,6 +113,25 @@ private Q_SLOTS:
         QVERIFY(store.faults().empty() && findingsOfKeys(store, given).faults.empty());
     }
 
+    /// The disk was full when the open key should have been written, or somebody removed it.
+    void anUnblindingWithoutItsOpenKeyIsCompleted()
+    {
+        const StudyFolder folder = newStudy(passphrase);
+        const Passphrase given = [] { return std::optional<std::string>(passphrase); };
+        StudyStore store(folder, StudyStore::Access::Write);
+        const Unblinded act = unblind(store, {"A. Lab", "the study is over", "2026-01-01T00:00:00Z"}, given);
+        QVERIFY(!completeUnblinding(store, given));
+        std::filesystem::remove(folder.allocationKey());
+        const auto faults = findingsOfKeys(store, given).faults;
+        QVERIFY(faults.size() == 1 && faults.front().find("its open allocation key is missing") != std::string::npos);
+        const QString told = errorOf([&] { readAllocationKey(store, act); });
+        QVERIFY2(told.contains("run vis2hap unblind again with the passphrase"), qPrintable(told));
+        QVERIFY(errorOf([&] { completeUnblinding(store, {}); }).startsWith("2:"));
+        QVERIFY(completeUnblinding(store, given));
+        QCOMPARE(readAllocationKey(store, act).entries.size(), 6u);
+        QVERIFY(findingsOfKeys(store, given).faults.empty());
+    }
+
     void aKeyThatWasNotCommittedIsRefused_data()
     {
         QTest::addColumn<bool>("station");

@@ -12,8 +12,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "database/disk/write_lock.h"
 #include "database/study_store.h"
-#include "database/write_lock.h"
 #include "protocols/files/canonical_bytes.h"
 #include "protocols/files/errors.h"
 #include "study/records/log_heads.h"

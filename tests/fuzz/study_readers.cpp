@@ -285,7 +285,7 @@ std::vector<Reader> fileReaders(const fs::path& folder, const Study& study)
              [study, folder](const std::string& bytes) {
                  replace(folder / "heads.txt", bytes);
                  const database::StudyStore store(study->get().sound(), database::StudyStore::Access::Read);
-                 for (const auto& one : study::records::headsIn((folder / "heads.txt").string()))
+                 for (const auto& one : study::records::headsIn((folder / "heads.txt").string()).heads)
                      (void)study::records::faultAgainst(store, one);
              },
              [study] {

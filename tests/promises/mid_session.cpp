@@ -10,7 +10,7 @@
 #include <functional>
 #include <system_error>
 
-#include "database/rescue.h"
+#include "database/rescue_files.h"
 #include "protocols/files/errors.h"
 #include "tests/promises/kept_answers.h"
 #include "tests/support/counting_vfs.h"

@@ -54,6 +54,19 @@ Protocol withCatchTrials(int count)
     return protocol;
 }
 
+/// Codes of the pieces of a study whose lists are empty. Lists take no part in the draw.
+std::vector<SwatchLabels> swatchesOf(bool fresh, int participants, int fabrics)
+{
+    Protocol protocol = protocolFromJson(paperProtocolJson(), "paper");
+    protocol.swatchCodes = fresh ? SwatchCodes::PerParticipant : SwatchCodes::Once;
+    protocol.fabricCount = fabrics;
+    std::vector<FabricId> ids;
+    for (int i = 1; i <= fabrics; ++i) ids.emplace_back("F" + std::to_string(1000 + i));
+    Design design;
+    design.participants.resize(static_cast<std::size_t>(participants));
+    return allocate(protocol, design, ids, SecretKey::ofSeed(2)).swatches;
+}
+
 }  // namespace
 
 class ExtraTrialsTest : public QObject {
@@ -282,6 +295,48 @@ private Q_SLOTS:
                 all.insert(code);
             }
         QCOMPARE(all.size(), fresh ? 70u : 7u);
+    }
+
+    void swatchCodesHaveTheDigitsThatTheStudyNeeds_data()
+    {
+        QTest::addColumn<bool>("fresh");
+        QTest::addColumn<int>("participants");
+        QTest::addColumn<int>("fabrics");
+        QTest::addColumn<int>("digits");
+        QTest::newRow("900 codes") << true << 100 << 9 << 3;
+        QTest::newRow("901 codes") << true << 901 << 1 << 4;
+        QTest::newRow("9000 codes") << true << 1000 << 9 << 4;
+        QTest::newRow("9009 codes") << true << 1001 << 9 << 5;
+        QTest::newRow("90009 codes") << true << 10001 << 9 << 6;
+        QTest::newRow("901 fabrics, labelled once") << false << 2 << 901 << 4;
+        QTest::newRow("many participants, labelled once") << false << 1000 << 9 << 3;
+    }
+
+    void swatchCodesHaveTheDigitsThatTheStudyNeeds()
+    {
+        QFETCH(bool, fresh);
+        QFETCH(int, participants);
+        QFETCH(int, fabrics);
+        QFETCH(int, digits);
+        const auto drawn = swatchesOf(fresh, participants, fabrics);
+        QCOMPARE(drawn.size(), static_cast<std::size_t>(participants));
+        std::set<std::string> all;
+        for (const SwatchLabels& labels : drawn)
+            for (const auto& [fabric, code] : labels) {
+                if (code.size() != static_cast<std::size_t>(digits) || code.front() == '0') QFAIL(code.c_str());
+                all.insert(code);
+            }
+        QCOMPARE(all.size(), static_cast<std::size_t>(fresh ? participants * fabrics : fabrics));
+    }
+
+    /// A protocol with "swatches": "fresh", 6 fabrics, 2 participants: vis2hap study new (3108c560) --key-seed 2, then
+    /// SELECT code FROM swatches ORDER BY slot, fabric
+    void swatchCodesOfSmallStudiesAreDrawnAsBefore()
+    {
+        QStringList codes;
+        for (const SwatchLabels& labels : swatchesOf(true, 2, 6))
+            for (const auto& [fabric, code] : labels) codes << QString::fromStdString(code);
+        QCOMPARE(codes.join(' '), QString("738 472 923 491 808 717 324 175 542 677 384 381"));
     }
 
     void aPresentationGivenAgainHasACodeOfItsOwn()

@@ -65,6 +65,9 @@ private Q_SLOTS:
                              key == "decimal_mark",
                          (language + ": " + key).c_str());
             }
+            for (const auto& [key, text] : texts.ownData)
+                QVERIFY2(!text.empty() && (language == "en" || text != english.ownData.find(key)->second),
+                         (language + ": " + key).c_str());
         }
     }
 
@@ -78,6 +81,7 @@ private Q_SLOTS:
         row("questions", "'questions' is missing");
         row("counts", "'counts' is no list of texts");
         row("participant", "'participant' is missing");
+        row("own_data", "'own_data' is missing");
     }
     void aBrokenFileNamesItsPart()
     {

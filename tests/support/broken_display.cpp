@@ -80,6 +80,8 @@ void show(const Json& request)
     }
     if (is("floods its errors")) std::cerr << std::string(1 << 20, 'e') << std::endl;
     if (is("refuses images")) return reply("failed", request["id"], {{"why", "no amplifier"}});
+    if (is("takes its own size only") && (request["width"] != 40 || request["height"] != 30))
+        return reply("failed", request["id"], {{"why", "only 40 x 30"}});
     if (is("answers an old id")) return reply("shown", 1);
     if (is("late first reply") && images == 1) return reply("shown", 0);
     const Json before = std::exchange(showing, request["id"]);

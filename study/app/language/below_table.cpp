@@ -68,6 +68,7 @@ constexpr const char* table[] = {
     QT_TRANSLATE_NOOP("study::app::Below", "the display refuses: %1"),
     QT_TRANSLATE_NOOP("study::app::Below", "while an image was felt, the display's driver %1"),
     QT_TRANSLATE_NOOP("study::app::Below", "the display's driver %1"),
+    QT_TRANSLATE_NOOP("study::app::Below", "the device's driver %1"),
     QT_TRANSLATE_NOOP("study::app::Below", "%1 (tried %2 times)"),
     QT_TRANSLATE_NOOP("study::app::Below", "does not start: %1"),
     QT_TRANSLATE_NOOP("study::app::Below", "does not answer \"%1\" within %2"),

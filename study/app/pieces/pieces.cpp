@@ -9,6 +9,8 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "protocols/files/safe_text.h"
+#include "protocols/files/utf8.h"
 #include "study/app/pieces/appearance_keys.h"
 #include "study/app/pieces/flow_layout.h"
 #include "study/app/pieces/page_fit.h"
@@ -217,6 +219,18 @@ void name(QWidget& widget, const char* objectName, const QString& accessibleName
         box->view()->setObjectName(widget.objectName() + QStringLiteral("Rows"));
         box->view()->setAccessibleName(accessibleName);
     }
+}
+
+QString shortName(const QString& whole)
+{
+    constexpr std::size_t mostBytes = 60;
+    return QString::fromStdString(protocols::inShort(protocols::printable(whole.toStdString()), mostBytes));
+}
+
+QString fullName(const QString& whole)
+{
+    // Only a tooltip in HTML breaks a long line.
+    return whole.isEmpty() ? QString() : QStringLiteral("<span>%1</span>").arg(whole.toHtmlEscaped());
 }
 
 void showText(QLabel& target, const QString& text)

@@ -58,6 +58,11 @@ void clearLayout(QLayout& layout);
 /// than the ones below them.
 void setTabOrderAfter(const QWidget& controls, std::initializer_list<QWidget*> following);
 
+/// One short line for a name from outside the program, such as that of a display with the command of its driver.
+QString shortName(const QString& whole);
+/// The same name in full, for the tooltip.
+QString fullName(const QString& whole);
+
 /// Sets the object name and the accessible name.
 void name(QWidget& widget, const char* objectName, const QString& accessibleName);
 

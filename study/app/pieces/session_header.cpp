@@ -1,7 +1,9 @@
 #include "study/app/pieces/session_header.h"
 
 #include <QEvent>
+#include <QPainter>
 #include <QProgressBar>
+#include <QStyle>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -13,12 +15,41 @@ namespace study::app {
 
 namespace {
 
-constexpr int gapPx = 26;
+constexpr int gapPx = 26, sidePx = 28;
+
+/// One line that never widens the window: where the bar is too narrow for it, its middle is left out.
+class Fact : public QLabel {
+public:
+    using QLabel::QLabel;
+
+    QSize minimumSizeHint() const override
+    {
+        constexpr int fewestCharacters = 10;
+        const QSize whole = QLabel::minimumSizeHint();
+        return {std::min(whole.width(), fewestCharacters * fontMetrics().averageCharWidth()), whole.height()};
+    }
+
+protected:
+    void paintEvent(QPaintEvent* event) override
+    {
+        if (width() >= sizeHint().width()) {
+            QLabel::paintEvent(event);
+            return;
+        }
+        const QRect place = contentsRect();
+        const QString shown = fontMetrics().elidedText(text(), Qt::ElideMiddle, place.width());
+        QPainter painter(this);
+        drawFrame(&painter);
+        style()->drawItemText(&painter, place, Qt::AlignLeft | Qt::AlignVCenter, palette(), isEnabled(), shown, foregroundRole());
+    }
+};
 
 QLabel* fact(const char* objectName, QWidget* parent, Weight weight = Weight::Normal)
 {
-    QLabel* made = label(objectName, weight == Weight::Bold ? Type::Plain : Type::Small, parent, weight);
-    made->setWordWrap(false);
+    auto* made = new Fact(parent);
+    made->setObjectName(QString::fromLatin1(objectName));
+    made->setTextFormat(Qt::PlainText);
+    setType(*made, weight == Weight::Bold ? Type::Plain : Type::Small, weight);
     return made;
 }
 
@@ -44,7 +75,7 @@ SessionHeader::SessionHeader(QWidget* parent)
     for (QLabel* made : {m_display, m_participant, m_part, m_presentations, m_answers, m_timeLeft, m_nextBreak, m_sitting})
         facts->addWidget(made);
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(28, 12, 28, 12);
+    column->setContentsMargins(sidePx, 12, sidePx, 12);
     column->setSpacing(8);
     column->addLayout(facts);
     column->addWidget(m_bar);
@@ -54,7 +85,8 @@ void SessionHeader::begin(const SessionFacts& facts)
 {
     m_sittingMinutes = facts.sittingMinutes;
     m_isRehearsal = facts.isRehearsal;
-    m_displayName = facts.displayName;
+    m_displayName = shortName(facts.displayName);
+    m_display->setToolTip(fullName(facts.displayName));
     m_pattern.clear();
     setRole(*m_display, m_displayName.isEmpty() ? "fault" : "tag");
 }
@@ -105,6 +137,9 @@ void SessionHeader::arrange()
     for (QLabel* fact : {m_display, m_participant, m_presentations, m_answers, m_timeLeft, m_nextBreak, m_part, m_sitting})
         facts.emplace_back(fact, !fact->text().isEmpty());
     showInOneRow(*this, facts, gapPx);
+    m_display->setVisible(!m_display->text().isEmpty());  // shortened rather than hidden
+    for (QLabel* fact : {m_participant, m_part})
+        fact->setToolTip(fact->sizeHint().width() > contentsRect().width() - 2 * sidePx ? fullName(fact->text()) : QString());
     layout()->invalidate();  // its height depends on the size of the text
     updateGeometry();
 }

@@ -748,6 +748,10 @@
         <translation>der Treiber des Displays %1</translation>
     </message>
     <message>
+        <source>the device&apos;s driver %1</source>
+        <translation>der Treiber des Geräts %1</translation>
+    </message>
+    <message>
         <source>%1 (tried %2 times)</source>
         <translation>%1 (%2-mal versucht)</translation>
     </message>
@@ -2211,6 +2215,10 @@
     <message>
         <source>%1 × %2 px</source>
         <translation>%1 × %2 px</translation>
+    </message>
+    <message>
+        <source>sessions send %1 × %2 px: test the driver with `vis2hap display check`</source>
+        <translation>Versuche senden %1 × %2 px: Prüfen Sie den Treiber mit `vis2hap display check`</translation>
     </message>
     <message>
         <source>reports touches (%1 so far)</source>
@@ -5332,6 +5340,10 @@ Noch ist nichts gewählt.</translation>
     <message>
         <source>Cut out the labels. Fix each label to the back of its piece, as the preparation sheet shows.</source>
         <translation>Schneiden Sie die Etiketten aus. Befestigen Sie jedes auf der Rückseite seiner Stoffprobe, wie der Vorbereitungsbogen es zeigt.</translation>
+    </message>
+    <message>
+        <source>The line on a label is below the code, so that nobody reads 199 as 661.</source>
+        <translation>Die Linie auf einem Etikett liegt unter dem Code, damit niemand 199 als 661 liest.</translation>
     </message>
     <message>
         <source>%1: labels of the fabric pieces</source>

@@ -748,6 +748,10 @@
         <translation>触觉屏的驱动程序%1</translation>
     </message>
     <message>
+        <source>the device&apos;s driver %1</source>
+        <translation>设备的驱动程序%1</translation>
+    </message>
+    <message>
         <source>%1 (tried %2 times)</source>
         <translation>%1（已尝试%2次）</translation>
     </message>
@@ -2211,6 +2215,10 @@
     <message>
         <source>%1 × %2 px</source>
         <translation>%1 × %2 px</translation>
+    </message>
+    <message>
+        <source>sessions send %1 × %2 px: test the driver with `vis2hap display check`</source>
+        <translation>实验发送%1 × %2 px的图像：请用`vis2hap display check`检查驱动程序</translation>
     </message>
     <message>
         <source>reports touches (%1 so far)</source>
@@ -5332,6 +5340,10 @@ Nothing is chosen yet.</source>
     <message>
         <source>Cut out the labels. Fix each label to the back of its piece, as the preparation sheet shows.</source>
         <translation>请剪下标签。按照准备单，把每张标签贴在对应布样的背面。</translation>
+    </message>
+    <message>
+        <source>The line on a label is below the code, so that nobody reads 199 as 661.</source>
+        <translation>标签上的横线在编码下方，以免把199读成661。</translation>
     </message>
     <message>
         <source>%1: labels of the fabric pieces</source>

@@ -54,6 +54,15 @@ bool isSameFile(const std::string& one, const std::string& other)
     return fs::is_regular_file(one, missing) && fs::equivalent(one, other, missing) && !missing;
 }
 
+/// Whether the input is a data set and the output a file of it.
+bool isFileOfDataset(const std::string& output, const std::string& input)
+{
+    std::error_code missing;
+    if (!fs::is_regular_file(output, missing) || !fs::is_regular_file(fs::path(input) / "dataset.json", missing)) return false;
+    const fs::path dataset = fs::canonical(input, missing), file = fs::canonical(output, missing);
+    return !missing && std::ranges::mismatch(dataset, file).in1 == dataset.end();
+}
+
 }  // namespace
 
 void requireSafeOutputs(const CLI::App& app)
@@ -64,8 +73,8 @@ void requireSafeOutputs(const CLI::App& app)
         if (const fs::path study = studyAround(output); !study.empty())
             throw protocols::badInput({"the output would lie in the study folder", output, "a place outside " + study.string(),
                                        "choose another folder; nothing was written"});
-        const auto same = [&](const std::string& input) { return isSameFile(output, input); };
-        if (std::ranges::any_of(paths.inputs, same))
+        const auto isRead = [&](const std::string& input) { return isSameFile(output, input) || isFileOfDataset(output, input); };
+        if (std::ranges::any_of(paths.inputs, isRead))
             throw protocols::badInput({"the output would replace a file that the command reads", output,
                                        "the name of another file", "choose another name; nothing was written"});
     }

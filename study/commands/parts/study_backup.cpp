@@ -109,6 +109,10 @@ std::vector<std::string> writeBackup(const database::StudyStore& store, const fs
     try {
         faults = copyFiles(store.folder().folder, staging.path() / name);
         store.copyTo(staging.path() / name / "study.db");
+        // A session that was killed leaves its log beside study.db. Unpacked over that folder, this one takes its place: SQLite
+        // would add the old log to the restored database.
+        protocols::writeWholeFile(staging.path() / name / "study.db-wal", "", protocols::Sync::Later,
+                                  protocols::Readers::OwnerOnly);
         const fs::path archive = staging.path() / "archive.tar";
         pack(staging.path(), name, archive);
         ::chmod(archive.c_str(), 0600);  // it contains the allocation key

@@ -22,6 +22,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/safe_text.h"
 #include "protocols/files/strict_json.h"
+#include "protocols/files/utf8.h"
 #include "rendering/display/driver_link.h"
 #include "rendering/display/driver_messages.h"
 #include "rendering/display/stimulus_bank.h"
@@ -36,6 +37,7 @@ using std::chrono::steady_clock;
 constexpr auto devicePatience = std::chrono::seconds(2);
 constexpr auto serverPatience = std::chrono::milliseconds(1500);  // the station waits 2 s for a reply
 constexpr std::size_t longestTicket = 1024;
+constexpr std::size_t longestReason = 200;
 
 constexpr auto stationPatience = std::chrono::seconds(2);    // until a station takes the next bytes of a line
 constexpr auto untilFirstRequest = std::chrono::seconds(3);  // a station sends hello at once, and waits 5 s for the reply
@@ -127,6 +129,14 @@ public:
 
     void run(const Listener& others)
     {
+        passMessages(others);
+        if (m_device.isLost()) reportLoss();
+    }
+
+private:
+    /// Until the station or the device is gone.
+    void passMessages(const Listener& others)
+    {
         while (!m_device.isLost()) {
             while (const auto line = m_device.receive(steady_clock::now()))
                 if (!send(*line)) return noteEnd("does not take the replies");
@@ -139,16 +149,27 @@ public:
             const int ready = ::poll(waiting.data(), waiting.size(), untilNextLimit(isReplaceable));
             if (ready < 0 && errno != EINTR) return noteEnd(std::strerror(errno));
             if (ready > 0 && waiting[0].revents != 0) {
-                if (!takeFromStation()) return;
+                if (!takeFromStation()) return;  // or the device is lost, see run()
             } else if (ready > 0 && waiting[3].revents != 0) {
                 return noteEnd("was idle, and another one waits");
             }
             if (!m_isGreeted && steady_clock::now() >= m_lastRequest + untilFirstRequest) return noteEnd("sends no request");
         }
-        std::fprintf(stderr, "vis2hap: the display %s\n", protocols::printable(m_device.trouble()).c_str());
     }
 
-private:
+    /// A device without a hello did not start, so the station's operator gets the reason. Another request gets no reply: the
+    /// station then connects and asks again.
+    void reportLoss()
+    {
+        const std::string why = protocols::printable(m_device.trouble());
+        std::fprintf(stderr, "vis2hap: the display %s\n", why.c_str());
+        while (!m_isGreeted && steady_clock::now() < m_lastRequest + untilFirstRequest) {  // its hello may be on the way
+            pollfd station{m_station, POLLIN, 0};
+            if (::poll(&station, 1, untilNextLimit(false)) > 0 && !takeFromStation()) break;
+        }
+        if (m_openHello) fail(*m_openHello, protocols::inShort("the device's driver " + why, longestReason));
+    }
+
     static void noteEnd(const std::string& why) { std::fprintf(stderr, "vis2hap: the station %s\n", why.c_str()); }
 
     /// For poll(); -1 where only messages change anything.
@@ -162,9 +183,18 @@ private:
     bool send(const std::string& line)
     {
         auto message = messageIn(line);
-        if (message.is_null() || message.at("type") != "hello") return sendBytes(line + "\n");
+        const auto isOf = [&](const char* type) { return !message.is_null() && message.at("type") == type; };
+        if (isOf("hello") || isOf("failed")) m_openHello.reset();
+        if (!isOf("hello")) return sendBytes(line + "\n");
         message["fetches"] = true;
         return sendBytes(message.dump() + "\n");
+    }
+
+    /// The reply to a request that cannot be fulfilled. Bytes that are not UTF-8, as a driver may print them, are replaced.
+    bool fail(std::int64_t id, const std::string& why)
+    {
+        const ordered_json reply{{"type", "failed"}, {"id", id}, {"why", why}};
+        return sendBytes(reply.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n");
     }
 
     /// The whole text. False where the station is gone, or takes nothing for a while: half a line would spoil the next one.
@@ -189,8 +219,7 @@ private:
     bool sendToDevice(const std::string& bytes)
     {
         if (m_device.send(bytes, steady_clock::now() + devicePatience)) return true;
-        const std::string why = m_device.isLost() ? m_device.trouble() : "takes no messages";
-        std::fprintf(stderr, "vis2hap: the display %s\n", protocols::printable(why).c_str());
+        if (!m_device.isLost()) std::fprintf(stderr, "vis2hap: the display takes no messages\n");
         return false;
     }
 
@@ -209,13 +238,14 @@ private:
             }
             m_isGreeted = true;
             m_lastRequest = steady_clock::now();
+            const auto id = request.value("id", ordered_json(0));
+            if (request.at("type") == "hello" && id.is_number_integer()) m_openHello = id.get<std::int64_t>();
             if (request.at("type") != "show") {
                 if (!sendToDevice(m_incoming.substr(0, end + 1))) return false;
                 if (request.at("type") == "clear") m_isShowing = false;
                 m_incoming.erase(0, end + 1);
                 continue;
             }
-            const auto id = request.value("id", ordered_json(0));
             const auto size = request.value("bytes", ordered_json());
             if (!id.is_number_integer() || !size.is_number_unsigned() || size.get<std::uint64_t>() > longestTicket) {
                 noteEnd("sent an image; this display takes tickets only");
@@ -239,7 +269,7 @@ private:
             return sendToDevice(rendering::showLine(id, image.cols, image.rows, bytes.size()) + bytes);
         } catch (const protocols::Error& fault) {
             std::fprintf(stderr, "vis2hap: %s\n", fault.what());
-            return sendBytes(ordered_json{{"type", "failed"}, {"id", id}, {"why", fault.what()}}.dump() + "\n");
+            return fail(id, fault.what());
         }
     }
 
@@ -247,6 +277,7 @@ private:
     TicketImages& m_images;
     rendering::DriverLink m_device;
     std::string m_incoming;
+    std::optional<std::int64_t> m_openHello;                       ///< the station's hello, until the device answers it
     bool m_isGreeted = false;                                      ///< a request came
     bool m_isShowing = false;                                      ///< an image was sent to the device and not cleared since
     steady_clock::time_point m_lastRequest = steady_clock::now();  ///< or the beginning of the connection

@@ -67,9 +67,10 @@ std::string answerText(const protocols::Question* question, const database::Answ
     const bool isChoice = question == nullptr || std::holds_alternative<protocols::ForcedChoice>(question->kind);
     if (!isChoice) return text;
     const auto place = placeAmongAlternatives(protocols::ForcedChoice{}, record.alternatives, text);
-    if (!place) return "a piece that was not on the tray";
+    if (!place) return std::string(pieceElsewhere);
     constexpr int letters = 26;
-    return *place < letters ? std::string(1, static_cast<char>('A' + *place)) : "piece " + std::to_string(*place + 1);
+    return *place < letters ? std::string(1, static_cast<char>('A' + *place))
+                            : std::string(pieceNumbered) + std::to_string(*place + 1);
 }
 
 /// What only an unblinded study may say about an answer.
@@ -96,6 +97,7 @@ ordered_json answerRow(const Person& person, const database::LoggedAnswer& answe
                      {"attempt", answer.attempt},
                      {"presentation_code", record.presentationCode.value},
                      {"question", record.question.value}};
+    if (question != nullptr) row["answer_kind"] = protocols::nameOf(question->kind);
     if (record.answer) row["answer"] = answerText(question, record);
     if (record.rating) row["rating"] = record.rating->inScaleUnits();
     row["seconds"] = static_cast<double>(record.answeredAtNs - record.touchedAtNs.value_or(record.readyAtNs)) / 1e9;
@@ -264,6 +266,7 @@ ordered_json participantData(const database::StudyStore& store, const protocols:
     const Person person = personIn(store, participant);
     return {{"schema", "vis2hap.participant/1"},
             {"study", store.facts().name},
+            {"language", person.protocol.language},
             {"participant", participant.value},
             {"made_at", database::wallTimeNow()},
             {"blinded", !person.naming.has_value()},

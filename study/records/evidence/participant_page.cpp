@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/number_text.h"
+#include "protocols/usual_texts.h"
 #include "study/records/evidence/printed_page.h"
 
 namespace study::records {
@@ -11,42 +12,6 @@ namespace study::records {
 namespace {
 
 using nlohmann::ordered_json;
-
-/// What an event means to the participant. Answers and touches have a table of their own.
-struct EventWords {
-    const char* kind;
-    const char* words;  ///< null: left out
-};
-constexpr EventWords eventWords[] = {
-    {"sitting_started", "A sitting began."},
-    {"begun", "The session began."},
-    {"consented", "You agreed to take part."},
-    {"facts_given", "You answered questions about yourself."},
-    {"familiarisation_shown", "You felt a fabric on the screen for practice."},
-    {"familiarisation_done", "The practice with the screen ended."},
-    {"scale_placed", "You placed a number on the scale for practice."},
-    {"scale_training_done", "The practice with the scale ended."},
-    {"checklist_done", "The operator completed the checklist."},
-    {"sitting_prepared", "The sitting was prepared."},
-    {"tray_ready", nullptr},
-    {"touched", nullptr},
-    {"answered", nullptr},
-    {"corrected", "One of your answers was corrected."},
-    {"voided", "A presentation was declared invalid. Its answers are kept and not analysed."},
-    {"break_ended", "A break ended."},
-    {"paused", "The session was interrupted."},
-    {"resumed", "The session continued."},
-    {"withdrawn", "You ended your participation."},
-    {"noted", "The operator wrote a note."},
-    {"debriefed", "The final conversation took place."},
-};
-
-std::string wordsFor(const std::string& kind)
-{
-    for (const EventWords& known : eventWords)
-        if (kind == known.kind) return known.words == nullptr ? "" : known.words;
-    return kind;
-}
 
 std::string fieldText(const ordered_json& row, const char* key)
 {
@@ -57,13 +22,6 @@ std::string fieldText(const ordered_json& row, const char* key)
     return value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 
-/// With one decimal; your-data.json has the rest.
-std::string inSeconds(const ordered_json& answer)
-{
-    const double tenths = std::round(answer["seconds"].get<double>() * 10);
-    return protocols::shortest(tenths / 10);
-}
-
 /// "2026-11-22 14:03:11" for an ISO 8601 time: a reader needs no milliseconds.
 std::string readableTime(const ordered_json& row, const char* key = "time")
 {
@@ -72,148 +30,195 @@ std::string readableTime(const ordered_json& row, const char* key = "time")
     return time;
 }
 
-std::string introduction(const ordered_json& data)
-{
-    std::string body = page::sentence("You take part under the code " + fieldText(data, "participant") + ".");
-    const std::string state = fieldText(data, "state");
-    if (state == "withdrawn") body += page::sentence("Your participation has ended early. Your answers are not analysed.");
-    if (state == "finished") body += page::sentence("You have finished the study.");
-    if (state == "started") body += page::sentence("Your participation is not finished.");
-    if (fieldText(data, "kind") != "human")
-        body += page::sentence("This participant is no person: the program made the answers (" + fieldText(data, "kind") + ").");
-    if (data["blinded"].get<bool>())
-        body += page::sentence(
-            "The study still hides what the screen showed in each trial. So this sheet does not say which answer was right. You "
-            "may ask for a new sheet after the study.");
-    return body;
-}
+using Values = protocols::TextsByKey;
 
-std::string erasureSection(const ordered_json& data)
-{
-    std::string body;
-    for (const auto& act : data["erasures"])
-        body += page::sentence(
-            std::string(act["answers_too"].get<bool>() ? "Facts, comments, answers, notes and times were erased on "
-                                                       : "Facts about you and your comments after the session were erased on ") +
-            readableTime(act) + ", ordered by " + fieldText(act, "who") + ". Reason: " + fieldText(act, "why") +
-            ". The file erasure-" + fieldText(act, "entry") + ".txt is the certificate.");
-    if (!body.empty())
-        body += page::sentence(
-            "What is left: your code, the number of your running order, and the kinds of your entries in the log without "
-            "their content.");
-    return body.empty() ? "" : page::section("Erasure", body);
-}
-
-std::string consentSection(const ordered_json& data)
-{
-    const auto& given = data["consent"];
-    const std::string when = given["time"].is_null() ? "The study stores no time of your consent."
-                                                     : "The operator confirmed your consent on " + readableTime(given) + ".";
-    return page::section("Consent", page::sentence(when) + page::sentence("The text was: “" + fieldText(given, "text") + "”"));
-}
-
-std::string factSection(const ordered_json& data)
-{
-    std::vector<std::vector<std::string>> rows;
-    for (const auto& fact : data["facts"]) rows.push_back({fieldText(fact, "fact"), fieldText(fact, "value")});
-    return page::section("What you told us about yourself",
-                         rows.empty() ? page::sentence("Nothing is stored.") : page::table({"question", "your answer"}, rows));
-}
-
-std::string sittingSection(const ordered_json& data)
-{
-    std::vector<std::vector<std::string>> rows;
-    for (const auto& sitting : data["sittings"])
-        rows.push_back({fieldText(sitting, "sitting"), readableTime(sitting, "from"), readableTime(sitting, "until")});
-    return page::section("Your sittings",
-                         rows.empty() ? page::sentence("No time is stored.") : page::table({"sitting", "from", "until"}, rows));
-}
-
-std::string remarkOn(const ordered_json& answer)
-{
-    std::string remark = answer["is_correction"].get<bool>() ? "corrects the answer before" : "";
-    if (answer["voided"].get<bool>()) remark += std::string(remark.empty() ? "" : "; ") + "not analysed";
-    return remark;
-}
-
-std::string answerSection(const ordered_json& data)
-{
-    const bool isBlinded = data["blinded"].get<bool>();
-    std::vector<std::string> head{"time", "trial", "question", "your answer", "seconds", "remark"};
-    if (!isBlinded) head.insert(head.end(), {"fabric", "condition", "right"});
-    std::vector<std::vector<std::string>> rows;
-    for (const auto& answer : data["answers"]) {
-        rows.push_back({readableTime(answer), fieldText(answer, "trial"), fieldText(answer, "question"),
-                        fieldText(answer, answer.contains("rating") ? "rating" : "answer"), inSeconds(answer), remarkOn(answer)});
-        if (isBlinded) continue;
-        const std::string right = answer.contains("correct") ? (answer["correct"].get<bool>() ? "yes" : "no") : "";
-        rows.back().insert(rows.back().end(), {fieldText(answer, "fabric"), fieldText(answer, "condition"), right});
+/// The sheet of one person. Sections stand in the order of the sheet.
+class Sheet {
+public:
+    explicit Sheet(const ordered_json& data)
+        : m_data(data), m_language(fieldText(data, "language")), m_texts(protocols::usualTexts(m_language).ownData)
+    {
     }
-    if (rows.empty()) return page::section("Your answers", page::sentence("No answer is stored."));
-    return page::section(
-        "Your answers",
-        page::sentence("A letter names a place on the tray. Seconds run from the first touch to the answer, or from "
-                       "the start of the presentation where no touch was stamped.") +
-            page::table(head, rows));
-}
 
-std::string fingerSection(const ordered_json& data)
-{
-    const auto count = data["finger_samples"].get<std::int64_t>();
-    if (count == 0) return "";
-    const std::string what = "The screen measured where your finger was, or how strongly it pressed: " + std::to_string(count) +
-                             (count == 1 ? " measurement is" : " measurements are") + " stored. ";
-    return page::section("Your finger on the screen",
-                         page::sentence(what + (data["blinded"].get<bool>()
-                                                    ? "You get them with a new sheet after the study, because they could show "
-                                                      "what the screen presented."
-                                                    : "They are in your-finger-samples.csv.")));
-}
-
-std::string noteSection(const ordered_json& data)
-{
-    std::vector<std::vector<std::string>> rows;
-    for (const auto& note : data["notes"])
-        rows.push_back({readableTime(note), fieldText(note, "trial"), fieldText(note, "text")});
-    return page::section("Notes of the operator during your session",
-                         rows.empty() ? page::sentence("No note is stored.") : page::table({"time", "trial", "note"}, rows));
-}
-
-std::string eventSection(const ordered_json& data)
-{
-    std::vector<std::vector<std::string>> rows;
-    for (const auto& event : data["events"]) {
-        const std::string words = wordsFor(fieldText(event, "kind"));
-        const std::string reason = event.contains("details") ? fieldText(event["details"], "why") : "";
-        if (!words.empty() && event.contains("time"))
-            rows.push_back({readableTime(event), words + (reason.empty() ? "" : " Reason: " + reason)});
+    std::string html() const
+    {
+        const std::string files =
+            page::section(words("files_title"), said("files_text", {{"time", readableTime(m_data, "made_at")}}));
+        return page::whole(words("title", {{"study", fieldText(m_data, "study")}}),
+                           introduction() + erasures() + consent() + facts() + sittings() + answers() + finger() + notes() +
+                               events() + copies() + files,
+                           protocols::hasUsualTexts(m_language) ? m_language : "en");
     }
-    return page::section("What happened", rows.empty() ? page::sentence("No time is stored.") : page::table({"time", ""}, rows));
-}
 
-std::string copySection(const ordered_json& data)
-{
-    std::vector<std::vector<std::string>> rows;
-    for (const auto& copy : data["copies"])
-        rows.push_back({readableTime(copy), fieldText(copy, "act"), fieldText(copy, "host") + ": " + fieldText(copy, "path")});
-    const std::string first =
-        page::sentence("These copies of the study may hold data about you. Copies that somebody made by hand are on no record.");
-    return page::section("Copies", rows.empty() ? page::sentence("The study has no record of a copy with your data.")
-                                                : first + page::table({"time", "kind", "place"}, rows));
-}
+private:
+    using Rows = std::vector<std::vector<std::string>>;
+
+    std::string words(const std::string& key, const Values& values = {}) const
+    {
+        return protocols::filledText(m_texts.at(key), values);
+    }
+    std::string said(const std::string& key, const Values& values = {}) const { return page::sentence(words(key, values)); }
+    bool isBlinded() const { return m_data["blinded"].get<bool>(); }
+
+    /// A table, or a sentence where there are no rows.
+    std::string tableOr(const char* emptyKey, const std::vector<const char*>& head, const Rows& rows) const
+    {
+        if (rows.empty()) return said(emptyKey);
+        std::vector<std::string> titles;
+        for (const char* key : head) titles.push_back(*key == '\0' ? "" : words(key));
+        return page::table(titles, rows);
+    }
+
+    std::string introduction() const
+    {
+        std::string body = said("code", {{"code", fieldText(m_data, "participant")}}) + said(fieldText(m_data, "state"));
+        if (const std::string kind = fieldText(m_data, "kind"); kind != "human") body += said(kind);
+        return body + (isBlinded() ? said("blinded") : "");
+    }
+
+    std::string erasures() const
+    {
+        std::string body, left = "left_facts";
+        for (const auto& act : m_data["erasures"]) {
+            if (act["answers_too"].get<bool>()) left = "left_all";
+            body += said(act["answers_too"].get<bool>() ? "erased_all" : "erased_facts",
+                         {{"time", readableTime(act)},
+                          {"who", fieldText(act, "who")},
+                          {"why", fieldText(act, "why")},
+                          {"file", "erasure-" + fieldText(act, "entry") + ".txt"}});
+        }
+        return body.empty() ? "" : page::section(words("erasure_title"), body + said(left));
+    }
+
+    std::string consent() const
+    {
+        const auto& given = m_data["consent"];
+        return page::section(
+            words("consent_title"),
+            (given["time"].is_null() ? said("consent_no_time") : said("consent_time", {{"time", readableTime(given)}})) +
+                said("consent_words", {{"text", fieldText(given, "text")}}));
+    }
+
+    std::string facts() const
+    {
+        Rows rows;
+        for (const auto& fact : m_data["facts"]) rows.push_back({fieldText(fact, "fact"), fieldText(fact, "value")});
+        return page::section(words("facts_title"), tableOr("no_facts", {"question", "your_answer"}, rows));
+    }
+
+    std::string sittings() const
+    {
+        Rows rows;
+        for (const auto& sitting : m_data["sittings"])
+            rows.push_back({fieldText(sitting, "sitting"), readableTime(sitting, "from"), readableTime(sitting, "until")});
+        return page::section(words("sittings_title"), tableOr("no_time", {"sitting", "from", "until"}, rows));
+    }
+
+    /// With the decimal mark of the language.
+    std::string number(const std::string& plain) const
+    {
+        std::string text = plain;
+        const auto point = text.find('.');
+        if (point != std::string::npos) text.replace(point, 1, protocols::usualParticipantTexts(m_language).at("decimal_mark"));
+        return text;
+    }
+
+    /// With one decimal; your-data.json has the rest.
+    std::string secondsOf(const ordered_json& answer) const
+    {
+        return number(protocols::shortest(std::round(answer["seconds"].get<double>() * 10) / 10));
+    }
+
+    /// Own words stay as they were given.
+    std::string answerOf(const ordered_json& answer) const
+    {
+        if (answer.contains("rating")) return number(fieldText(answer, "rating"));
+        const std::string text = fieldText(answer, "answer"), kind = fieldText(answer, "answer_kind");
+        if (kind == "same_different" && (text == "same" || text == "different")) return words(text);
+        if (kind != "choice") return text;
+        if (text == pieceElsewhere) return words("not_on_tray");
+        if (text.starts_with(pieceNumbered)) return words("piece", {{"number", text.substr(pieceNumbered.size())}});
+        return text;
+    }
+
+    std::string remarkOn(const ordered_json& answer) const
+    {
+        std::string remark = answer["is_correction"].get<bool>() ? words("corrects") : "";
+        if (answer["voided"].get<bool>()) remark += (remark.empty() ? "" : "; ") + words("not_analysed");
+        return remark;
+    }
+
+    std::string answers() const
+    {
+        std::vector<const char*> head{"time", "trial", "question", "your_answer", "seconds", "remark"};
+        if (!isBlinded()) head.insert(head.end(), {"fabric", "condition", "right"});
+        Rows rows;
+        for (const auto& answer : m_data["answers"]) {
+            rows.push_back({readableTime(answer), fieldText(answer, "trial"), fieldText(answer, "question"), answerOf(answer),
+                            secondsOf(answer), remarkOn(answer)});
+            if (isBlinded()) continue;
+            const std::string right = answer.contains("correct") ? words(answer["correct"].get<bool>() ? "yes" : "no") : "";
+            rows.back().insert(rows.back().end(), {fieldText(answer, "fabric"), fieldText(answer, "condition"), right});
+        }
+        return page::section(words("answers_title"),
+                             (rows.empty() ? "" : said("answers_text")) + tableOr("no_answer", head, rows));
+    }
+
+    std::string finger() const
+    {
+        const std::string count = fieldText(m_data, "finger_samples");
+        if (count == "0") return "";
+        return page::section(words("finger_title"),
+                             said("finger_text", {{"count", count}}) + said(isBlinded() ? "finger_later" : "finger_file"));
+    }
+
+    std::string notes() const
+    {
+        Rows rows;
+        for (const auto& note : m_data["notes"])
+            rows.push_back({readableTime(note), fieldText(note, "trial"), fieldText(note, "text")});
+        return page::section(words("notes_title"), tableOr("no_note", {"time", "trial", "note"}, rows));
+    }
+
+    /// Empty for answers and touches, which have a table of their own; the name of a kind that has no words.
+    std::string eventWords(const std::string& kind) const
+    {
+        if (kind == "answered" || kind == "touched" || kind == "tray_ready") return "";
+        const auto known = m_texts.find("event_" + kind);
+        return known == m_texts.end() ? kind : known->second;
+    }
+
+    std::string events() const
+    {
+        Rows rows;
+        for (const auto& event : m_data["events"]) {
+            const std::string happened = eventWords(fieldText(event, "kind"));
+            if (happened.empty() || !event.contains("time")) continue;
+            const std::string why = event.contains("details") ? fieldText(event["details"], "why") : "";
+            rows.push_back({readableTime(event), why.empty() ? happened : words("reason", {{"words", happened}, {"why", why}})});
+        }
+        return page::section(words("events_title"), tableOr("no_time", {"time", ""}, rows));
+    }
+
+    std::string copies() const
+    {
+        Rows rows;
+        for (const auto& copy : m_data["copies"]) {
+            const auto kind = m_texts.find("copy_" + fieldText(copy, "act"));
+            rows.push_back({readableTime(copy), kind == m_texts.end() ? fieldText(copy, "act") : kind->second,
+                            fieldText(copy, "host") + ": " + fieldText(copy, "path")});
+        }
+        return page::section(words("copies_title"), (rows.empty() ? "" : said("copies_text")) +
+                                                        tableOr("no_copy", {"time", "copy_kind", "copy_place"}, rows));
+    }
+
+    const ordered_json& m_data;
+    std::string m_language;
+    const protocols::TextsByKey& m_texts;
+};
 
 }  // namespace
 
-std::string participantPage(const ordered_json& data)
-{
-    const std::string body = introduction(data) + erasureSection(data) + consentSection(data) + factSection(data) +
-                             sittingSection(data) + answerSection(data) + fingerSection(data) + noteSection(data) +
-                             eventSection(data) + copySection(data) +
-                             page::section("Files", page::sentence("your-data.json holds everything in this sheet and the times "
-                                                                   "of each step. your-answers.csv holds the answers as a "
-                                                                   "table. This sheet was made on " +
-                                                                   readableTime(data, "made_at") + "."));
-    return page::whole("Your data in the study " + fieldText(data, "study"), body);
-}
+std::string participantPage(const ordered_json& data) { return Sheet(data).html(); }
 
 }  // namespace study::records

@@ -3,10 +3,16 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <string_view>
 
 namespace study::records {
 
-/// HTML in one file. `data`: as participantData() gives it.
+/// How the data name a piece whose place has no letter, and a choice that lay in no place.
+inline constexpr std::string_view pieceNumbered = "piece ";
+inline constexpr std::string_view pieceElsewhere = "a piece that was not on the tray";
+
+/// HTML in one file, in the language of the protocol where that has usual texts, else in English. `data`: as participantData()
+/// gives it.
 std::string participantPage(const nlohmann::ordered_json& data);
 
 }  // namespace study::records

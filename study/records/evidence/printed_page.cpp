@@ -29,9 +29,10 @@ std::string table(const std::vector<std::string>& head, const std::vector<std::v
     return text + "</table>\n";
 }
 
-std::string whole(const std::string& title, const std::string& body)
+std::string whole(const std::string& title, const std::string& body, const std::string& language)
 {
-    return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + protocols::escapedMarkup(title) +
+    return "<!DOCTYPE html>\n<html lang=\"" + protocols::escapedMarkup(language) + "\"><head><meta charset=\"utf-8\"><title>" +
+           protocols::escapedMarkup(title) +
            "</title><style>\n"
            "body{font:11pt 'DejaVu Sans',sans-serif;margin:15mm;color:#000;background:#fff;max-width:190mm}\n"
            "h1{font-size:17pt}h2{font-size:13pt;margin-top:8mm}table{border-collapse:collapse;width:100%}\n"

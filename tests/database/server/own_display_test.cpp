@@ -26,14 +26,17 @@ using database::StudyFolder;
 
 namespace {
 
-/// `vis2hap display serve` with the reference display behind it.
+/// The reference display, which keeps its image in the folder `device`.
+QString referenceAt(const QString& device) { return "exec:" VIS2HAP_REFERENCE_DISPLAY " '" + device + "' --touch-after 5"; }
+
+/// `vis2hap display serve` with this driver behind it.
 class ServedDisplay {
 public:
-    ServedDisplay(const std::string& address, const QString& device)
+    ServedDisplay(const std::string& address, const QString& driver)
     {
         m_process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-        m_process.start(VIS2HAP_PROGRAM, {"display", "serve", QString::fromStdString(address), "--port", "0", "--display",
-                                          "exec:" VIS2HAP_REFERENCE_DISPLAY " '" + device + "' --touch-after 5"});
+        m_process.start(VIS2HAP_PROGRAM,
+                        {"display", "serve", QString::fromStdString(address), "--port", "0", "--display", driver});
         while (m_process.state() != QProcess::NotRunning && !m_process.canReadLine()) m_process.waitForReadyRead(1000);
         specification = QRegularExpression("tcp:\\S+").match(QString::fromUtf8(m_process.readLine())).captured(0).toStdString();
     }
@@ -85,6 +88,8 @@ private Q_SLOTS:
     void rolesAreKeptApart();
     void theWrongDisplayIsRefused();
     void otherProgramsDoNotKeepTheStationOut();
+    void aDriverThatCannotStartIsNamedAtTheStation_data();
+    void aDriverThatCannotStartIsNamedAtTheStation();
 
 private:
     /// A study on the server whose images go to the display's login, and its owner's folder.
@@ -120,7 +125,7 @@ void OwnDisplayTest::theDeviceShowsTheImageThatTheStationNeverGets()
     const StudyFolder owner = studyOnServer("shown", "display", {.familiarisationImages = 1});
     const StudyFolder place{joinStudy(as("hand", "shown"), m_folder.filePath("shown-place").toStdString(), "left").folder};
     const QString device = m_folder.filePath("device");
-    const ServedDisplay served(m_server->address("shown", "device"), device);
+    const ServedDisplay served(m_server->address("shown", "device"), referenceAt(device));
     ServerSession hands(place, "P01", database::ParticipantKind::Human, true);
     hands.driver.reset();
     const auto display = rendering::openDisplay(served.specification);
@@ -276,7 +281,7 @@ void OwnDisplayTest::theWrongDisplayIsRefused()
 void OwnDisplayTest::otherProgramsDoNotKeepTheStationOut()
 {
     studyOnServer("crowded", "display");
-    const ServedDisplay served(m_server->address("crowded", "device"), m_folder.filePath("crowded-device"));
+    const ServedDisplay served(m_server->address("crowded", "device"), referenceAt(m_folder.filePath("crowded-device")));
     const auto port = QString::fromStdString(served.specification.substr(served.specification.rfind(':') + 1)).toUShort();
     QTcpSocket nesting, silent;
     nesting.connectToHost("127.0.0.1", port);
@@ -287,6 +292,33 @@ void OwnDisplayTest::otherProgramsDoNotKeepTheStationOut()
     std::unique_ptr<rendering::HapticDisplay> display;
     QCOMPARE(errorOf([&] { display = rendering::openDisplay(served.specification); }), QString());
     QVERIFY(display->fetchesImages());
+}
+
+void OwnDisplayTest::aDriverThatCannotStartIsNamedAtTheStation_data()
+{
+    studyOnServer("driverless", "display");  // one for all rows
+    QTest::addColumn<QString>("driver");
+    QTest::addColumn<QStringList>("told");
+    QTest::newRow("no such program") << "exec:/no/such/driver" << QStringList{"ended with exit code 127", "/no/such/driver"};
+    QTest::newRow("ends at hello, with a text that is not UTF-8")
+        << "exec:read hello; printf 'no amplifier \\344\\n' >&2; exit 3"
+        << QStringList{"ended with exit code 3; its error text: no amplifier"};
+    QTest::newRow("a long reason") << "exec:printf '%01999d' 5 >&2; exit 3" << QStringList{"its error text: 0000"};
+    QTest::newRow("nobody listens") << "tcp:127.0.0.1:1" << QStringList{"cannot be reached (Connection refused)"};
+}
+
+/// The standard error of `display serve` has the reason, too, but it belongs to another account.
+void OwnDisplayTest::aDriverThatCannotStartIsNamedAtTheStation()
+{
+    QFETCH(QString, driver);
+    QFETCH(QStringList, told);
+    told << "the display's driver does not start: the device's driver ";
+    const ServedDisplay served(m_server->address("driverless", "device"), driver);
+    for (int attempt = 0; attempt < 2; ++attempt) {  // the next connection gets it, too
+        const QString fault = errorOf([&] { (void)rendering::openDisplay(served.specification); });
+        for (const QString& part : told) QVERIFY2(fault.contains(part), qPrintable(fault));
+        QVERIFY2(fault.size() < 600, qPrintable(fault));
+    }
 }
 
 QTEST_GUILESS_MAIN(OwnDisplayTest)

@@ -95,7 +95,7 @@ private Q_SLOTS:
         const auto check =
             checked("exec:" + reference() + " '" + folder.toStdString() + "' " + arguments.join(" ").toStdString(), options);
         QVERIFY2(check.faults() == 0, qPrintable(faultsOf(check)));
-        QCOMPARE(check.demands.size(), std::size_t(arguments.contains("--touch-after") ? 17 : 16));
+        QCOMPARE(check.demands.size(), std::size_t(arguments.contains("--touch-after") ? 18 : 17));
         QCOMPARE(check.name, std::string("reference display"));
         QCOMPARE(check.showMs.size(), std::size_t(10));
         if (arguments.contains("--delay")) QVERIFY(*std::min_element(check.showMs.begin(), check.showMs.end()) >= 20);
@@ -215,6 +215,8 @@ private Q_SLOTS:
                                      << "ended with exit code 0";
         QTest::newRow("refuses images") << "shows an image"
                                         << "no amplifier";
+        QTest::newRow("takes its own size only") << "1280 × 800 px, the size that sessions send"
+                                                 << "only 40 x 30";
         QTest::newRow("answers an old id") << "sends only messages"
                                            << "request 1,";
         QTest::newRow("reads images as lines") << "does not interpret"

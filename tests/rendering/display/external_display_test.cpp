@@ -283,6 +283,22 @@ private Q_SLOTS:
         QVERIFY(timer.elapsed() < 900);
     }
 
+    void aLongCommandLeavesRoomForTheReason()
+    {
+        const std::string options = " --device /dev/serial/by-id/usb-" + std::string(300, '0') + " --log /var/log/driver.log";
+        const auto fault = refusalOf([&] { ExternalDisplay(program("exit 7;" + options), impatient); });
+        QVERIFY2(fault.startsWith("display exec:exit 7; --device /dev/serial/") && fault.contains("ended with exit code 7"),
+                 qPrintable(fault));
+        QVERIFY2(!fault.contains(QString(100, '0')) && !fault.contains("driver.log"), qPrintable(fault));
+    }
+
+    void reasonOfARefusalKeepsItsLanguage()
+    {
+        const std::string reply = R"({"type":"failed","id":1,"why":"Der Verstärker ist aus"})";
+        const auto fault = refusalOf([&] { ExternalDisplay(program("read request; echo '" + reply + "'; cat"), impatient); });
+        QVERIFY2(fault.contains("does not start: Der Verstärker ist aus"), qPrintable(fault));
+    }
+
     void driverThatCannotStartIsReportedAtOnce_data()
     {
         QTest::addColumn<QString>("told");

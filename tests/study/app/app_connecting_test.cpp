@@ -108,6 +108,8 @@ class AppConnectingTest : public tests::support::WindowTest {
 
 private Q_SLOTS:
     void displayPageConnectsAndRemembers();
+    void displayPageNamesTheSizeOfSessionsWhereItDiffers_data();
+    void displayPageNamesTheSizeOfSessionsWhereItDiffers();
     void displayPageShowsFaultsInPlainWords_data();
     void displayPageShowsFaultsInPlainWords();
     void connectingLeavesTheWindowAliveAndCanBeStopped_data();
@@ -147,6 +149,29 @@ void AppConnectingTest::displayPageConnectsAndRemembers()
     QVERIFY(next.widget<QLabel>("displayFact").text().contains("exec:"));
     stepTo<CheckingList>(next);
     QVERIFY(next.window.currentPage()->findChild<QPushButton*>("pattern4Button")->isEnabled());
+}
+
+void AppConnectingTest::displayPageNamesTheSizeOfSessionsWhereItDiffers_data()
+{
+    QTest::addColumn<QString>("size");
+    QTest::addColumn<bool>("isNamed");
+    QTest::newRow("the same") << R"("width":1280,"height":800)" << false;
+    QTest::newRow("another") << R"("width":1920,"height":1080)" << true;
+}
+
+void AppConnectingTest::displayPageNamesTheSizeOfSessionsWhereItDiffers()
+{
+    QFETCH(QString, size);
+    QFETCH(bool, isNamed);
+    ShownWindow shown;
+    shown.gui.click("displayButton");
+    const QString hello = R"({"type":"hello","id":1,"schema":"vis2hap.display/1","name":"A","touches":false,%1})";
+    chooseDisplay(shown, "exec:",
+                  "read request; echo '" + hello.arg(size) + R"('; read request; echo '{"type":"cleared","id":2}'; cat >&2)");
+    shown.gui.click("connectDisplayButton");
+    QTRY_VERIFY(shown.widget<QLabel>("displayState").text().startsWith("Connected: A (exec:read request"));
+    const QString about = shown.widget<QLabel>("displayAbout").text();
+    QVERIFY2(about.contains("sessions send 1280 × 800 px") == isNamed, qPrintable(about));
 }
 
 void AppConnectingTest::displayPageShowsFaultsInPlainWords_data()

@@ -8,6 +8,8 @@
 #include <QLabel>
 #include <QProcess>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
@@ -59,6 +61,16 @@ class AppDisplayTest : public tests::support::WindowTest {
     {
         while (!std::holds_alternative<Stage>(shown.gui.view().state.stage)) step(shown);
     }
+    /// The process of the driver is the one that has the display folder in its arguments.
+    void killDriver()
+    {
+        QProcess list;
+        list.start("ps", {"-eo", "pid,ppid,args"});
+        QVERIFY(list.waitForFinished());
+        for (const QString& line : QString::fromUtf8(list.readAllStandardOutput()).split('\n'))
+            if (line.contains(displayFolder()) && line.contains("vis2hap-reference-display"))
+                ::kill(line.trimmed().section(' ', 0, 0).toInt(), SIGKILL);
+    }
     QString messageIn(ShownWindow& shown) { return shown.window.currentPage()->findChild<QLabel*>("sessionMessage")->text(); }
 
     std::shared_ptr<VirtualClock> m_clock;
@@ -69,6 +81,7 @@ private Q_SLOTS:
     void delayedTouchReportIsDatedBack();
     void deadDriverPausesTheSessionAndLosesNothing();
     void messageForADeadDriverNamesTheNextStep();
+    void aLongDriverCommandFitsTheWindow();
     void driverClearsTheDisplayAfterTheProgramIsKilled();
     void plainImagesMustBeAllowed();
     void aPersonNeedsADisplayOrARehearsal();
@@ -142,14 +155,7 @@ void AppDisplayTest::deadDriverPausesTheSessionAndLosesNothing()
     const auto trial = std::get<Presenting>(shown.gui.view().state.stage).index;
     QVERIFY(answers > 0 && tests::displayedIn(displayFolder()) > 0);
 
-    // Kill the driver. Its process is the one that has the display folder in its arguments.
-    QProcess list;
-    list.start("ps", {"-eo", "pid,ppid,args"});
-    QVERIFY(list.waitForFinished());
-    for (const QString& line : QString::fromUtf8(list.readAllStandardOutput()).split('\n'))
-        if (line.contains(displayFolder()) && line.contains("vis2hap-reference-display"))
-            ::kill(line.trimmed().section(' ', 0, 0).toInt(), SIGKILL);
-
+    killDriver();
     QTRY_VERIFY(shown.gui.view().state.paused);
     QVERIFY2(messageIn(shown).contains("while an image was felt") && messageIn(shown).contains("no answer is lost") &&
                  messageIn(shown).contains("press Enter"),
@@ -200,6 +206,31 @@ void AppDisplayTest::messageForADeadDriverNamesTheNextStep()
     QVERIFY(!shown.gui.view().state.paused);
     stepTo<Presenting>(shown);
     QVERIFY(tests::displayedIn(displayFolder()) > 0);
+}
+
+void AppDisplayTest::aLongDriverCommandFitsTheWindow()
+{
+    // The shell ignores these options, which look like those of a lab.
+    const QString options =
+        QStringLiteral("# --device /dev/serial/by-id/usb-FTDI_FT232R_USB_UART_A10K5HWZ-if00-port0 ").repeated(2) +
+        QStringLiteral("--log /home/lab/driver.log");
+    ShownWindow shown(withReference(options));
+    shown.window.resize(1100, 750);
+    begin(shown, newStudy());
+    stepTo<Presenting>(shown);
+    QTest::qWait(50);
+    QCOMPARE(shown.window.width(), 1100);
+    const auto& fact = shown.widget<QLabel>("displayFact");
+    QVERIFY2(fact.text().startsWith("Display on: reference display (exec:") && fact.text().size() < 90, qPrintable(fact.text()));
+    QVERIFY2(fact.toolTip().contains("/home/lab/driver.log"), qPrintable(fact.toolTip()));
+    killDriver();
+    QTRY_VERIFY(shown.gui.view().state.paused);
+    QTest::qWait(50);
+    QCOMPARE(shown.window.width(), 1100);
+    QVERIFY2(messageIn(shown).contains("while an image was felt") && !messageIn(shown).contains("driver.log"),
+             qPrintable(messageIn(shown)));
+    for (const auto* area : shown.window.currentPage()->findChildren<QScrollArea*>())
+        QVERIFY2(!area->isVisible() || area->horizontalScrollBar()->maximum() == 0, qPrintable(area->objectName()));
 }
 
 void AppDisplayTest::driverClearsTheDisplayAfterTheProgramIsKilled()

@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "study/app/pieces/answer_entry.h"
+#include "study/app/pieces/session_header.h"
 #include "study/app/state/appearance.h"
 #include "tests/study/app/every_page.h"
 #include "tests/study/app/page_measures.h"
@@ -29,6 +30,8 @@ private Q_SLOTS:
     void actionsAreInView();
     void enlargedTextIsNotSmallerInALowWindow();
     void windowStartsOnTheScreen();
+    void longFactsDoNotWidenTheHeader_data();
+    void longFactsDoNotWidenTheHeader();
 };
 
 namespace {
@@ -198,6 +201,52 @@ void AppFitTest::windowStartsOnTheScreen()
     QTest::qWait(50);
     QCOMPARE(shown.window.size(), QSize(800, 480));
     shown.window.setAppearance({});
+}
+
+void AppFitTest::longFactsDoNotWidenTheHeader_data()
+{
+    QTest::addColumn<QString>("display");
+    QTest::addColumn<QString>("participant");
+    QTest::addColumn<QString>("phase");
+    const QString name = QStringLiteral("a long name ").repeated(15) + QString(90, QLatin1Char('x'));
+    QTest::newRow("display") << name << "P01"
+                             << "Q1";
+    QTest::newRow("participant") << "glass" << name << "Q1";
+    QTest::newRow("phase") << "glass"
+                           << "P01" << name;
+}
+
+/// The fact stays one line, is readable from its beginning, and its tooltip has the whole text.
+void AppFitTest::longFactsDoNotWidenTheHeader()
+{
+    QFETCH(QString, display);
+    QFETCH(QString, participant);
+    QFETCH(QString, phase);
+    applyAppearance({}, m_font);
+    SessionHeader header(nullptr);
+    View view;
+    view.participant = participant.toStdString();
+    view.phaseName = phase.toStdString();
+    view.presentation = 1;
+    SessionFacts facts;
+    facts.displayName = display;
+    header.begin(facts);
+    header.resize(400, 1000);  // high, so that no fact is left out
+    header.show();
+    header.present(view);
+    tests::settle(header);
+    QCOMPARE(header.width(), 400);
+    QVERIFY2(header.minimumSizeHint().width() < 300, qPrintable(QString::number(header.minimumSizeHint().width())));
+    int longFacts = 0;
+    for (const auto* label : header.findChildren<QLabel*>()) {
+        if (!label->isVisible()) continue;
+        QVERIFY2(label->geometry().right() < 400, qPrintable(label->objectName()));
+        if (!label->text().contains(QLatin1String("a long name"))) continue;
+        ++longFacts;
+        QVERIFY2(label->width() < label->sizeHint().width(), qPrintable(label->objectName()));
+        QVERIFY2(label->toolTip().contains(QString(90, QLatin1Char('x'))), qPrintable(label->toolTip()));
+    }
+    QCOMPARE(longFacts, 1);
 }
 
 QTEST_MAIN(AppFitTest)

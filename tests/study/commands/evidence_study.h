@@ -3,9 +3,11 @@
 
 #include <QFile>
 #include <QString>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "protocols/files/csv_table.h"
 #include "tests/support/played_session.h"
 #include "tests/support/study_builder.h"
 
@@ -28,6 +30,18 @@ inline QString bytesOf(const QString& file)
 }
 
 inline nlohmann::json jsonOf(const QString& file) { return nlohmann::json::parse(bytesOf(file).toStdString()); }
+
+inline protocols::CsvTable tableOf(const QString& file)
+{
+    return protocols::csvTableFrom(bytesOf(file).toStdString(), file.toStdString());
+}
+
+/// The cell of the row in this column.
+inline QString cell(const protocols::CsvTable& table, std::size_t row, const std::string& column)
+{
+    const auto at = std::ranges::find(table.columns, column) - table.columns.begin();
+    return QString::fromStdString(table.rows.at(row).at(static_cast<std::size_t>(at)));
+}
 
 /// P1 finished, with a note, a correction and a voided presentation; P2 is on the way.
 inline void playStudy(const std::string& folder, const std::string& protocol = askingProtocol)

@@ -94,6 +94,8 @@ private Q_SLOTS:
         QTest::newRow("another name of it") << "protocol check protocol.json --json ./protocol.json";
         QTest::newRow("passphrase") << "study status STUDY --passphrase-file words --json words";
         QTest::newRow("signing key") << "study sign STUDY --key key --out key";
+        QTest::newRow("the list of a data set") << "evaluate set --json set/dataset.json";
+        QTest::newRow("a map of a data set") << "evaluate ./set --json set/F01/../F01/height.png";
     }
     void noOutputReplacesAFileThatIsRead()
     {
@@ -105,9 +107,13 @@ private Q_SLOTS:
         protocols::writeWholeFile(place.filePath("words").toStdString(), "four plain short words\n");
         protocols::writeWholeFile(place.filePath("protocol.json").toStdString(), protocols::paperProtocolJson());
         mustRun({"study", "signing-key", "--no-passphrase", "--out", place.filePath("key")});
+        QVERIFY(place.mkpath("set/F01"));
+        for (const char* name : {"set/dataset.json", "set/F01/height.png"})
+            protocols::writeWholeFile(place.filePath(name).toStdString(), name);
         const auto all = [&] {
             QByteArray bytes;
-            for (const char* name : {"table.csv", "words", "key", "protocol.json"}) bytes += bytesOf(place.filePath(name));
+            for (const char* name : {"table.csv", "words", "key", "protocol.json", "set/dataset.json", "set/F01/height.png"})
+                bytes += bytesOf(place.filePath(name));
             return bytes;
         };
         const QByteArray before = all();
@@ -136,6 +142,36 @@ private Q_SLOTS:
         const QByteArray lock = bytesOf(study + "/.lock");
         QVERIFY2(lock.endsWith('\n') && lock.trimmed().toInt() > 0, lock.constData());
         QVERIFY(mustRun({"verify", study}).out.contains("sound"));
+    }
+
+    /// A killed session leaves its write-ahead log beside study.db, and people unpack a backup over the folder.
+    void aBackupUnpackedOverAKilledSessionIsSound()
+    {
+        const QString study = newStudy(), tar = m_place.filePath("over.tar"), log = study + "/study.db-wal";
+        mustRun({"backup", study, "--out", tar});
+        {
+            tests::support::OpenSession session({study.toStdString()}, "S01");
+            session.playUntilAnswers(6);
+            fs::copy_file(log.toStdString(), m_place.filePath("kept-wal").toStdString());
+        }
+        fs::copy_file(m_place.filePath("kept-wal").toStdString(), log.toStdString());
+        QVERIFY(fs::file_size(log.toStdString()) > 0);
+        QCOMPARE(inShell("tar xf " + tar + " -C " + m_place.path()), 0);
+        QVERIFY(mustRun({"verify", study}).out.contains("sound (3 answers"));
+    }
+
+    void namesReachTheTerminalWithoutControlCharacters()
+    {
+        const QString study = newStudy(), strange = m_place.filePath("e\x1b[31mred");
+        fs::rename(study.toStdString(), strange.toStdString());
+        for (const QStringList& call :
+             {QStringList{"backup", strange, "--out", m_place.filePath("b\x1b[31m.tar")},
+              QStringList{"unblind", strange, "--who", "Ada", "--why", "it is over"},
+              QStringList{"study", "signing-key", "--no-passphrase", "--out", m_place.filePath("k\x1b[0m")}}) {
+            const auto result = mustRun(call);
+            QVERIFY2(!result.out.contains('\x1b') && !result.err.contains('\x1b') && result.out.contains("\\x1b"),
+                     qPrintable(result.out + result.err));
+        }
     }
 
     void aBackupIsWholeWhateverTheSurroundingsSay()

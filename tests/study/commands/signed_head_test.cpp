@@ -3,6 +3,7 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+#include <cstring>
 
 #include "tests/study/commands/evidence_study.h"
 #include "tests/support/program.h"
@@ -79,6 +80,18 @@ private Q_SLOTS:
             wide += QByteArray(1, char(c.unicode() & 0xFF)) + QByteArray(1, char(c.unicode() >> 8));
         QVERIFY(opens(wide, 3));
         QVERIFY(!opens("Schlussel \xE4\xB8\x8A", 4) && !opens("Schl\xC3\xBCssel", 5));
+    }
+
+    /// $(cat words.txt) leaves the carriage return of a file from Windows.
+    void aPassphraseInAVariableEndsWithItsLastLetter()
+    {
+        const QString study = playedStudy(), key = at("from-variable");
+        mustRun({"study", "signing-key", "--out", key}, {"VIS2HAP_PASSPHRASE=four plain words\r"});
+        for (const char* end : {"", "\r", "\r\n"})
+            mustRun({"study", "sign", study, "--key", key, "--out", at(QString("variable%1.txt").arg(std::strlen(end)))},
+                    {QString("VIS2HAP_PASSPHRASE=four plain words") + end});
+        const auto refused = runProgram({"study", "signing-key", "--out", at("other")}, {"VIS2HAP_PASSPHRASE=four\tplain words"});
+        QVERIFY2(refused.exitCode == 2 && refused.err.contains("control character"), qPrintable(refused.err));
     }
 
     void aSignedHeadIsChecked()

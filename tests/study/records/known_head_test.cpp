@@ -128,20 +128,37 @@ private Q_SLOTS:
     {
         const LogHead head{12, std::string(64, 'a')};
         using Heads = std::vector<LogHead>;
-        QVERIFY(study::records::headsIn(textOf(head)) == Heads{head});
-        QVERIFY(study::records::headsIn(head.hash) == (Heads{{0, head.hash}}));
+        QVERIFY(study::records::headsIn(textOf(head)).heads == Heads{head});
+        QVERIFY(study::records::headsIn(head.hash).heads == (Heads{{0, head.hash}}));
         const LogHead shortHead{12, std::string(database::shortHeadLength, 'a')};
-        QVERIFY(study::records::headsIn(shortTextOf(head)) == Heads{shortHead});
+        QVERIFY(study::records::headsIn(shortTextOf(head)).heads == Heads{shortHead});
         QVERIFY_EXCEPTION_THROWN(study::records::headsIn(shortTextOf(head).substr(0, 18)), protocols::Error);
         const std::string file = m_place.filePath("heads.txt").toStdString();
         const std::string other = "7:" + std::string(64, 'b');
         std::ofstream(file) << "{\"log_head\":\"" << textOf(head) << "\",\"sha256\":\"" << head.hash
                             << "\",\"x\":\"sha256:" << head.hash << "\"} again " << textOf(head) << ", " << other << "c " << other
                             << "\n";
-        QVERIFY(study::records::headsIn(file) == (Heads{head, {7, std::string(64, 'b')}}));
+        QVERIFY(study::records::headsIn(file).heads == (Heads{head, {7, std::string(64, 'b')}}));
         std::ofstream(file) << "nothing";
         QVERIFY_EXCEPTION_THROWN(study::records::headsIn(file), protocols::Error);
         QVERIFY_EXCEPTION_THROWN(study::records::headsIn("no such file"), protocols::Error);
+    }
+
+    /// In a notebook: capital letters and blanks are read; a missing digit is named; times and words are neither.
+    void headsAreCopiedByHand()
+    {
+        using Heads = std::vector<LogHead>;
+        const LogHead head{154, "f35b9b1ea1e528f0"};
+        for (const char* text : {"154:F35B9B1EA1E528F0", "154: f35b9b1ea1e528f0", "154:\tF35b9b1EA1E528F0"})
+            QVERIFY2(study::records::headsIn(text).heads == Heads{head}, text);
+        const std::string file = m_place.filePath("notebook.txt").toStdString();
+        std::ofstream(file)
+            << "14:03:11 head 154: F35B9B1EA1E528F0\nstep 3: participants1 were here, 12:20261128T0102 too\n"
+               "SHA-256: 5c0fa1b2c3d4e5f65c0fa1b2c3d4e5f65c0fa1b2c3d4e5f65c0fa1b2c3d4e5f6, fe80:1:8080a1b2c3d4e5\n"
+               "7:abcdef01\n8: f35b9b1ea1e528fO\n9:f35b9b1ea1e528\n10: 12345678\n";
+        const auto given = study::records::headsIn(file);
+        QVERIFY(given.heads == Heads{head});
+        QVERIFY(given.unread == (std::vector<std::string>{"7:abcdef01", "8: f35b9b1ea1e528fO", "9:f35b9b1ea1e528"}));
     }
 };
 

@@ -276,10 +276,17 @@ void DisplayPage::showState()
     if (m_tried->isConnecting()) return;
     const rendering::HapticDisplay* display = m_tried->display();
     const bool isThere = display && display->isThere();
-    m_state->setText(isThere ? tr("Connected: %1").arg(QString::fromStdString(display->name())) : tr("Not connected"));
+    const QString name = isThere ? QString::fromStdString(display->name()) : QString();
+    m_state->setText(isThere ? tr("Connected: %1").arg(shortName(name)) : tr("Not connected"));
+    m_state->setToolTip(fullName(name));
     QStringList facts;
-    if (isThere && display->surfacePx())
+    const cv::Size sent = rendering::sessionImagePx();
+    if (isThere && display->surfacePx()) {
         facts << tr("%1 × %2 px").arg(display->surfacePx()->width).arg(display->surfacePx()->height);
+        if (*display->surfacePx() != sent)
+            facts
+                << tr("sessions send %1 × %2 px: test the driver with `vis2hap display check`").arg(sent.width).arg(sent.height);
+    }
     if (isThere && display->reportsTouches()) facts << tr("reports touches (%1 so far)").arg(m_touches);
     if (isThere && !display->reportsTouches()) facts << tr("does not report touches: press T at the first touch");
     showText(*m_about, facts.join(QStringLiteral("  ·  ")));

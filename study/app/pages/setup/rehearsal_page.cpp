@@ -144,8 +144,9 @@ void RehearsalPage::readPiece()
 
 void RehearsalPage::show()
 {
-    m_display->setText(m_state.displayIsThere ? tr("Display: %1 is connected.").arg(m_room.displayName)
+    m_display->setText(m_state.displayIsThere ? tr("Display: %1 is connected.").arg(shortName(m_room.displayName))
                                               : tr("No display is connected. Choose one on the page of the display."));
+    m_display->setToolTip(fullName(m_room.displayName));
     m_felt->setEnabled(m_state.displayIsThere);
     const QString left = m_state.piecesLeft.join(listMark());
     m_pieces->setText(m_state.piecesLeft.isEmpty()

@@ -1,4 +1,4 @@
-#include "database/write_lock.h"
+#include "database/disk/write_lock.h"
 
 #include <fcntl.h>
 #include <sys/file.h>

@@ -1,0 +1,187 @@
+// Rescue files that do not belong to the folder, or would bring back what was erased; names of the folder under which its files
+// are found; and erasures that were interrupted.
+#include <QTemporaryDir>
+#include <QTest>
+#include <filesystem>
+
+#include "database/disk/server_note.h"
+#include "database/erasure.h"
+#include "database/rescue_files.h"
+#include "protocols/files/whole_file.h"
+#include "study/records/erasure_certificate.h"
+#include "tests/support/error_text.h"
+#include "tests/support/played_session.h"
+#include "tests/support/study_builder.h"
+
+using namespace database;
+using tests::support::errorOf;
+using tests::support::OpenSession;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const Erasure erasureOfS01{protocols::ParticipantId("S01"), true, "Ada", "asked for it", {}};
+
+void removeDatabase(const StudyFolder& folder)
+{
+    for (const char* ending : {"", "-wal", "-shm"}) fs::remove(folder.database().string() + ending);
+}
+
+void copyDatabase(const StudyFolder& folder, const fs::path& to) { StudyStore(folder, StudyStore::Access::Read).copyTo(to); }
+
+}  // namespace
+
+class RescueRefusalsTest : public QObject {
+    Q_OBJECT
+    QTemporaryDir m_place;
+    int m_studies = 0;
+
+    /// In a folder of its own, so that nothing else lies beside it, and with keys of its own.
+    StudyFolder newStudy(int answers)
+    {
+        const fs::path above = m_place.filePath(QString("%1").arg(++m_studies)).toStdString();
+        fs::create_directory(above);
+        const StudyFolder folder =
+            tests::support::buildStudy(above / "study", {.keySeed = static_cast<std::uint64_t>(m_studies)});
+        OpenSession(folder, "S01").playUntilAnswers(answers);
+        return folder;
+    }
+
+private Q_SLOTS:
+    void aFileOfAnotherStudyIsRefused_data()
+    {
+        QTest::addColumn<QString>("present");
+        QTest::newRow("no study.db") << "none";
+        QTest::newRow("a damaged study.db") << "damaged";
+        QTest::newRow("a sound study.db") << "sound";
+    }
+    void aFileOfAnotherStudyIsRefused()
+    {
+        QFETCH(const QString, present);
+        const StudyFolder folder = newStudy(4), other = newStudy(6);
+        // The folder of another study had this name before.
+        const fs::path foreign = folder.folder.parent_path() / "study-rescue-1.db";
+        copyDatabase(other, foreign);
+        if (present != "sound") removeDatabase(folder);
+        if (present == "damaged") protocols::writeWholeFile(folder.database(), "no database");
+        QVERIFY(rescueFiles(folder).empty());
+        const QString told = errorOf([&] { StudyStore::rescue(folder, foreign); });
+        QVERIFY2(told.startsWith("2:") && told.contains(present == "sound" ? "of two studies" : "of another study"),
+                 qPrintable(told));
+        QVERIFY(fs::exists(foreign));
+        QCOMPARE(fs::exists(folder.database()), present != "none");
+    }
+
+    void aFolderWithoutKeysIsNoPlaceForAStudy()
+    {
+        const StudyFolder folder = newStudy(3);
+        const fs::path file = folder.folder.parent_path() / "kept.db", empty = folder.folder.parent_path() / "empty";
+        copyDatabase(folder, file);
+        fs::create_directory(empty);
+        const QString told = errorOf([&] { StudyStore::rescue({empty}, file); });
+        QVERIFY2(told.contains("has no station key"), qPrintable(told));
+        QVERIFY(!fs::exists(empty / "study.db"));
+    }
+
+    void aStudyOnAServerIsRefused()
+    {
+        const StudyFolder folder = newStudy(3);
+        const fs::path file = folder.folder / "rescue-1.db";
+        copyDatabase(folder, file);
+        removeDatabase(folder);
+        writeServerNote(folder.folder, {"postgresql://owner@lab/lab?study=pilot", "owner", std::string(64, 'a'), true});
+        const QString told = errorOf([&] { StudyStore::rescue(folder, file); });
+        QVERIFY2(told.contains("lies on a server") && told.contains("study move"), qPrintable(told));
+        QVERIFY(fs::exists(file) && !fs::exists(folder.database()));
+    }
+
+    /// Neither over the study, nor in the place of a study.db that is gone.
+    void erasedAnswersAreNotBroughtBack()
+    {
+        const StudyFolder folder = newStudy(5);
+        const fs::path file = folder.folder.parent_path() / "older.db";
+        copyDatabase(folder, file);
+        {
+            StudyStore store(folder, StudyStore::Access::Write);
+            const auto record = store.erase(erasureOfS01);
+            study::records::writeErasureCertificate(store, erasureOfS01, record);
+        }
+        QString told = errorOf([&] { StudyStore::rescue(folder, file); });
+        QVERIFY2(told.contains("has every entry of the rescue file already"), qPrintable(told));
+        removeDatabase(folder);
+        told = errorOf([&] { StudyStore::rescue(folder, file); });
+        QVERIFY2(told.contains("from before the erasure of erasure-") && !fs::exists(folder.database()), qPrintable(told));
+    }
+
+    void filesOfOtherNamesOfTheFolderAreFound()
+    {
+        const StudyFolder folder = newStudy(4), other = newStudy(2);
+        const fs::path place = folder.folder.parent_path(), elsewhere = m_place.filePath("links").toStdString();
+        copyDatabase(folder, place / "study-rescue-1.db");
+        copyDatabase(folder, place / "name-before-rescue-4.db");
+        copyDatabase(other, place / "other-rescue-1.db");
+        fs::create_directory(elsewhere);
+        fs::create_directory_symlink(folder.folder, elsewhere / "link");
+        const StudyFolder linked{elsewhere / "link"};
+        QCOMPARE(rescueFiles(linked).size(), 2u);
+        const auto record = StudyStore(linked, StudyStore::Access::Write).erase(erasureOfS01);
+        auto found = record.found;
+        std::ranges::sort(found);
+        QVERIFY(found ==
+                (std::vector<std::string>{(place / "name-before-rescue-4.db").string(), (place / "study-rescue-1.db").string()}));
+    }
+
+    /// study-before-rescue-N.db is what a rescue put aside, and a copy of the study leaves the files of the other one alone.
+    void onlyRescueFilesOfTheFolderAreUsedUp()
+    {
+        const StudyFolder folder = newStudy(4);
+        const fs::path inside = folder.folder / "rescue-1.db", beside = folder.folder.parent_path() / "study-rescue-1.db";
+        copyDatabase(folder, inside);
+        copyDatabase(folder, beside);
+        QVERIFY(!StudyStore::rescue(folder, inside).earlier.empty());
+        QVERIFY(!fs::exists(inside) && rescueFiles(folder) == std::vector<fs::path>{beside});
+        const StudyFolder copy{folder.folder.parent_path() / "study-copy"};
+        fs::copy(folder.folder, copy.folder, fs::copy_options::recursive);
+        removeDatabase(copy);
+        QCOMPARE(rescueFiles(copy), std::vector<fs::path>{beside});
+        StudyStore::rescue(copy, beside);
+        QVERIFY(fs::exists(beside));
+        QCOMPARE(StudyStore(copy, StudyStore::Access::Read).answers().size(), 4u);
+    }
+
+    /// The texts that an interrupted erasure removed are no longer known: copies of the database are found by their rows, and the
+    /// certificate says that nothing else could be searched.
+    void anInterruptedErasureIsNoSearch()
+    {
+        const StudyFolder folder = newStudy(5);
+        const fs::path file = folder.folder.parent_path() / "study-rescue-1.db";
+        copyDatabase(folder, file);
+        StudyStore store(folder, StudyStore::Access::Write);
+        const auto first = store.erase(erasureOfS01);  // ends before its certificate
+        QVERIFY(first.interrupted.empty());
+        const auto second = store.erase(erasureOfS01);
+        QCOMPARE(second.searchedTexts, std::size_t{0});
+        QCOMPARE(second.interrupted, std::vector<std::int64_t>{first.event});
+        QCOMPARE(second.found, std::vector<std::string>{file.string()});
+        const auto certificate = study::records::writeErasureCertificate(store, erasureOfS01, second);
+        const QString text = QString::fromStdString(protocols::readWholeFile(certificate));
+        QVERIFY2(text.contains(QString("The erasure of entry %1 was interrupted").arg(first.event)), qPrintable(text));
+        QVERIFY(store.erase(erasureOfS01).interrupted.empty());  // the certificate has told it
+        QVERIFY2(text.contains("study-rescue-1.db") && text.contains("What stays: the code of the participant"),
+                 qPrintable(text));
+    }
+
+    void nothingIsErasedWhereTheCertificateCannotBeWritten()
+    {
+        const StudyFolder folder = newStudy(5);
+        protocols::writeWholeFile(folder.folder / "erasures", "no folder");
+        StudyStore store(folder, StudyStore::Access::Write);
+        QVERIFY(errorOf([&] { store.erase(erasureOfS01); }).contains("erasures"));
+        QCOMPARE(store.answers().size(), 5u);
+        QVERIFY(store.erasures().empty());
+    }
+};
+
+QTEST_GUILESS_MAIN(RescueRefusalsTest)
+#include "rescue_refusals_test.moc"

@@ -1,0 +1,143 @@
+// Pages to print: which piece and place a code belongs to, long words, and sheets of another study in the same folder.
+#include "study/making/study_sheets.h"
+
+#include <QRegularExpression>
+#include <QString>
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+#include <filesystem>
+
+#include "protocols/files/whole_file.h"
+#include "tests/support/study_builder.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Two participants, three fabrics, codes that are fresh for each participant.
+constexpr const char* freshCodes = R"({"schema":"vis2hap.protocol/1","name":"fresh","participants":2,"fabrics":3,
+  "conditions":["v_grey","h&f"],"swatches":"fresh","phases":[{"questions":["Q1"],"alternatives":3}]})";
+
+constexpr const char* ratings = R"({"schema":"vis2hap.protocol/1","name":"ratings","participants":2,"fabrics":3,
+  "conditions":["v_grey","h&f"],"question_texts":{"W1":"How alike?"},"phases":[{"questions":["W1"],
+  "scale":{"min":1,"max":5,"step":1,"labels":["unlike the piece","a","b","c","like the piece of fabric <that> lies there"]}}]})";
+
+const QString longId = QString(60, 'x');
+
+}  // namespace
+
+class StudySheetsTest : public QObject {
+    Q_OBJECT
+    QTemporaryDir m_place;
+    int m_folders = 0;
+
+    fs::path newPlace(const char* name) { return m_place.filePath(name + QString::number(++m_folders)).toStdString(); }
+
+    void writeSheets(const char* protocol, const fs::path& out)
+    {
+        tests::support::StudyRecipe recipe;
+        recipe.protocol = protocol;
+        recipe.fabricIds = {"F01", "F02", longId.toStdString()};
+        recipe.hasSwatchCodes = true;
+        const auto folder = tests::support::buildStudy(newPlace("study"), recipe);
+        study::making::writeSheets({folder, database::StudyStore::Access::Read}, out);
+    }
+
+    QString sheet(const char* protocol, const char* name)
+    {
+        const fs::path out = newPlace("sheets");
+        writeSheets(protocol, out);
+        return QString::fromStdString(protocols::readWholeFile(out / name));
+    }
+
+private Q_SLOTS:
+    void aLongNamePushesNoColumnOffThePage()
+    {
+        const QString page = sheet(freshCodes, "preparation.html");
+        QVERIFY(page.contains("overflow-wrap:anywhere") && page.contains("table-layout:fixed;width:100%"));
+        QVERIFY(page.contains("<th>code</th><th>id</th><th>fabric</th>"));
+        QVERIFY(page.contains("</b></td><td>" + longId + "</td><td>fabric " + longId.mid(1) + "</td></tr>"));
+    }
+
+    /// Browsers print a head again on each page that its table reaches.
+    void theHeadOfEachTableNamesThePlace()
+    {
+        const QStringList tables = sheet(freshCodes, "preparation.html").split("<table>").mid(1);
+        QCOMPARE(tables.size(), 2);
+        for (int place = 1; place <= 2; ++place) {
+            const QString head = tables[place - 1].section("</thead>", 0, 0);
+            QVERIFY2(head.contains("<thead>") && head.contains(QString("<th colspan=\"3\">Place %1</th>").arg(place)),
+                     qPrintable(head));
+            QVERIFY2(head.contains("<th>code</th>"), qPrintable(head));
+        }
+    }
+
+    void eachPlaceHasItsOwnPageOfLabels()
+    {
+        const QString page = sheet(freshCodes, "labels.html");
+        QVERIFY(page.contains(".sheet+.sheet{page-break-before:always}"));
+        const QStringList places = page.split("<div class=\"sheet\">").mid(1);
+        QCOMPARE(places.size(), 2);
+        for (int place = 1; place <= 2; ++place) {
+            const QString& labels = places[place - 1];
+            QCOMPARE(labels.count("<span class=\"label\">"), 3);
+            QCOMPARE(labels.count(QString("</b><small>Place %1</small></span>").arg(place)), 3);
+            QVERIFY(!labels.contains(QString("Place %1<").arg(3 - place)));
+        }
+    }
+
+    void labelsForAllParticipantsNameNoPlace()
+    {
+        const QString page = sheet(ratings, "labels.html");
+        QCOMPARE(page.count("<span class=\"label\"><b>"), 3);
+        QVERIFY(page.contains("All participants") && !page.contains("<small>"));
+    }
+
+    void aLineShowsWhichWayUpALabelIs()
+    {
+        const QString page = sheet(freshCodes, "labels.html");
+        QVERIFY(QRegularExpression("\\.label b\\{[^}]*border-bottom:1mm solid #000").match(page).hasMatch());
+        QVERIFY(page.contains("The line on a label is below the code"));
+    }
+
+    /// Text of an SVG does not wrap.
+    void theWordsOfTheScaleWrapBelowTheirEnds()
+    {
+        const QString page = sheet(ratings, "scale-card.html");
+        QVERIFY(
+            page.contains("</svg>\n<div class=\"ends\"><span>unlike the piece</span>"
+                          "<span>like the piece of fabric &lt;that&gt; lies there</span></div>"));
+        QVERIFY(page.contains(".ends span{width:47%}"));
+        QVERIFY(!page.section("<svg", 1).section("</svg>", 0, 0).contains("unlike"));
+    }
+
+    void theHeadOfTheLogHasTheWidestColumn()
+    {
+        static const QRegularExpression millimetres("<col style=\"width:(\\d+)mm\">");
+        const QString page = sheet(freshCodes, "session.html");
+        int widest = 0, last = 0;
+        for (auto found = millimetres.globalMatch(page); found.hasNext();) {
+            last = found.next().captured(1).toInt();
+            widest = std::max(widest, last);
+        }
+        QVERIFY2(last >= 60, qPrintable(QString::number(last)));
+        QCOMPARE(last, widest);
+        QCOMPARE(page.count("<th>"), 4);
+    }
+
+    void sheetsOfAnotherStudyDoNotStay()
+    {
+        const fs::path out = newPlace("sheets");
+        writeSheets(ratings, out);
+        QVERIFY(fs::exists(out / "scale-card.html"));
+        protocols::writeWholeFile(out / "instructions.html", "<p>notes of the lab</p>");
+        writeSheets(freshCodes, out);
+        QVERIFY(!fs::exists(out / "scale-card.html"));
+        QVERIFY(protocols::readWholeFile(out / "labels.html").find("fresh: labels") != std::string::npos);
+        QCOMPARE(protocols::readWholeFile(out / "instructions.html"), std::string("<p>notes of the lab</p>"));
+    }
+};
+
+QTEST_GUILESS_MAIN(StudySheetsTest)
+#include "study_sheets_test.moc"

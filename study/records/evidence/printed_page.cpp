@@ -37,6 +37,7 @@ std::string whole(const std::string& title, const std::string& body, const std::
            "body{font:11pt 'DejaVu Sans',sans-serif;margin:15mm;color:#000;background:#fff;max-width:190mm}\n"
            "h1{font-size:17pt}h2{font-size:13pt;margin-top:8mm}table{border-collapse:collapse;width:100%}\n"
            "td,th{border:1px solid #999;padding:1mm 2mm;text-align:left;vertical-align:top;overflow-wrap:anywhere}\n"
+           "th{overflow-wrap:normal}\n"
            "tr{page-break-inside:avoid}\n"
            "</style></head><body>\n<h1>" +
            protocols::escapedMarkup(title) + "</h1>\n" + body + "</body></html>\n";

@@ -58,7 +58,8 @@ std::optional<Around> around(std::string_view text, std::size_t colon)
     while (found.begin > 0 && isDigit(text[found.begin - 1])) --found.begin;
     if (found.begin == colon) return std::nullopt;
     const char before = found.begin == 0 ? ' ' : text[found.begin - 1];
-    if (isWordPart(before) || before == '-' || before == '.') return std::nullopt;  // "SHA-256: …", or an address of a computer
+    const bool isJoined = (before == '-' || before == '.') && found.begin > 1 && isWordPart(text[found.begin - 2]);
+    if (isWordPart(before) || isJoined) return std::nullopt;  // "SHA-256: …", or an address of a computer
     found.number = text.substr(found.begin, colon - found.begin);
     while (found.end < text.size() && isBlank(text[found.end])) ++found.end;
     const std::size_t word = found.end;

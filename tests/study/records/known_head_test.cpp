@@ -153,11 +153,12 @@ private Q_SLOTS:
             QVERIFY2(study::records::headsIn(text).heads == Heads{head}, text);
         const std::string file = m_place.filePath("notebook.txt").toStdString();
         std::ofstream(file)
-            << "14:03:11 head 154: F35B9B1EA1E528F0\nstep 3: participants1 were here, 12:20261128T0102 too\n"
+            << "14:03:11 head 154: F35B9B1EA1E528F0\n-155:f35b9b1ea1e528f0\nstep 3: participants1 were here, 12:20261128T0102 "
+               "too\n"
                "SHA-256: 5c0fa1b2c3d4e5f65c0fa1b2c3d4e5f65c0fa1b2c3d4e5f65c0fa1b2c3d4e5f6, fe80:1:8080a1b2c3d4e5\n"
                "7:abcdef01\n8: f35b9b1ea1e528fO\n9:f35b9b1ea1e528\n10: 12345678\n";
         const auto given = study::records::headsIn(file);
-        QVERIFY(given.heads == Heads{head});
+        QVERIFY(given.heads == (Heads{head, {155, head.hash}}));
         QVERIFY(given.unread == (std::vector<std::string>{"7:abcdef01", "8: f35b9b1ea1e528fO", "9:f35b9b1ea1e528"}));
     }
 };

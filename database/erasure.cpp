@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -19,6 +20,7 @@
 #include "protocols/files/byte_search.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
+#include "protocols/files/temporary_folder.h"
 #include "protocols/files/whole_file.h"
 
 namespace database {
@@ -146,11 +148,12 @@ std::vector<std::int64_t> interruptedErasures(const SqliteConnection& sqlite, co
     return open;
 }
 
-protocols::Error noRoom(const std::filesystem::path& place, std::uintmax_t bytes)
+protocols::Error noRoom(const std::filesystem::path& place, std::uintmax_t bytes, int reason)
 {
     return protocols::environmentFault(
-        {"there is no room to write the database anew", place.string(),
-         std::to_string(bytes / spareBytes + 1) + " MB there and in the folder for temporary files",
+        {std::string("there is no room to write the database anew") +
+             (reason == EDQUOT ? ", because the quota of this account is used up" : ""),
+         place.string(), std::to_string(bytes / spareBytes + 1) + " MB there and in the folder for temporary files",
          "make room and run the command again; nothing was erased"});
 }
 
@@ -183,7 +186,9 @@ void requireRoom(const std::filesystem::path& database)
     for (const auto& place : {folder, temporary}) {
         const std::uintmax_t needed = isOneDisk ? 2 * once : once;
         const auto room = std::filesystem::space(place, unknown);
-        if (!unknown && room.available < needed) throw noRoom(place, needed);
+        // Only an attempt shows the quota of an account.
+        const int reason = !unknown && room.available < needed ? ENOSPC : protocols::reasonAgainstRoom(place, needed);
+        if (reason != 0) throw noRoom(place, needed, reason);
     }
 }
 

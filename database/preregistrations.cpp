@@ -16,14 +16,14 @@ std::vector<PreregistrationRecord> preregistrationsIn(const SqliteConnection& sq
 {
     std::vector<PreregistrationRecord> records;
     QSqlQuery row = sqlite.run(QStringLiteral(
-        "SELECT payload, wall_time FROM events WHERE kind = 'preregistered' AND participant = '' ORDER BY sequence"));
+        "SELECT payload, wall_time, sequence FROM events WHERE kind = 'preregistered' AND participant = '' ORDER BY sequence"));
     while (row.next()) {
         const auto payload = protocols::storedJson(fromQt(row.value(0)));
         if (!isPreregistration(payload))
             throw protocols::workFailed({"a preregistration in the log cannot be read", sqlite.file().string(), "",
                                          "see `vis2hap verify`; restore the study from a backup"});
         records.push_back({payload["number"], payload["answers_before"], payload["after_unblinding"], payload["who"],
-                           payload["text"], payload["json"], fromQt(row.value(1))});
+                           payload["text"], payload["json"], fromQt(row.value(1)), row.value(2).toLongLong()});
     }
     return records;
 }

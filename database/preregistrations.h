@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -19,6 +20,7 @@ struct PreregistrationRecord {
     std::string who;         ///< may be empty
     std::string text, json;  ///< bytes of the two files
     std::string wallTime;    ///< ISO 8601
+    std::int64_t event = 0;  ///< its entry of the log; 0 before it is recorded
 
     std::string textSha256() const;
     std::string jsonSha256() const;  ///< the hash of the registration: the JSON carries the hash of the text

@@ -81,6 +81,7 @@ struct ProtocolVersion {
     int version = 1;
     std::string json, sha256;
     std::string who, why, wallTime;  ///< empty for the first
+    std::int64_t event = 0;          ///< entry of the log that took it over; 0 for the first, and at a station
 };
 
 /// An event of a session as it is stored.

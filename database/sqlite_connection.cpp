@@ -8,11 +8,13 @@
 #include <QUrl>
 #include <atomic>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <system_error>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/open_files.h"
+#include "protocols/files/temporary_folder.h"
 #include "protocols/files/utf8.h"
 
 namespace database {
@@ -32,11 +34,44 @@ enum SqliteCode {
     NotADatabase = 26
 };
 
-int primaryCode(const QSqlError& error)
+/// With the bits of its extension; -1 where there is none.
+int wholeCode(const QSqlError& error)
 {
     bool isNumber = false;
     const int code = error.nativeErrorCode().toInt(&isNumber);
-    return isNumber ? code & 0xff : -1;
+    return isNumber ? code : -1;
+}
+
+int primaryCode(const QSqlError& error)
+{
+    const int code = wholeCode(error);
+    return code < 0 ? code : code & 0xff;
+}
+
+/// Whether the file system refused the memory that the readers and the writer of a write-ahead log share.
+bool isOfSharedMemory(const QSqlError& error)
+{
+    const int code = wholeCode(error);
+    return code == SQLITE_IOERR_SHMMAP || code == SQLITE_IOERR_SHMOPEN || code == SQLITE_IOERR_SHMLOCK;
+}
+
+protocols::Error hasNoSharedMemory(const std::string& file)
+{
+    return protocols::environmentFault({"the file system does not support the write-ahead log of SQLite", file, "a local disk",
+                                        "make the study there, or copy the whole folder there and work with the copy"});
+}
+
+/// A failed write does not say whether the quota of the account is used up, so a write of about a trial is tried.
+protocols::Error diskError(const std::string& detail, const std::string& file)
+{
+    constexpr std::uintmax_t triedBytes = 1 << 16;
+    std::error_code unknown;
+    const std::filesystem::path folder = std::filesystem::absolute(file, unknown).parent_path();
+    if (protocols::reasonAgainstRoom(folder, triedBytes) == EDQUOT)
+        return protocols::environmentFault({"the disk quota of this account is used up; this step was not stored", file,
+                                            "room for this account", "delete files of this account and do it again"});
+    return protocols::environmentFault(
+        {"the disk reported an error (" + detail + "); this step was not stored", file, "", "check the disk"});
 }
 
 /// SQLite gives one code for several causes.
@@ -73,8 +108,7 @@ protocols::Error faultOf(const QSqlError& error, const std::string& file)
             return protocols::environmentFault({"the database cannot be written (" + detail + ")", file,
                                                 "a folder that may be written", "check its permissions and its file system"});
         case InputOutput:
-            return protocols::environmentFault(
-                {"the disk reported an error (" + detail + "); this step was not stored", file, "", "check the disk"});
+            return isOfSharedMemory(error) ? hasNoSharedMemory(file) : diskError(detail, file);
         case Busy:
         case Locked:
             return protocols::environmentFault(
@@ -185,8 +219,8 @@ void SqliteConnection::open(const QString& name, const QString& options)
     if (!m_connection.open()) fail(m_connection.lastError());
 }
 
-/// Reading a WAL database needs its -shm file. If the folder is read-only and the log is empty, the file is complete by itself,
-/// so it is opened as immutable.
+/// Reading a WAL database needs its -shm file. If the folder is read-only, or its file system shares no memory, and the log is
+/// empty, the file is complete by itself, so it is opened as immutable.
 void SqliteConnection::openForReading()
 {
     const QString plain = toQt(m_file.string());
@@ -197,7 +231,7 @@ void SqliteConnection::openForReading()
     probe.clear();
     std::error_code noLog;
     const auto logBytes = std::filesystem::file_size(m_file.string() + "-wal", noLog);
-    const bool lacksSharedMemory = primaryCode(error) == CannotOpen || primaryCode(error) == ReadOnly;
+    const bool lacksSharedMemory = primaryCode(error) == CannotOpen || primaryCode(error) == ReadOnly || isOfSharedMemory(error);
     if (!lacksSharedMemory || (!noLog && logBytes > 0)) fail(error);
     m_connection.close();
     openKept();
@@ -212,9 +246,7 @@ void SqliteConnection::openKept()
 void SqliteConnection::applyPragmas(Mode mode)
 {
     const bool isFile = mode == Mode::Create || mode == Mode::Write;
-    if (isFile && fromQt(value(QStringLiteral("PRAGMA journal_mode = WAL"))) != "wal")
-        throw protocols::environmentFault({"the file system does not support the write-ahead log of SQLite", m_file.string(),
-                                           "a local disk", "move the study there"});
+    if (isFile && fromQt(value(QStringLiteral("PRAGMA journal_mode = WAL"))) != "wal") throw hasNoSharedMemory(m_file.string());
     run(QStringLiteral("PRAGMA synchronous = FULL"));
     run(QStringLiteral("PRAGMA foreign_keys = ON"));
     if (value(QStringLiteral("PRAGMA synchronous")).toInt() != 2 || value(QStringLiteral("PRAGMA foreign_keys")).toInt() != 1)

@@ -213,11 +213,11 @@ std::vector<ProtocolVersion> protocolVersionsIn(const SqliteConnection& sqlite)
     QSqlQuery known = sqlite.run(QStringLiteral("SELECT protocol_json, protocol_sha256 FROM study"));
     if (!known.next()) (void)factsIn(sqlite);  // throws
     std::vector<ProtocolVersion> versions{{1, fromQt(known.value(0)), fromQt(known.value(1)), {}, {}, {}}};
-    QSqlQuery row =
-        sqlite.run(QStringLiteral("SELECT version, json, sha256, who, why, wall_time FROM protocol_versions ORDER BY version"));
+    QSqlQuery row = sqlite.run(
+        QStringLiteral("SELECT version, json, sha256, who, why, wall_time, event FROM protocol_versions ORDER BY version"));
     while (row.next())
         versions.push_back({row.value(0).toInt(), fromQt(row.value(1)), fromQt(row.value(2)), fromQt(row.value(3)),
-                            fromQt(row.value(4)), fromQt(row.value(5))});
+                            fromQt(row.value(4)), fromQt(row.value(5)), row.value(6).toLongLong()});
     return versions;
 }
 
@@ -247,6 +247,12 @@ std::vector<EventRecord> eventsIn(const SqliteConnection& sqlite, const protocol
 std::vector<EventRecord> eventsOfKindIn(const SqliteConnection& sqlite, const std::string& kind)
 {
     return eventsWhere(sqlite, "kind", kind);
+}
+
+std::optional<std::int64_t> firstEventOfKindIn(const SqliteConnection& sqlite, const std::string& kind)
+{
+    const QVariant first = sqlite.value(QStringLiteral("SELECT MIN(sequence) FROM events WHERE kind = ?"), {toQt(kind)});
+    return first.isNull() ? std::nullopt : std::optional<std::int64_t>(first.toLongLong());
 }
 
 void eachAnswerIn(const SqliteConnection& sqlite, const std::function<void(CurrentAnswer)>& take)

@@ -23,6 +23,7 @@ std::vector<Enrolment> enrolmentsIn(const SqliteConnection& sqlite);  ///< by sl
 std::vector<ProtocolVersion> protocolVersionsIn(const SqliteConnection& sqlite);
 std::vector<EventRecord> eventsIn(const SqliteConnection& sqlite, const protocols::ParticipantId& participant);
 std::vector<EventRecord> eventsOfKindIn(const SqliteConnection& connection, const std::string& kind);
+std::optional<std::int64_t> firstEventOfKindIn(const SqliteConnection& connection, const std::string& kind);
 /// By slot, trial and question.
 void eachAnswerIn(const SqliteConnection& sqlite, const std::function<void(CurrentAnswer)>& take);
 std::vector<StudyStore::Flag> flagsIn(const SqliteConnection& sqlite);

@@ -28,6 +28,8 @@
 namespace database {
 
 struct StudyStore::Connection {
+    enum class Moment { BeforeStep, AfterStep };  ///< when the open files are looked at
+
     std::unique_ptr<protocols::TemporaryFolder> copy;  ///< of a study of an earlier version that is only read
     StudyFolder folder;
     std::unique_ptr<WriteLock> lock;  ///< null for a reader
@@ -44,16 +46,33 @@ struct StudyStore::Connection {
     std::filesystem::path upgradedFrom = {};  ///< the study of which this is an upgraded copy
     bool isChainedAnew = false;               ///< the log of this copy
 
-    /// An overwritten database is noticed at the end, too. The bytes that stand there then are not mixed with older ones.
+    /// A database that somebody overwrote, deleted or replaced since the last step is noticed at the end, too. The bytes that
+    /// stand there then are not mixed with older ones. Where only its log is gone, the close moves what the open log holds into
+    /// the database.
     ~Connection()
     {
         try {
-            if (files && keptAside.empty() && files->state() == OpenFiles::State::Overwritten) hasFilesInPlace();
+            if (files && keptAside.empty()) lookAtTheEnd();
             if (!isTold && (isGivenUp || !keptAside.empty())) std::fprintf(stderr, "%s\n", displaced().what());
         } catch (const std::exception& fault) {
             std::fprintf(stderr, "%s\n", fault.what());
         }
-        if (isGivenUp) files->giveUp(!keptAside.empty());
+        if (isGivenUp || (!keptAside.empty() && !files->hasDatabaseInPlace())) files->giveUp(!keptAside.empty());
+    }
+
+    /// Keeps aside what the close might lose. A folder that was moved has its files with it, and one that was removed is not
+    /// wanted any more. A file system that does not answer may have lost them.
+    void lookAtTheEnd()
+    {
+        std::error_code unknown;
+        const OpenFiles::State state = files->state();
+        const bool isLost =
+            state == OpenFiles::State::Gone && !files->hasDatabaseInPlace() && std::filesystem::exists(folder.folder, unknown);
+        if (state == OpenFiles::State::Overwritten || isLost) hasFilesInPlace();
+        if (state != OpenFiles::State::Unseen || !files->copy()) return;
+        const protocols::Error fault = files->unseen();
+        std::fprintf(stderr, "%s; every stored answer is kept in %s, too\n", fault.what(),
+                     keepAside(sqlite, files->copy(), folder).c_str());
     }
 
     void requireInBatch(bool belongs, const protocols::ParticipantId& participant) const
@@ -64,13 +83,17 @@ struct StudyStore::Connection {
     }
 
     /// False for a writer whose files somebody deleted, replaced, overwrote or moved. Everything stored so far is kept aside
-    /// then.
-    bool hasFilesInPlace()
+    /// then. Before a step, throws environmentFault where the file system does not say; the same step can then be done again.
+    bool hasFilesInPlace(Moment moment = Moment::BeforeStep)
     {
         if (!files) return true;
         if (!keptAside.empty()) return false;
         const OpenFiles::State state = files->state();
         if (state == OpenFiles::State::InPlace) return true;
+        if (state == OpenFiles::State::Unseen) {
+            if (moment == Moment::AfterStep) return true;  // it is stored, so it must not be done again
+            throw files->unseen();
+        }
         if (state == OpenFiles::State::Overwritten && files->copy() && holdsAllOf(*files->copy(), folder.database())) {
             files->takeCopy();
             return true;
@@ -99,9 +122,9 @@ struct StudyStore::Connection {
     }
 
     /// Stops a writer whose files are no longer in place.
-    void requireFilesInPlace()
+    void requireFilesInPlace(Moment moment = Moment::BeforeStep)
     {
-        if (hasFilesInPlace()) return;
+        if (hasFilesInPlace(moment)) return;
         isTold = true;
         throw displaced();
     }
@@ -131,10 +154,10 @@ auto written(Connection& connection, const Write& write)
     connection.requireFilesInPlace();
     if constexpr (std::is_void_v<decltype(write())>) {
         write();
-        connection.requireFilesInPlace();
+        connection.requireFilesInPlace(Connection::Moment::AfterStep);
     } else {
         auto result = write();
-        connection.requireFilesInPlace();
+        connection.requireFilesInPlace(Connection::Moment::AfterStep);
         return result;
     }
 }
@@ -193,8 +216,11 @@ StudyStore::StudyStore(const StudyFolder& folder, Access access)
         throw protocols::badInput({"this account may not look into the folder", folder.folder.string(),
                                    "a folder of this account", "ask the account that made the study, or its owner"});
     if (!isThere)
-        throw protocols::badInput({"this is no study folder (it has no study.db)", folder.folder.string(),
-                                   "a folder made by vis2hap study new", "check the path"});
+        throw protocols::badInput(
+            {"this is no study folder (it has no study.db)", folder.folder.string(), "a folder made by vis2hap study new",
+             rescueFiles(folder).empty() ? "check the path"
+                                         : "run vis2hap rescue " + protocols::shellWord(folder.folder.string()) +
+                                               ", which brings back what a session kept aside"});
     const bool writes = access == Access::Write;
     auto lock = writes ? std::make_unique<WriteLock>(folder) : nullptr;
     const bool hasOlderLog = isOlder(folder);
@@ -335,7 +361,7 @@ StudyStore::Batch::~Batch() = default;
 void StudyStore::Batch::commit()
 {
     m_open->transaction.commit();
-    m_open->connection.requireFilesInPlace();
+    m_open->connection.requireFilesInPlace(Connection::Moment::AfterStep);
 }
 
 std::vector<StudyStore::Flag> StudyStore::flags() const { return flagsIn(m_connection->sqlite); }
@@ -348,6 +374,11 @@ std::vector<EventRecord> StudyStore::events(const protocols::ParticipantId& part
 std::vector<EventRecord> StudyStore::eventsOfKind(const std::string& kind) const
 {
     return eventsOfKindIn(m_connection->sqlite, kind);
+}
+
+std::optional<std::int64_t> StudyStore::firstEventOfKind(const std::string& kind) const
+{
+    return firstEventOfKindIn(m_connection->sqlite, kind);
 }
 
 std::size_t StudyStore::answerCount() const
@@ -407,11 +438,12 @@ LogHead StudyStore::head() const
     // The screen that reports a fault shows it, so a writer whose files were overwritten has one, too: that of the rescue file.
     Connection& open = *m_connection;
     try {
-        if (open.hasFilesInPlace()) return headIn(open.sqlite);
+        if (open.hasFilesInPlace(Connection::Moment::AfterStep)) return headIn(open.sqlite);
         if (!open.isTold) throw open.displaced();
     } catch (const protocols::Error&) {
-        const bool isInPlace = !open.files || open.files->state() == OpenFiles::State::InPlace;
-        if (isInPlace || !std::exchange(open.isTold, true)) throw;
+        const bool isDisplaced =
+            open.isGivenUp || !open.keptAside.empty() || (open.files && open.files->state() == OpenFiles::State::Gone);
+        if (!isDisplaced || !std::exchange(open.isTold, true)) throw;
     }
     return open.keptHead;
 }

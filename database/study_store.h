@@ -69,7 +69,8 @@ public:
     void setSlotState(const protocols::ParticipantId& participant, SlotState state);
 
     /// Every writing call throws environmentFault where somebody deleted, replaced, overwrote or moved the open database; a
-    /// rescue file then holds everything that was acknowledged.
+    /// rescue file then holds everything that was acknowledged. The destructor looks once more, and prints where that file lies.
+    /// Where the file system does not say, the call throws environmentFault and can be made again.
     void append(const Append& entry) override;
 
     /// Stores many events of simulated participants in one transaction, by the rules and with the rows of append(). They are in
@@ -99,6 +100,8 @@ public:
     std::vector<EventRecord> events(const protocols::ParticipantId& participant) const override;
     /// Those of one kind, of every participant.
     std::vector<EventRecord> eventsOfKind(const std::string& kind) const;
+    /// Entry of the log with the first of them, whatever was erased since; none where there is no such event.
+    std::optional<std::int64_t> firstEventOfKind(const std::string& kind) const;
     /// Number of current answers, without reading them.
     std::size_t answerCount() const;
     std::vector<CurrentAnswer> answers() const;  ///< answers of all participants, by slot, trial and question

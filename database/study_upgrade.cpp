@@ -210,6 +210,14 @@ auto onFiles(const StudyFolder& folder, Steps steps)
     }
 }
 
+/// Mode 0600, or 0700 for a folder. Some sticks and network shares refuse it; `verify` then names who can read the study.
+void keepToOwner(const fs::path& place)
+{
+    std::error_code refused;
+    const bool isFolder = fs::is_directory(place, refused);
+    fs::permissions(place, isFolder ? fs::perms::owner_all : fs::perms::owner_read | fs::perms::owner_write, refused);
+}
+
 /// Copies the database as one consistent file and every file beside it but the lock.
 void copyTopFiles(const StudyFolder& folder, const fs::path& to)
 {
@@ -218,10 +226,9 @@ void copyTopFiles(const StudyFolder& folder, const fs::path& to)
     for (const auto& entry : fs::directory_iterator(folder.folder)) {
         const std::string name = entry.path().filename().string();
         if (!entry.is_regular_file() || name == ".lock" || name.starts_with("study.db")) continue;
-        fs::copy_file(entry.path(), to / name);
+        protocols::copyBytes(entry.path(), to / name);
     }
-    for (const auto& entry : fs::directory_iterator(to))
-        fs::permissions(entry.path(), fs::perms::owner_read | fs::perms::owner_write);
+    for (const auto& entry : fs::directory_iterator(to)) keepToOwner(entry.path());
 }
 
 /// The stimuli need no room of their own: the copy has other names of the same files.
@@ -229,12 +236,16 @@ void linkStimuli(const fs::path& stimuli, const fs::path& to)
 {
     if (!fs::is_directory(stimuli)) return;
     fs::create_directory(to);
-    fs::permissions(to, fs::perms::owner_all);
+    keepToOwner(to);
     for (const auto& entry : fs::directory_iterator(stimuli)) {
         const fs::path target = to / entry.path().filename();
         std::error_code notLinked;
         fs::create_hard_link(entry.path(), target, notLinked);
-        if (notLinked) fs::copy(entry.path(), target, fs::copy_options::recursive | fs::copy_options::copy_symlinks);
+        if (!notLinked) continue;
+        if (entry.symlink_status().type() == fs::file_type::regular)
+            protocols::copyBytes(entry.path(), target);
+        else
+            fs::copy(entry.path(), target, fs::copy_options::recursive | fs::copy_options::copy_symlinks);
     }
 }
 
@@ -249,7 +260,7 @@ fs::path backUp(const StudyFolder& folder)
 {
     const fs::path place = firstFreeName(folder.beforeUpgrade());
     protocols::FolderDraft draft(place, protocols::Earlier::Refused);
-    fs::permissions(draft.path(), fs::perms::owner_all);
+    keepToOwner(draft.path());
     copyTopFiles(folder, draft.path());
     linkStimuli(folder.stimuli(), draft.path() / "stimuli");
     draft.putInPlace();
@@ -292,7 +303,7 @@ void sealStimuli(const StudyFolder& folder, const OlderStudy& study, NewSeals& s
     }
     const fs::path sealedFolder = folder.upgrade() / "stimuli";
     fs::create_directory(sealedFolder);
-    fs::permissions(sealedFolder, fs::perms::owner_all);
+    keepToOwner(sealedFolder);
     for (const auto& [code, hash] : study.stimuli) {
         const auto bytes = protocols::readIfPossible(folder.stimuli() / (code.value + ".pgm"));
         const bool isUsable = bytes && protocols::sha256(*bytes) == hash;
@@ -316,7 +327,7 @@ void prepareAnew(const StudyFolder& folder)
 {
     fs::remove_all(folder.upgrade());
     fs::create_directory(folder.upgrade());
-    fs::permissions(folder.upgrade(), fs::perms::owner_all);
+    keepToOwner(folder.upgrade());
     const SqliteConnection older(folder.database(), SqliteConnection::Mode::Read);
     const ReadSnapshot snapshot(older);
     const OlderStudy study = readOlderStudy(older);
@@ -330,7 +341,7 @@ void prepareAnew(const StudyFolder& folder)
     if (key) writeNewKeys(folder, *key, secret, seals);
     const fs::path made = folder.upgrade() / "study.db";
     makeUpgradedDatabase(made, older, study, seals, faults);
-    fs::permissions(made, fs::perms::owner_read | fs::perms::owner_write);
+    keepToOwner(made);
     protocols::syncTree(folder.upgrade());
 }
 
@@ -361,8 +372,8 @@ void finish(const StudyFolder& folder, const UpgradeStep& reached)
             reached(key.filename().string() + " in place");
         }
     fs::remove(folder.maskedKey());
-    fs::permissions(folder.folder, fs::perms::owner_all);
-    if (fs::exists(folder.protocol())) fs::permissions(folder.protocol(), fs::perms::owner_read | fs::perms::owner_write);
+    keepToOwner(folder.folder);
+    if (fs::exists(folder.protocol())) keepToOwner(folder.protocol());
     protocols::syncFolder(folder.folder);
     reached("masked key removed");
     fs::remove_all(folder.upgrade());

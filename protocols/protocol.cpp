@@ -230,6 +230,17 @@ int Protocol::presentations() const
     return count;
 }
 
+int Protocol::breaks() const
+{
+    const int mostInBlock = std::max(1, breakAfterPresentations);
+    int blocks = 0;
+    for (const Phase& phase : phases) {
+        const int inList = presentationsPerPhase() + phase.extraPresentations();
+        blocks += (inList + mostInBlock - 1) / mostInBlock * phase.runs();
+    }
+    return std::max(0, blocks - 1);
+}
+
 int Protocol::answersPerParticipant() const
 {
     int count = 0;

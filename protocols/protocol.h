@@ -123,6 +123,9 @@ struct Protocol {
     int presentationsPerPhase() const { return fabricCount * static_cast<int>(conditions.size()); }
     /// Presentations for one participant, with catch trials and anchors.
     int presentations() const;
+    /// Breaks by count for one participant: one between two lists (phases and instructions), and one in a list after every
+    /// `breakAfterPresentations`. A session may have more by time.
+    int breaks() const;
     int answersPerParticipant() const;
     /// Planned time without breaks.
     double minutesPerParticipant() const { return presentations() * secondsPerPresentation / 60; }

@@ -1,5 +1,9 @@
 #include "database/disk/open_files.h"
 
+#include <cerrno>
+#include <cstring>
+#include <string>
+
 namespace database {
 
 OpenFiles::OpenFiles(std::filesystem::path database, sqlite3* connection)
@@ -9,14 +13,25 @@ OpenFiles::OpenFiles(std::filesystem::path database, sqlite3* connection)
       m_logStatus(statusOf(m_log)),
       m_raw(connection)
 {
+    if (m_reason != 0) throw unseen();
     takeCopy();
 }
 
 OpenFiles::Status OpenFiles::statusOf(const std::filesystem::path& file)
 {
     struct ::stat status {};
-    if (::stat(file.c_str(), &status) != 0) return std::nullopt;
-    return status;
+    if (::stat(file.c_str(), &status) == 0) return status;
+    if (errno != ENOENT && errno != ENOTDIR) m_reason = errno;
+    return std::nullopt;
+}
+
+bool OpenFiles::hasDatabaseInPlace() { return isSameFile(statusOf(m_database), m_databaseStatus); }
+
+protocols::Error OpenFiles::unseen() const
+{
+    return protocols::environmentFault(
+        {std::string("the file system does not say whether the database is in its place (") + std::strerror(m_reason) + ")",
+         m_database.string(), "a disk or a network share that answers", "check it and do the step again"});
 }
 
 bool OpenFiles::isSameFile(const Status& one, const Status& other)
@@ -43,21 +58,23 @@ void OpenFiles::letCopyGo()
     if (m_copy) m_copy->letGo();
 }
 
-void OpenFiles::giveUp(bool isKept) const
+void OpenFiles::giveUp(bool isKept)
 {
     if (!m_raw.isThere()) return;
     m_raw.leaveLogAlone();
-    if (isKept) m_raw.emptyLog();
+    if (isKept && isSameFile(statusOf(m_log), m_logStatus)) m_raw.emptyLog();
 }
 
 OpenFiles::State OpenFiles::state()
 {
     // Times only say where to look: the bytes decide, because backups and other readers may change times.
+    m_reason = 0;
     const Status database = statusOf(m_database), log = statusOf(m_log);
     const bool areSame = isSameFile(database, m_databaseStatus) && isSameFile(log, m_logStatus);
     const PageCopy::Touched touched{areSame && !isUntouched(database, m_databaseStatus),
                                     areSame && !isUntouched(log, m_logStatus)};
     const bool holdBytes = !m_copy || m_copy->follow(touched);
+    if (m_reason != 0) return State::Unseen;
     if (!areSame) return State::Gone;
     if (!holdBytes) return State::Overwritten;
     m_databaseStatus = database;

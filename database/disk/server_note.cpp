@@ -32,7 +32,8 @@ std::string hashOfThisComputer()
 void writeServerNote(const std::filesystem::path& folder, const ServerNote& note)
 {
     const nlohmann::ordered_json document{{"schema", noteSchema}, {"address", note.address}, {"station", note.station},
-                                          {"token", note.token},  {"owner", note.isOwner},   {"computer", note.computer}};
+                                          {"token", note.token},  {"owner", note.isOwner},   {"computer", note.computer},
+                                          {"study", note.study}};
     protocols::writeWholeFile(serverNoteOf(folder), document.dump(2) + "\n", protocols::Sync::Now, protocols::Readers::OwnerOnly);
 }
 
@@ -45,8 +46,8 @@ std::optional<ServerNote> readServerNote(const std::filesystem::path& folder)
     try {
         if (document.at("schema") != noteSchema) throw protocols::badInput({});
         return ServerNote{document.at("address").get<std::string>(), document.at("station").get<std::string>(),
-                          document.at("token").get<std::string>(), document.at("owner").get<bool>(),
-                          document.value("computer", std::string())};
+                          document.at("token").get<std::string>(),   document.at("owner").get<bool>(),
+                          document.value("computer", std::string()), document.value("study", std::string())};
     } catch (const std::exception&) {
         throw protocols::badInput({"this is no note of a study on a server", where,
                                    std::string("an object with the schema ") + noteSchema, "join the study again"});

@@ -14,6 +14,7 @@ struct ServerNote {
     std::string token;          ///< proves that a new connection is the same station, 64 hexadecimal digits
     bool isOwner = false;       ///< the folder has the study's keys
     std::string computer = {};  ///< hash of the computer that last used the note; empty: not known
+    std::string study = {};     ///< identityOf() the study; empty before the first connection
 };
 
 /// `folder`: of the study.

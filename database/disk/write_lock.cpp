@@ -3,10 +3,13 @@
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/statfs.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <string>
 
@@ -17,22 +20,74 @@ namespace database {
 
 namespace {
 
-/// The number of the process that holds the lock, from the lock file; empty if it cannot be read.
-std::string holderOf(int descriptor)
+/// Who wrote the lock file. Empty parts where it does not say: a lock that ended properly, or one of an earlier version.
+struct Holder {
+    std::string process, computer;
+};
+
+constexpr const char* lettersOfNames = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789.-_";
+
+/// As the lock file can hold it; empty where it has no name.
+std::string nameOfThisComputer()
 {
-    std::array<char, 32> text{};
+    std::array<char, 256> text{};
+    if (::gethostname(text.data(), text.size() - 1) != 0) return {};
+    const std::string name = text.data();
+    return name.substr(0, name.find_first_not_of(lettersOfNames));
+}
+
+/// From "4711 name-of-computer".
+Holder holderOf(int descriptor)
+{
+    std::array<char, 320> text{};
     const ssize_t length = ::pread(descriptor, text.data(), text.size(), 0);
-    std::string digits;
-    for (ssize_t i = 0; i < length && text[i] >= '0' && text[i] <= '9'; ++i) digits += text[i];
-    return digits;
+    const std::string line(text.data(), length > 0 ? static_cast<std::size_t>(length) : 0);
+    const auto wordFrom = [&](std::size_t begin, const char* characters) {
+        return begin < line.size() ? line.substr(begin, line.find_first_not_of(characters, begin) - begin) : std::string();
+    };
+    Holder holder;
+    holder.process = wordFrom(0, "0123456789");
+    if (!holder.process.empty()) holder.computer = wordFrom(holder.process.size() + 1, lettersOfNames);
+    return holder;
+}
+
+std::string textOf(const Holder& holder)
+{
+    if (holder.process.empty()) return {};
+    return " (process " + holder.process + (holder.computer.empty() ? "" : " on " + holder.computer) + ")";
 }
 
 protocols::Error heldByAnother(const StudyFolder& folder, int descriptor)
 {
-    const std::string holder = holderOf(descriptor);
-    return protocols::environmentFault(
-        {"another program has the study open for writing" + (holder.empty() ? std::string() : " (process " + holder + ")"),
-         folder.folder.string(), "one writer at a time", "close the study there first"});
+    return protocols::environmentFault({heldByAnotherProgram + textOf(holderOf(descriptor)), folder.folder.string(),
+                                        "one writer at a time", "close the study there first"});
+}
+
+/// File systems whose locks another computer may not see. (https://man7.org/linux/man-pages/man2/statfs.2.html; vboxsf and vmhgfs
+/// are shared folders of virtual machines, BeeGFS and GPFS disks of clusters)
+bool isOfOtherComputers(int descriptor)
+{
+    constexpr std::array<std::uint32_t, 14> kinds{0x65735546 /* FUSE */,   0x517B /* SMB */,
+                                                  0xFF534D42 /* CIFS */,   0xFE534D42 /* SMB2 */,
+                                                  0x6969 /* NFS */,        0x01021997 /* 9P */,
+                                                  0x5346414F /* AFS */,    0x00C36400 /* Ceph */,
+                                                  0x73757245 /* Coda */,   0x0BD00BD0 /* Lustre */,
+                                                  0x786F4256 /* vboxsf */, 0xBACBACBC /* vmhgfs */,
+                                                  0x19830326 /* BeeGFS */, 0x47504653 /* GPFS */};
+    struct statfs status {};
+    return ::fstatfs(descriptor, &status) == 0 &&
+           std::ranges::find(kinds, static_cast<std::uint32_t>(status.f_type)) != kinds.end();
+}
+
+/// Throws where the lock was not ended properly by another computer, which may still hold it.
+void requireNotHeldElsewhere(const StudyFolder& folder, int descriptor)
+{
+    const Holder holder = holderOf(descriptor);
+    if (holder.computer.empty() || holder.computer == nameOfThisComputer() || !isOfOtherComputers(descriptor)) return;
+    throw protocols::environmentFault(
+        {"another computer has the study open for writing, or its program ended without closing it" + textOf(holder),
+         folder.folder.string(), "one computer at a time on a disk that other computers may use",
+         "close the study there; where it is closed for certain, delete " + folder.lock().string() + " and do it again"});
 }
 
 }  // namespace
@@ -59,13 +114,24 @@ WriteLock::WriteLock(const StudyFolder& folder)
         throw protocols::environmentFault({std::string("the file system cannot lock a file: ") + std::strerror(reason),
                                            folder.lock().string(), "a file system with file locks", "use a local disk"});
     }
-    // The number is only for the message to a second writer. The open file is the lock.
-    const std::string process = std::to_string(::getpid()) + "\n";
+    try {
+        requireNotHeldElsewhere(folder, m_descriptor);
+    } catch (...) {
+        ::close(m_descriptor);
+        throw;
+    }
+    // The open file is the lock. Its text is for the message to a second writer, and for computers that do not see the lock.
+    const std::string process = std::to_string(::getpid()) + " " + nameOfThisComputer() + "\n";
     if (::ftruncate(m_descriptor, 0) == 0) {
         [[maybe_unused]] const ssize_t written = ::pwrite(m_descriptor, process.data(), process.size(), 0);
+        if (isOfOtherComputers(m_descriptor)) ::fdatasync(m_descriptor);  // a share may keep it here for half a minute
     }
 }
 
-WriteLock::~WriteLock() { ::close(m_descriptor); }
+WriteLock::~WriteLock()
+{
+    [[maybe_unused]] const int emptied = ::ftruncate(m_descriptor, 0);  // says that the lock ended properly
+    ::close(m_descriptor);
+}
 
 }  // namespace database

@@ -1,14 +1,19 @@
 // The lock of the only writer of a study folder: a flock(2) on an open file. The system releases it when the process ends in any
-// way, so that no stale lock remains.
+// way. Some network file systems keep locks to one computer. There the name of the computer, which stands in the file while the
+// lock is held, keeps others away; a name that a killed program left must be removed by hand.
 #pragma once
 
 #include "database/disk/study_folder.h"
 
 namespace database {
 
+/// In the message of a lock that another program of this computer holds.
+inline constexpr const char* heldByAnotherProgram = "another program has the study open for writing";
+
 class WriteLock {
 public:
-    /// Throws environmentFault if another writer holds the lock (naming its process) or the folder cannot be written.
+    /// Throws environmentFault if another writer holds the lock (naming its process and computer), or if the folder cannot be
+    /// written. On a disk of other computers it also throws where the file names another computer than this one.
     explicit WriteLock(const StudyFolder& folder);
     ~WriteLock();
     WriteLock(const WriteLock&) = delete;

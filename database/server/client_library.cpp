@@ -97,6 +97,12 @@ std::string codeOfRefusal(const std::string& settings)
     return code;
 }
 
+int toldProcessOf(const void* connection)
+{
+    const auto processOf = clientFunction<int(const ClientConnection*)>("PQbackendPID");
+    return processOf == nullptr || connection == nullptr ? 0 : processOf(static_cast<const ClientConnection*>(connection));
+}
+
 EnglishMessages::EnglishMessages() : m_english(::newlocale(LC_MESSAGES_MASK, "C", ::duplocale(LC_GLOBAL_LOCALE)))
 {
     if (m_english != nullptr) m_before = ::uselocale(static_cast<locale_t>(m_english));

@@ -16,6 +16,10 @@ std::optional<std::map<std::string, std::string>> clientDefaults();
 /// not, or where the client ends the attempt itself.
 std::string codeOfRefusal(const std::string& settings);
 
+/// The process of the server that the client library was told when the connection began; 0 where it cannot say. `connection`: the
+/// library's own, PGconn*.
+int toldProcessOf(const void* connection);
+
 /// While this lives, the client library's own messages on this thread are in English. Those of the server keep its language.
 class EnglishMessages {
 public:

@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 
 namespace database {
 
 namespace {
+
+constexpr auto longerThanABounce = std::chrono::seconds(1);  ///< of a key: an operator who agrees has read the question
+constexpr auto longestThought = std::chrono::minutes(10);    ///< after it the question comes again
 
 bool isConfirmed(const EventRecord& entry) { return entry.sequence != 0; }
 
@@ -51,6 +55,55 @@ std::filesystem::path keepHeldLog(const StudyFolder& folder, const std::string& 
         file = folder.folder / ("held-" + participant + "-" + std::to_string(number) + ".json");
     protocols::writeWholeFile(file, lines, protocols::Sync::Now, protocols::Readers::OwnerOnly);
     return file;
+}
+
+std::filesystem::path keepNotSent(const StudyFolder& folder, AnswerQueue& queue, const AnswerQueue::Entry& first)
+{
+    const std::filesystem::path file =
+        folder.folder / ("not-sent-" + first.participant + "-" + std::to_string(first.number) + ".json");
+    std::string lines;
+    for (auto entry = std::optional(first); entry && entry->participant == first.participant; entry = queue.first()) {
+        lines += entry->json + "\n";
+        protocols::writeWholeFile(file, lines, protocols::Sync::Now, protocols::Readers::OwnerOnly);
+        queue.remove(entry->number);
+    }
+    return file;
+}
+
+SeenLog afterHead(const SeenLog& seen, const LogHead& onServer)
+{
+    if (onServer == seen.head) return {seen.study, seen.head, {}};
+    if (seen.lostAfter) return seen;
+    if (onServer.sequence > seen.head.sequence) return {seen.study, onServer, {}};
+    const auto known = std::max<std::int64_t>(0, std::min(onServer.sequence, seen.head.sequence - 1));
+    return {seen.study, seen.head, known};
+}
+
+void LogWatch::see(const LogHead& onServer)
+{
+    m_head = onServer;
+    const SeenLog now = afterHead(m_seen, onServer);
+    if (now == m_seen) return;
+    m_seen = now;
+    m_queue.keepSeen(now);
+}
+
+void LogWatch::requireAgreement(const protocols::ParticipantId& participant, const std::string& where)
+{
+    if (!m_seen.lostAfter) return;
+    const auto now = std::chrono::steady_clock::now();
+    const auto waited = now - m_askedAt;
+    if (m_asked != participant.value || waited < longerThanABounce || waited > longestThought) {
+        m_asked = participant.value;
+        m_askedAt = now;
+        throw protocols::badInput({"the server lost entries after entry " + std::to_string(*m_seen.lostAfter) +
+                                       ", so codes of participants may be lost, too",
+                                   where, "",
+                                   "ask the study's owner; if the owner agrees, enrol " + participant.value + " once more"});
+    }
+    m_asked.clear();
+    m_seen = {m_seen.study, m_head, {}};
+    m_queue.keepSeen(m_seen);
 }
 
 }  // namespace database

@@ -65,9 +65,14 @@ constexpr LoginFault endedByClient[] = {
     {"could not match", LoginFaultKind::Login, "hosts and ports do not agree: ", "one port, or one for each host",
      "correct the address"},
     {"session is read-only", LoginFaultKind::Away, "no server of the list takes entries: ", "a server that is no stand-by",
-     "wait until one takes them"},
+     "wait until one takes them; with PGTARGETSESSIONATTRS=any a stand-by answers commands that only read"},
+    {"is in hot standby mode", LoginFaultKind::Away, "no server of the list takes entries: ", "a server that is no stand-by",
+     "wait until one takes them; with PGTARGETSESSIONATTRS=any a stand-by answers commands that only read"},
     {"translate host name", LoginFaultKind::Away, "the server cannot be reached: ", "a host that this network knows",
      "check the host in the address, and the network"}};
+
+/// Classes of codes that say nothing of this login: the way, the resources of the server, its operator, its system.
+constexpr std::string_view passingClasses[] = {"08", "53", "57", "58"};
 
 /// As one line, without the words that name the severity.
 std::string oneLine(const std::string& text)
@@ -127,6 +132,10 @@ void failLogin(const std::string& text, const std::string& code, const std::stri
                 text, where);
         const auto found = std::ranges::find(refusals, std::string_view(code), &LoginFault::sign);
         if (found != std::end(refusals)) failAs(*found, text, where);
+        if (std::ranges::find(passingClasses, std::string_view(code).substr(0, 2)) != std::end(passingClasses))
+            failAs({code, LoginFaultKind::Away, "the server takes no connections now: ", "",
+                    "wait; if this stays, ask who keeps the server"},
+                   text, where);
         failAs({code, LoginFaultKind::Login, "the server refused this login: ",
                 "a user, a password and a database that the server knows", "see ~/.pgpass, or ask who keeps the server"},
                text, where);

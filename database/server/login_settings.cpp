@@ -16,6 +16,13 @@ constexpr const char* untilOneHostCounts = "4";
 constexpr const char* untilNextHost = "2";
 
 constexpr const char* compiledMode = "prefer";
+constexpr const char* compiledTarget = "any";
+
+bool isInEnvironment(const char* variable)
+{
+    const char* value = std::getenv(variable);
+    return value != nullptr && *value != '\0';
+}
 
 /// 127.0.0.1 and its like; a name such as 127.lab.example is none.
 bool isLoopback(const std::string& host)
@@ -63,16 +70,18 @@ public:
         if (all.empty()) return m_defaults.has_value();  // else the environment may name any host
         return std::ranges::all_of(all, isThisComputer);
     }
-    bool hasChosenMode() const
-    {
-        const char* variable = std::getenv("PGSSLMODE");
-        if (variable != nullptr && *variable != '\0') return true;
-        const std::string mode = value("sslmode");
-        const auto isMode = [](const auto& setting) { return setting.first == "sslmode"; };
-        return std::ranges::any_of(m_address.settings, isMode) || (!mode.empty() && mode != compiledMode);
-    }
+    bool hasChosenMode() const { return hasChosen("sslmode", "PGSSLMODE", compiledMode); }
+    bool hasChosenTarget() const { return hasChosen("target_session_attrs", "PGTARGETSESSIONATTRS", compiledTarget); }
 
 private:
+    bool hasChosen(const char* name, const char* variable, const char* compiled) const
+    {
+        if (isInEnvironment(variable)) return true;
+        const std::string chosen = value(name);
+        const auto isIt = [&](const auto& setting) { return setting.first == name; };
+        return std::ranges::any_of(m_address.settings, isIt) || (!chosen.empty() && chosen != compiled);
+    }
+
     const ServerAddress& m_address;
     const std::optional<std::map<std::string, std::string>>& m_defaults;
 };
@@ -83,7 +92,10 @@ LoginSettings loginSettings(const ServerAddress& address, const std::optional<st
 {
     const Effective effective(address, defaults);
     LoginSettings settings(std::begin(timeLimits), std::end(timeLimits));
-    settings.emplace_back("connect_timeout", effective.hosts().size() > 1 ? untilNextHost : untilOneHostCounts);
+    const bool isList = effective.hosts().size() > 1;
+    settings.emplace_back("connect_timeout", isList ? untilNextHost : untilOneHostCounts);
+    // A stand-by that stands first in the list would take no entry of a station.
+    if (isList && !effective.hasChosenTarget()) settings.emplace_back("target_session_attrs", "primary");
     if (!address.port.empty()) settings.emplace_back("port", address.port);
     settings.insert(settings.end(), address.settings.begin(), address.settings.end());
     // The client library would go on without encryption where the server offers none, and say nothing.

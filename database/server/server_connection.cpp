@@ -1,5 +1,6 @@
 #include "database/server/server_connection.h"
 
+#include <QSqlDriver>
 #include <QSqlError>
 #include <QStringList>
 #include <atomic>
@@ -58,11 +59,14 @@ const nlohmann::json* refusalIn(const nlohmann::json& reply)
     return found != reply.end() && found->is_object() ? &*found : nullptr;
 }
 
-/// Statements of these sessions stay out of the server's log where the login may say so: they hold answers and facts.
-constexpr const char* quietSession =
+/// Statements of these sessions stay out of the server's log where the login may say so: they hold answers and facts. Defaults
+/// of a database or a login that the functions of a study refuse do not hold for these sessions.
+constexpr const char* ownSession =
     "SELECT set_config('client_min_messages', 'warning', false), "
+    "set_config('default_transaction_isolation', 'read committed', false), "
+    "set_config('default_transaction_read_only', 'off', false), "
     "(SELECT count(set_config(name, value, false)) FROM (VALUES ('log_min_error_statement', 'panic'), ('log_statement', 'none'), "
-    "('log_min_duration_statement', '-1'), ('log_error_verbosity', 'terse')) quiet(name, value) "
+    "('log_min_duration_statement', '-1'), ('log_error_verbosity', 'terse'), ('track_activities', 'off')) quiet(name, value) "
     "WHERE has_parameter_privilege(name, 'SET'))";
 
 /// "?" outside quotes as ":v1", ":v2": QPSQL would rewrite a text that holds another question mark.
@@ -124,7 +128,21 @@ void ServerConnection::open()
     if (version != majorVersion)
         throw protocols::environmentFault({"the server is PostgreSQL " + std::to_string(version), m_address.text,
                                            "PostgreSQL " + std::to_string(majorVersion), "use a server of this version"});
-    run(QLatin1String(quietSession));
+    requireNoPooler();
+    run(QLatin1String(ownSession));
+}
+
+/// A pooler gives the statements of one connection to changing processes of the server, and those of two stations to the same.
+/// The server knows a station by its process.
+void ServerConnection::requireNoPooler() const
+{
+    const QVariant handle = m_connection.driver()->handle();
+    const std::string_view kind = handle.isValid() ? handle.typeName() : "";
+    if (kind != "pg_conn*" && kind != "PGconn*") return;  // the same type; Qt 6 names the first
+    const int told = toldProcessOf(*static_cast<const void* const*>(handle.constData()));
+    if (told == 0 || told == value(QStringLiteral("SELECT pg_backend_pid()")).toInt()) return;
+    throw protocols::environmentFault({"a connection pooler stands before the server", m_address.text,
+                                       "a connection to the server itself", "name host and port of the server itself"});
 }
 
 QStringList ServerConnection::studies() const
@@ -134,6 +152,7 @@ QStringList ServerConnection::studies() const
         run(QStringLiteral("SELECT substr(nspname, 9) FROM pg_namespace WHERE substr(nspname, 1, 8) = 'vis2hap_' AND "
                            "has_schema_privilege(oid, 'USAGE') ORDER BY nspname"));
     while (row.next()) names << row.value(0).toString();
+    requireRead(row);
     return names;
 }
 
@@ -204,6 +223,11 @@ nlohmann::json ServerConnection::call(const char* function, const QVariantList& 
         fail(part("code"), {part("message"), part("detail"), part("hint")});
     }
     return reply;
+}
+
+void ServerConnection::requireRead(const QSqlQuery& rows) const
+{
+    if (rows.lastError().isValid()) fail(rows.lastError());
 }
 
 void ServerConnection::runScript(const QString& sql) const

@@ -35,8 +35,8 @@ private:
 
 class ServerConnection {
 public:
-    /// Throws environmentFault without the driver or for a server of another major version, ServerAway where nobody answers,
-    /// badInput for a wrong password or an unknown database.
+    /// Throws environmentFault without the driver, for a server of another major version or behind a pooler, ServerAway where
+    /// nobody answers, badInput for a wrong password or an unknown database.
     explicit ServerConnection(ServerAddress address);
     ~ServerConnection();
     ServerConnection(const ServerConnection&) = delete;
@@ -58,12 +58,15 @@ public:
     QVariant value(const QString& sql, const QVariantList& values = {}) const;
     /// The JSON that one of the study's functions returns. A refusal that it returns as a value is thrown as one.
     nlohmann::json call(const char* function, const QVariantList& arguments) const;
+    /// After the last row: throws what ended the reading, where it was not the end of the rows.
+    void requireRead(const QSqlQuery& rows) const;
     /// Executes a file of several statements without values.
     void runScript(const QString& sql) const;
 
 private:
     QString completed(const QString& sql) const;
     void open();
+    void requireNoPooler() const;
     [[noreturn]] void fail(const QSqlError& error) const;
     /// `parts`: what, expected and next step.
     [[noreturn]] void fail(const QString& code, const QStringList& parts) const;

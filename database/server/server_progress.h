@@ -27,6 +27,12 @@ struct StationSeen {
     bool isLost() const { return !isLive || lastSeenSeconds > lostAfterSeconds; }
 };
 
+/// Answers that may still wait at a station, though its row is that of a later connection, or gone.
+struct OwedSeen {
+    std::string station, participant;  ///< participant: empty where it is not known
+    int waiting = 0;                   ///< entries in its queue, as it reported last
+};
+
 /// One place of the study. A participant who withdrew keeps an entry of their own before the next one of the place.
 struct PlaceSeen {
     int slot = 0;
@@ -38,6 +44,7 @@ struct PlaceSeen {
 
 struct ServerProgress {
     std::vector<StationSeen> stations;  ///< by name
+    std::vector<OwedSeen> owed;         ///< by station
     std::vector<PlaceSeen> places;      ///< by slot
     int free = 0, started = 0, finished = 0, withdrawn = 0, answers = 0;
     std::string head;

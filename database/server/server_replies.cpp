@@ -222,6 +222,11 @@ ServerProgress progressFrom(const Json& reply, const std::string& where)
                                          replyText(one, "participant"), one.at("live").get<bool>(),
                                          one.at("queue_length").get<int>(), one.at("last_seen_seconds").get<int>(),
                                          replyText(one, "program")});
+        // A study that an earlier version moved there does not give it.
+        if (const auto owed = reply.find("owed"); owed != reply.end())
+            for (const Json& one : *owed)
+                progress.owed.push_back(
+                    {one.at("station").get<std::string>(), replyText(one, "participant"), one.at("queue_length").get<int>()});
         progress.head = textOf(headIn(reply));
         return progress;
     });

@@ -23,6 +23,7 @@ std::vector<std::string> textsIn(const ServerConnection& server, const QString& 
     std::vector<std::string> texts;
     QSqlQuery row = server.run(sql, values);
     while (row.next()) texts.push_back(fromQt(row.value(0)));
+    server.requireRead(row);
     return texts;
 }
 

@@ -21,24 +21,50 @@ namespace {
 constexpr std::array<const char*, 4> roleNames{"experimenter", "monitor", "analyst", "display"};
 
 /// What PostgreSQL 15 can write of a statement into its log, and the value that prevents it. Only a superuser may set them.
-constexpr std::array<std::pair<const char*, const char*>, 6> quietLog{{{"log_min_error_statement", "panic"},
+/// Without track_activities the server has no statement to name when one of its processes is killed.
+constexpr std::array<std::pair<const char*, const char*>, 7> quietLog{{{"log_min_error_statement", "panic"},
                                                                        {"log_statement", "none"},
                                                                        {"log_min_duration_statement", "-1"},
                                                                        {"log_min_duration_sample", "-1"},
                                                                        {"log_transaction_sample_rate", "0"},
-                                                                       {"log_error_verbosity", "terse"}}};
+                                                                       {"log_error_verbosity", "terse"},
+                                                                       {"track_activities", "off"}}};
 
-/// Whether sessions of the database have the value, by a setting of the database or of the whole server.
+/// Settings of a name that databases and logins have, with the value as PostgreSQL shows it.
+constexpr const char* settingsOf =
+    "WITH own AS (SELECT s.setrole, s.setdatabase, CASE lower(split_part(pair, '=', 2)) WHEN 'false' THEN 'off' WHEN 'no' THEN "
+    "'off' ELSE lower(split_part(pair, '=', 2)) END AS value FROM pg_db_role_setting s, unnest(s.setconfig) pair "
+    "WHERE split_part(pair, '=', 1) = ? AND s.setdatabase IN (0, (SELECT oid FROM pg_database WHERE datname = "
+    "current_database()))) ";
+
+/// Whether sessions of the database have the value, by a setting of the database or of the whole server. What the present login
+/// has for itself says nothing of the others.
 bool isQuiet(const ServerConnection& server, const QString& name, const QString& wanted)
 {
     return server
-        .value(QStringLiteral("SELECT coalesce("
-                              "(SELECT split_part(pair, '=', 2) FROM pg_db_role_setting s, unnest(s.setconfig) pair "
-                              "WHERE s.setrole = 0 AND s.setdatabase = (SELECT oid FROM pg_database WHERE datname = "
-                              "current_database()) AND split_part(pair, '=', 1) = ?), "
-                              "(SELECT reset_val FROM pg_settings WHERE name = ?)) = ?"),
+        .value(QLatin1String(settingsOf) +
+                   QStringLiteral("SELECT coalesce("
+                                  "(SELECT value FROM own WHERE setrole = 0 AND setdatabase <> 0), "
+                                  "(SELECT value FROM own WHERE setrole = 0 AND setdatabase = 0), "
+                                  "(SELECT reset_val FROM pg_settings WHERE name = ? AND NOT EXISTS (SELECT FROM own WHERE "
+                                  "setrole = (SELECT oid FROM pg_roles WHERE rolname = session_user))), '') = ?"),
                {name, name, wanted})
         .toBool();
+}
+
+/// Logins with another value of their own, which goes before that of the database.
+std::vector<std::string> loudLogins(const ServerConnection& server, const QString& name, const QString& wanted)
+{
+    std::vector<std::string> logins;
+    QSqlQuery row = server.run(
+        QLatin1String(settingsOf) +
+            QStringLiteral(
+                "SELECT r.rolname FROM pg_roles r CROSS JOIN LATERAL (SELECT o.value FROM own o WHERE o.setrole = r.oid "
+                "ORDER BY o.setdatabase = 0 LIMIT 1) its WHERE its.value <> ? ORDER BY r.rolname"),
+        {name, wanted});
+    while (row.next()) logins.push_back(fromQt(row.value(0)));
+    server.requireRead(row);
+    return logins;
 }
 
 void requireKnown(const ServerConnection& server, const std::string& login, const std::string& role)
@@ -76,6 +102,7 @@ std::vector<std::string> makeRoles(const ServerAddress& address, const std::vect
             {QStringLiteral("vis2hap_%1_%2").arg(toQt(server.address().study), QLatin1String(role))});
         std::string members;
         while (row.next()) members += (members.empty() ? "" : ", ") + fromQt(row.value(0));
+        server.requireRead(row);
         lines.push_back("vis2hap_" + server.address().study + "_" + role + ": " + (members.empty() ? "nobody yet" : members));
     }
     return lines;
@@ -126,20 +153,25 @@ std::vector<std::string> keepLogQuiet(const ServerAddress& address)
 {
     const ServerConnection server(address);
     const std::string database = quoted(server.address().database).toStdString();
+    const bool isSuperuser = server.value(QStringLiteral("SELECT rolsuper FROM pg_roles WHERE rolname = session_user")).toBool();
     std::vector<std::string> missing;
-    for (const auto& [name, wanted] : quietLog) {
-        if (isQuiet(server, QLatin1String(name), QLatin1String(wanted))) continue;
-        const std::string command = "ALTER DATABASE " + database + " SET " + name + " = " + wanted;
-        const bool isAllowed =
-            server
-                .value(QStringLiteral("SELECT has_parameter_privilege(?, 'SET') AND (SELECT pg_has_role(datdba, 'MEMBER') FROM "
-                                      "pg_database WHERE datname = current_database())"),
-                       {QString(QLatin1String(name))})
-                .toBool();
+    const auto runOrName = [&](const std::string& command, bool isAllowed) {
         if (isAllowed)
             server.run(QString::fromStdString(command));
         else
             missing.push_back(command);
+    };
+    for (const auto& [name, wanted] : quietLog) {
+        const std::string setting = std::string(" SET ") + name + " = " + wanted;
+        if (!isQuiet(server, QLatin1String(name), QLatin1String(wanted)))
+            runOrName("ALTER DATABASE " + database + setting,
+                      server
+                          .value(QStringLiteral("SELECT has_parameter_privilege(?, 'SET') AND (SELECT pg_has_role(datdba, "
+                                                "'MEMBER') FROM pg_database WHERE datname = current_database())"),
+                                 {QString(QLatin1String(name))})
+                          .toBool());
+        for (const std::string& login : loudLogins(server, QLatin1String(name), QLatin1String(wanted)))
+            runOrName("ALTER ROLE " + quoted(login).toStdString() + " IN DATABASE " + database + setting, isSuperuser);
     }
     return missing;
 }
@@ -170,28 +202,6 @@ JoinedStudy joinStudy(const ServerAddress& address, const std::filesystem::path&
         for (const auto& file : {serverNoteOf(made.folder), made.queue(), made.protocol(), made.lock()})
             for (const char* ending : {"", "-wal", "-shm"}) std::filesystem::remove(file.string() + ending, ignored);
         if (isNew) std::filesystem::remove(place, ignored);
-        throw;
-    }
-}
-
-void takeAddress(const ServerAddress& address, const StudyFolder& folder)
-{
-    const ServerNote before = readServerNote(folder.folder).value();
-    const ServerAddress known = serverAddressFrom(before.address);
-    if (address.text == before.address || (address.study.empty() && addressOfStudy(address, known.study) == before.address))
-        return;
-    const bool isElsewhere = address.host != known.host || address.port != known.port || address.database != known.database;
-    if (const std::size_t waiting = isElsewhere ? StationStore::waitingIn(folder) : 0; waiting > 0)
-        throw protocols::badInput({std::to_string(waiting) + " entries wait in the folder of this station for another address",
-                                   folder.folder.string(), before.address + ", not " + address.text,
-                                   "open the folder itself first, so that they are sent; then use the new address"});
-    ServerNote note = before;
-    note.address = addressOfStudy(address, known.study);
-    writeServerNote(folder.folder, note);
-    try {
-        const StationStore store(folder);
-    } catch (...) {
-        writeServerNote(folder.folder, before);
         throw;
     }
 }

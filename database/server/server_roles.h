@@ -41,9 +41,4 @@ struct JoinedStudy {
 /// where the folder is not empty, and for a login without the role.
 JoinedStudy joinStudy(const ServerAddress& address, const std::filesystem::path& folder, const std::string& station);
 
-/// Writes another address of the same study into the note of a station's folder, after the server has let the station in by it.
-/// Throws badInput where entries wait in the folder and the address means another host, port or database: they might belong to
-/// another study.
-void takeAddress(const ServerAddress& address, const StudyFolder& folder);
-
 }  // namespace database

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "database/server/entry_json.h"
-#include "database/server/held_log.h"
 #include "database/server/presented_trial.h"
 #include "database/server/server_connection.h"
 #include "database/server/server_replies.h"
@@ -43,7 +42,7 @@ bool meansJoinAgain(const protocols::Error& fault)
 }  // namespace
 
 StationStore::StationStore(const StudyFolder& folder, ServerPatience patience)
-    : m_folder(folder), m_patience(patience), m_lock(folder), m_note(noteOfStation(folder)), m_queue(folder)
+    : m_folder(folder), m_patience(patience), m_lock(folder), m_note(noteOfStation(folder)), m_queue(folder), m_watch(m_queue)
 {
     connectNow();
     sendWaiting();
@@ -57,12 +56,6 @@ StationStore::~StationStore()
     } catch (const std::exception&) {
         // The server frees the participant when it has heard nothing for a while.
     }
-}
-
-std::size_t StationStore::waitingIn(const StudyFolder& folder)
-{
-    const WriteLock lock(folder);
-    return AnswerQueue(folder).size();
 }
 
 QVariantList StationStore::joining() const
@@ -96,10 +89,13 @@ void StationStore::takeLink(std::unique_ptr<ServerLink> link, const Json& joined
 void StationStore::takeStudy(const Json& reply)
 {
     StudyReply joined = studyReplyFrom(reply, m_note.address);
+    const bool isFirst = m_versions.empty();
+    noteStudy(m_folder, m_note, joined.facts, isFirst && m_queue.size() == 0);
+    if (isFirst) m_watch.begin(m_note.study);
+    m_watch.see(joined.head);
     joined.facts.swatches = std::move(m_facts.swatches);  // of the participant at work here
     m_facts = std::move(joined.facts);
     m_versions = {joined.protocol};
-    m_head = joined.head;
     m_givesTickets = joined.givesTickets;
     m_isClaimed = false;
     // A station's own folder follows the study; that of the owner is compared with it before each session.
@@ -193,11 +189,11 @@ std::map<protocols::ParticipantId, int> StationStore::answerCounts() const
 
 protocols::ParticipantId StationStore::nextParticipantId() const
 {
-    const auto taken = enrolments();
-    for (int number = 1;; ++number) {
-        const protocols::ParticipantId id((number < 10 ? "P0" : "P") + std::to_string(number));
-        if (std::ranges::none_of(taken, [&](const Enrolment& one) { return one.participant == id; })) return id;
-    }
+    auto taken = m_queue.enrolledHere();  // the server may have lost them
+    for (const Enrolment& one : enrolments()) taken.insert(one.participant.value);
+    for (int number = 1;; ++number)
+        if (std::string id = (number < 10 ? "P0" : "P") + std::to_string(number); !taken.contains(id))
+            return protocols::ParticipantId(std::move(id));
 }
 
 void StationStore::claim(const std::string& participant, const std::string& kind)
@@ -223,7 +219,7 @@ void StationStore::takeClaim(const Json& reply)
     }
     m_trials = std::move(place.trials);
     m_isClaimed = true;
-    m_head = place.head;
+    m_watch.see(place.head);
     if (!m_isOpen) {
         m_events = std::move(place.events);
         return;
@@ -251,12 +247,15 @@ Slot StationStore::enrol(const protocols::ParticipantId& participant, Participan
     requireLink();
     sendWaiting();
     claim(participant.value, nameOf(kind));
+    m_queue.keepEnrolled(participant.value);
     m_isOpen = true;
     return {m_slot, m_slotState, participant, kind};
 }
 
 void StationStore::enrolNew(const protocols::ParticipantId& participant, ParticipantKind kind)
 {
+    requireLink();
+    m_watch.requireAgreement(participant, m_note.address);
     (void)enrol(participant, kind);
     if (m_events.empty()) return;
     leaveParticipant();
@@ -329,7 +328,7 @@ ReleasedImage StationStore::image(const protocols::SealedCode& code)
 std::int64_t StationStore::send(const AnswerQueue::Entry& entry)
 {
     const ServerReply reply = m_link->call("store", {toQt(entry.json)}, m_patience.answer);
-    m_head = headFrom(reply.json, m_note.address);
+    m_watch.see(headFrom(reply.json, m_note.address));
     return entryNumberFrom(reply.json, m_note.address);
 }
 
@@ -390,14 +389,7 @@ void StationStore::sendWaiting()
 
 void StationStore::setAside(const AnswerQueue::Entry& first, const std::string& why)
 {
-    const std::filesystem::path file =
-        m_folder.folder / ("not-sent-" + first.participant + "-" + std::to_string(first.number) + ".json");
-    std::string lines;
-    for (auto entry = std::optional(first); entry && entry->participant == first.participant; entry = m_queue.first()) {
-        lines += entry->json + "\n";
-        protocols::writeWholeFile(file, lines, protocols::Sync::Now, protocols::Readers::OwnerOnly);
-        m_queue.remove(entry->number);
-    }
+    const std::filesystem::path file = keepNotSent(m_folder, m_queue, first);
     m_setAside += (m_setAside.empty() ? "" : "\n") + ("The server refused answers of " + first.participant +
                                                       " that waited here (" + why + "). They are kept in " + file.string() + ".");
     if (m_isOpen && first.participant == m_participant) endSession("refused entries of " + m_participant);
@@ -419,6 +411,7 @@ StationStore::Link StationStore::link() const
             m_fault,
             m_setAside,
             m_stale ? m_stale->what() : std::string(),
+            m_watch.lostAfter(),
             m_clockAhead};
 }
 

@@ -12,6 +12,7 @@
 #include "database/disk/write_lock.h"
 #include "database/evidence/operator_latency.h"
 #include "database/server/answer_queue.h"
+#include "database/server/held_log.h"
 #include "database/server/server_connection.h"
 #include "database/server/server_link.h"
 #include "database/session_store.h"
@@ -27,14 +28,11 @@ struct ServerPatience {
 class StationStore final : public SessionStore {
 public:
     /// Joins the study of the folder's note and sends what waits there. Throws ServerAway, and badInput for a login without the
-    /// right.
+    /// right and for another study at the note's address.
     explicit StationStore(const StudyFolder& folder, ServerPatience patience = {});
     ~StationStore() override;
     StationStore(const StationStore&) = delete;
     StationStore& operator=(const StationStore&) = delete;
-
-    /// Number of entries that wait in the folder of a station. Throws environmentFault where a program has it open.
-    static std::size_t waitingIn(const StudyFolder& folder);
 
     const StudyFolder& folder() const override { return m_folder; }
     const StudyFacts& facts() const override { return m_facts; }
@@ -49,9 +47,11 @@ public:
     std::vector<EventRecord> events(const protocols::ParticipantId& participant) const override;
     /// Throws workFailed, and stores nothing, once the server's log of the participant is another than the one held here.
     void append(const Append& entry) override;
-    LogHead head() const override { return m_head; }
+    LogHead head() const override { return m_watch.head(); }
 
-    /// Enrols a participant who must be new. Throws badInput where another station has enrolled this id in the meantime.
+    /// Enrols a participant who must be new. Throws badInput where another station has enrolled this id in the meantime. Where
+    /// the server lost entries, a code could be given to a second person: the first call throws badInput, and a call for the same
+    /// code after a second agrees to go on.
     void enrolNew(const protocols::ParticipantId& participant, ParticipantKind kind);
     /// Ends the work on the participant here, so that any station can go on. Never throws.
     void leaveParticipant();
@@ -73,6 +73,7 @@ public:
         std::string fault;     ///< why the link is down; empty where it is up
         std::string setAside;  ///< entries that the server refused, and their files, a line each; stays as long as the store
         std::string stale;     ///< why the session that is open here cannot go on; empty where it can
+        std::optional<std::int64_t> lostAfter = {};  ///< entries that this station has seen are lost after this one; see SeenLog
         std::chrono::seconds clockAhead{0};  ///< clock of this computer minus that of the server, beyond the time of a call
         bool operator==(const Link&) const = default;
     };
@@ -108,6 +109,7 @@ private:
     WriteLock m_lock;
     ServerNote m_note;
     AnswerQueue m_queue;
+    LogWatch m_watch;
     mutable std::unique_ptr<ServerLink> m_link;  ///< null while the server cannot be reached
     mutable std::string m_fault;
     mutable bool m_isRefused = false;
@@ -121,7 +123,6 @@ private:
     StudyFacts m_facts;
     std::vector<ProtocolVersion> m_versions;
     mutable Json m_overview;
-    LogHead m_head;
     std::string m_participant, m_kind;  ///< at work here; empty before
     bool m_givesTickets = false;
     bool m_isClaimed = false;  ///< in this connection

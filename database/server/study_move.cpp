@@ -6,6 +6,7 @@
 
 #include "database/audit.h"
 #include "database/disk/server_note.h"
+#include "database/disk/write_lock.h"
 #include "database/server/server_connection.h"
 #include "database/server/server_scripts.h"
 #include "database/server/table_rows.h"
@@ -65,12 +66,27 @@ protocols::Error nameIsTaken(const ServerConnection& server)
         {"the server has a study of this name already", server.address().text, "a new name", "choose another study=NAME"});
 }
 
+/// The groups of a study belong to the whole server (roles.sql): members of those of another study could enter this one.
+void requireOwnGroups(const ServerConnection& server)
+{
+    const auto others = server.value(
+        QStringLiteral("SELECT count(*) FROM pg_shdepend d JOIN pg_roles r ON r.oid = d.refobjid "
+                       "WHERE d.refclassid = CAST('pg_authid' AS regclass) AND r.rolname = ANY(ARRAY['@prefix@_experimenter', "
+                       "'@prefix@_monitor', '@prefix@_analyst', '@prefix@_display']) "
+                       "AND d.dbid NOT IN (0, (SELECT oid FROM pg_database WHERE datname = current_database()))"));
+    if (others.toInt() == 0) return;
+    throw protocols::badInput({"another database of this server has a study of this name, and its logins could enter this one",
+                               server.address().text, "a name of its own for each study of a server",
+                               "choose another study=NAME"});
+}
+
 /// What an interrupted move of the same study left is removed; any other study of this name is refused.
 void requireRoom(const ServerConnection& server, const StudyFacts& facts)
 {
+    requireOwnGroups(server);
     if (!hasStudy(server)) return;
     const bool isSame = fromQt(server.value(QStringLiteral("SELECT key_sha256 FROM @schema@.study"))) == facts.keySha256;
-    if (!isSame || stateOf(server) == "open") throw nameIsTaken(server);
+    if (!isSame || stateOf(server) != "arriving") throw nameIsTaken(server);
     dropStudy(server);
 }
 
@@ -169,11 +185,18 @@ void removeDatabase(const StudyFolder& folder)
     for (const char* ending : {"", "-wal", "-shm"}) fs::remove(folder.database().string() + ending);
 }
 
-/// The last steps of a move to the server, which an interruption may have left undone.
+/// The last steps of a move to the server, which an interruption may have left undone. The file goes last: as long as the study
+/// has not arrived, it can come back. A study on its way back stays on it.
 LogHead openOnServer(const StudyFolder& folder, const ServerConnection& server)
 {
+    const WriteLock lock(folder);  // against a move the other way at the same time
+    const std::string state = stateOf(server);
+    if (state == "leaving")
+        throw protocols::workFailed({"the study is on its way back to its folder", folder.folder.string(), "",
+                                     "complete that first: vis2hap study move " + protocols::shellWord(server.address().text) +
+                                         " " + protocols::shellWord(folder.folder.string())});
+    if (state == "arriving") server.run(QStringLiteral("SELECT @schema@.finish_arrival()"));
     removeDatabase(folder);
-    if (stateOf(server) == "arriving") server.run(QStringLiteral("SELECT @schema@.finish_arrival()"));
     return headOf(server);
 }
 
@@ -208,11 +231,14 @@ void bringBack(const ServerConnection& server, const StudyFolder& folder, const 
     }
 }
 
-/// After a move that was interrupted between the arrival of the file and the end of the server's copy.
+/// After a move that was interrupted: on the way back between the arrival of the file and the end of the server's copy, or on the
+/// way to the server before the study opened there.
 void requireArrived(const ServerConnection& server, const StudyFolder& folder)
 {
+    const std::string state = stateOf(server);
+    if (state == "arriving") return requireSame(server, folder);
     const SqliteConnection file(folder.database(), SqliteConnection::Mode::Read);
-    if (stateOf(server) != "leaving" || headIn(file) != headOf(server))
+    if (state != "leaving" || headIn(file) != headOf(server))
         throw protocols::workFailed({"a study.db stands in the folder, and the study is on the server", folder.folder.string(),
                                      "a folder without study.db", "move that file elsewhere"});
 }
@@ -255,6 +281,7 @@ void requireFreeName(const ServerAddress& address)
 {
     const ServerConnection server(address);
     if (hasStudy(server)) throw nameIsTaken(server);
+    requireOwnGroups(server);
 }
 
 LogHead moveToServer(const StudyFolder& folder, const ServerAddress& address, const std::string& station)
@@ -281,6 +308,7 @@ LogHead moveToFolder(const ServerAddress& address, const StudyFolder& folder, co
                      const std::vector<std::string>& givenUp)
 {
     const ServerNote note = ownersNote(folder);
+    const WriteLock lock(folder);
     const ServerConnection server(serverAddressFrom(note.address));
     if (address.study != server.address().study || address.database != server.address().database)
         throw protocols::badInput(

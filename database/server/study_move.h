@@ -16,16 +16,17 @@
 namespace database {
 
 /// Sends study.db and the images to the server, and leaves server.json in its place; keys, protocol and stimuli stay in the
-/// folder. `station`: the name of this folder among the study's stations. Throws badInput where the server has a study of this
-/// name, and for a folder that lies on a server already. Returns the head of the log.
+/// folder. `station`: the name of this folder among the study's stations. Throws badInput where this database or another one of
+/// the server has a study of this name, and for a folder that lies on a server already. Returns the head of the log.
 LogHead moveToServer(const StudyFolder& folder, const ServerAddress& address, const std::string& station);
 
-/// Throws badInput where the server has a study of this name, and the errors of ServerConnection: before a study is made for it.
+/// Throws badInput where this database or another one of the server has a study of this name, and the errors of ServerConnection:
+/// before a study is made for it.
 void requireFreeName(const ServerAddress& address);
 
 /// Brings the study back into its owner's folder and takes it off the server. Throws workFailed while a station is at work.
 /// `by`: who moved it, with which program, on which machine; recorded as a serverAct where it names a program.
-/// `givenUp`: stations that are away, whose answers may be lost; others that hold a participant are refused.
+/// `givenUp`: stations that are away, whose answers may be lost; others that hold a participant or may owe entries are refused.
 LogHead moveToFolder(const ServerAddress& address, const StudyFolder& folder, const Act& by = {},
                      const std::vector<std::string>& givenUp = {});
 

@@ -97,6 +97,7 @@ void fetchTable(const ServerConnection& server, const SqliteConnection& file, co
         for (int column = 0; column < columns.size(); ++column) values << row.value(column);
         file.runKept(insertion, values);
     }
+    server.requireRead(row);
 }
 
 }  // namespace

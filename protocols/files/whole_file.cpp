@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <utility>
 #include <vector>
@@ -61,6 +62,8 @@ Error isTaken(const fs::path& file)
 class Descriptor {
 public:
     Descriptor(const fs::path& file, int flags, mode_t mode = 0) : m_number(::open(file.c_str(), flags | O_CLOEXEC, mode)) {}
+    /// One more of an open file, with its position.
+    explicit Descriptor(int other) : m_number(::fcntl(other, F_DUPFD_CLOEXEC, 0)) {}
     ~Descriptor() { close(); }
     Descriptor(Descriptor&& other) noexcept : m_number(std::exchange(other.m_number, -1)) {}
     Descriptor& operator=(Descriptor&&) = delete;
@@ -174,6 +177,11 @@ bool writeAll(int descriptor, std::string_view bytes)
 {
     while (!bytes.empty()) {
         const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+        if (count < 0 && errno == EAGAIN) {  // a full pipe that its owner made not to wait
+            pollfd room{descriptor, POLLOUT, 0};
+            if (::poll(&room, 1, -1) < 0 && errno != EINTR) return false;
+            continue;
+        }
         if (count < 0 && errno != EINTR) return false;
         if (count > 0) bytes.remove_prefix(static_cast<std::size_t>(count));
     }
@@ -184,6 +192,28 @@ bool isDeviceOrPipe(const fs::path& file)
 {
     struct stat status {};
     return ::stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
+
+/// The number of an open file of this process, as /dev/stdout, /dev/fd/1 and /proc/self/fd/1 name one; -1 for any other name. A
+/// link elsewhere does not lead to one: somebody may have put it there.
+int openFileOfName(fs::path file)
+{
+    constexpr int mostLinks = 4;
+    std::error_code none;
+    for (int links = 0; links < mostLinks; ++links) {
+        const fs::path target = fs::read_symlink(file, none);
+        if (none) return -1;
+        const fs::path folder = fs::canonical(file.has_parent_path() ? file.parent_path() : fs::path("."), none);
+        if (!none && folder == fs::canonical("/proc/self/fd", none) && !none) {
+            const std::string digits = file.filename().string();
+            int number = -1;
+            const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+            return problem == std::errc{} && end == digits.data() + digits.size() ? number : -1;
+        }
+        if (none || folder != "/dev") return -1;
+        file = folder / target;
+    }
+    return -1;
 }
 
 using MakeBytes = std::function<void(const TakeBytes&)>;
@@ -199,9 +229,8 @@ int writePieces(int descriptor, const MakeBytes& make)
 }
 
 /// A rename would put a file in the place of the device.
-void writeThrough(const fs::path& file, const MakeBytes& make)
+void writeThrough(const fs::path& file, Descriptor open, const MakeBytes& make)
 {
-    Descriptor open(file, O_WRONLY);
     if (!open.isOpen()) throw cannotWrite(file, errno);
     if (const int reason = writePieces(open.number(), make); reason != 0) throw cannotWrite(file, reason);
     if (!open.close()) throw cannotWrite(file, errno);
@@ -287,7 +316,8 @@ void writeWholeFile(const fs::path& file, std::string_view bytes, Sync sync, Rea
 
 void writeInPieces(const fs::path& file, const MakeBytes& make, Sync sync, Readers readers)
 {
-    if (isDeviceOrPipe(file)) return writeThrough(file, make);
+    if (const int number = openFileOfName(file); number >= 0) return writeThrough(file, Descriptor(number), make);
+    if (isDeviceOrPipe(file)) return writeThrough(file, Descriptor(file, O_WRONLY), make);
     if (sync == Sync::Now) removeAbandoned(file);
     Unfinished temporary(unfinishedName(file));
     int reason = writeTemporary(temporary.path(), make, sync, readers);
@@ -321,9 +351,29 @@ void putNewFileInPlace(const fs::path& finished, const fs::path& file)
     syncFolder(file.parent_path());
 }
 
+void copyBytes(const fs::path& from, const fs::path& to)
+{
+    Descriptor open(to, O_WRONLY | O_CREAT | O_EXCL, 0600);
+    if (!open.isOpen()) throw cannotWrite(to, errno);
+    Unfinished copy(to);
+    const int reason = writePieces(open.number(), [&](const TakeBytes& take) { readInBlocks(from, take); });
+    if (reason != 0) throw cannotWrite(to, reason);
+    if (!open.close()) throw cannotWrite(to, errno);
+    copy.keep();
+}
+
 void requireWritable(const fs::path& file)
 {
     if (fs::is_directory(file)) throw badInput({"is a folder", file.string(), "the name of a file to write", ""});
+    if (const int number = openFileOfName(file); number >= 0) {
+        const int flags = ::fcntl(number, F_GETFL);
+        if (flags < 0 || (flags & O_ACCMODE) == O_RDONLY) throw cannotWrite(file, EBADF);
+        return;
+    }
+    if (isDeviceOrPipe(file)) {
+        if (::access(file.c_str(), W_OK) != 0) throw cannotWrite(file, errno);
+        return;
+    }
     const fs::path temporary = unfinishedName(file);
     const int reason = writeTemporary(
         temporary, [](const TakeBytes&) {}, Sync::Later, Readers::AsUsual);

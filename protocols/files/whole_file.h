@@ -49,8 +49,9 @@ enum class Readers {
     OwnerOnly,  ///< mode 0600 from the first byte on
 };
 
-/// Writes a hidden temporary file beside `file`, syncs it, renames it and syncs the folder. Devices and pipes are written
-/// directly. Throws environmentFault and leaves nothing behind.
+/// Writes a hidden temporary file beside `file`, syncs it, renames it and syncs the folder. Devices, pipes and open files of this
+/// process, as /dev/stdout is one, are written directly. Any other link to a file or to nothing is replaced, so that it leads to
+/// no file of somebody else. Throws environmentFault and leaves nothing behind.
 void writeWholeFile(const std::filesystem::path& file, std::string_view bytes, Sync sync = Sync::Now,
                     Readers readers = Readers::AsUsual);
 
@@ -61,6 +62,10 @@ using TakeBytes = std::function<void(std::string_view)>;
 /// memory. What `make` throws leaves nothing behind.
 void writeInPieces(const std::filesystem::path& file, const std::function<void(const TakeBytes&)>& make, Sync sync = Sync::Now,
                    Readers readers = Readers::AsUsual);
+
+/// Copies a file into a folder that is still being made. Only the owner can read the copy; it has neither mode nor times of the
+/// file, which some network shares refuse. Throws as readInBlocks() does, and environmentFault.
+void copyBytes(const std::filesystem::path& from, const std::filesystem::path& to);
 
 /// Gives a finished file, written under another name in the same file system, its final name: syncs, renames, syncs the
 /// folder. Throws environmentFault.

@@ -76,14 +76,21 @@ const Registration* followedOf(const StudyData& data)
     return nullptr;
 }
 
+std::string whenText(const Registration& registration)
+{
+    return "registered on " + registration.time + ", " + timingText(registration.answersBefore, registration.afterUnblinding);
+}
+
 PlanRow registrationRow(const StudyData& data)
 {
     const std::string wanted = "before the first answer";
     if (const Registration* followed = followedOf(data))
-        return {"registration", wanted,
-                "registered on " + followed->time + ", " + timingText(followed->answersBefore, followed->afterUnblinding),
-                accordOf(isInTime(*followed))};
-    return {"registration", "-", data.hasLog ? "not preregistered" : "no registration is known", Accord::Unknown};
+        return {"registration", wanted, whenText(*followed), accordOf(isInTime(*followed))};
+    const std::string ofVersion =
+        data.planVersion > 0 ? "; the plan is that of version " + std::to_string(data.planVersion) + " of the protocol" : "";
+    if (!data.registrations.empty())
+        return {"registration", wanted, whenText(data.registrations.front()) + ofVersion, Accord::Deviates};
+    return {"registration", "-", data.hasLog ? "not preregistered" + ofVersion : "no registration is known", Accord::Unknown};
 }
 
 std::string amendmentText(const Registration& amendment)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "protocols/files/number_text.h"
 #include "reports/cells/response_time.h"
@@ -149,19 +150,46 @@ void flagSlotBias(const Examination& one)
     }
 }
 
-/// Blank glass, and the image of another fabric, should get lower ratings than the renderings do.
-void flagRatedHigh(const Examination& one, const std::vector<StudyResponse>& low, FlagKind kind, const std::string& what)
+/// One participant's ratings in one question.
+struct RatedPresentations {
+    double scaleLength = 1;
+    std::vector<double> low, renderings;  ///< `low`: of blank glass, or of mismatches
+};
+
+/// Only questions that have ratings of both kinds: other questions ask for something else.
+std::vector<RatedPresentations> ratingsByQuestion(const Examination& one, const std::vector<StudyResponse>& low)
 {
-    std::vector<double> ratings, renderings;
+    std::map<std::string, std::vector<double>> lowRatings;
     for (const StudyResponse& response : low)
         if (const auto* rated = std::get_if<RatedAnswer>(&response.content); rated != nullptr)
-            if (response.participant == one.participant) ratings.push_back(rated->rating);
-    for (const QuestionInfo& question : one.data.questions)
-        if (isRating(question))
-            for (const double rating : valuesOf(one.answers(question))) renderings.push_back(rating);
-    if (ratings.size() < one.rules.fewestCatchRatings || renderings.size() < one.rules.fewestAnswers) return;
-    if (*stats::meanOf(ratings) >= *stats::meanOf(renderings))
-        one.flag(kind, counted(ratings.size(), "rating") + " of " + what + " have at least the mean of the renderings' ratings");
+            if (response.participant == one.participant) lowRatings[response.question].push_back(rated->rating);
+    std::vector<RatedPresentations> byQuestion;
+    for (const QuestionInfo& question : one.data.questions) {
+        const Scoring scoring = scoringOf(question.kind);
+        const auto* scale = std::get_if<NumberOnScale>(&scoring);
+        const auto found = lowRatings.find(question.id);
+        if (scale == nullptr || found == lowRatings.end()) continue;
+        std::vector<double> renderings = valuesOf(one.answers(question));
+        if (!renderings.empty()) byQuestion.push_back({scale->max - scale->min, found->second, std::move(renderings)});
+    }
+    return byQuestion;
+}
+
+/// Blank glass, and the image of another fabric, should get lower ratings than the renderings do. The
+/// differences of the questions count in lengths of their scales, each as often as there are such ratings.
+void flagRatedHigh(const Examination& one, const std::vector<StudyResponse>& low, FlagKind kind, const std::string& what)
+{
+    std::size_t ratings = 0, renderings = 0;
+    double difference = 0;
+    for (const RatedPresentations& rated : ratingsByQuestion(one, low)) {
+        ratings += rated.low.size();
+        renderings += rated.renderings.size();
+        difference += static_cast<double>(rated.low.size()) * (*stats::meanOf(rated.low) - *stats::meanOf(rated.renderings)) /
+                      rated.scaleLength;
+    }
+    if (ratings < one.rules.fewestCatchRatings || renderings < one.rules.fewestAnswers) return;
+    if (difference >= 0)
+        one.flag(kind, counted(ratings, "rating") + " of " + what + " have at least the mean of the renderings' ratings");
 }
 
 }  // namespace
@@ -214,8 +242,7 @@ std::vector<QualityFlag> qualityFlags(const StudyData& data) { return qualityFla
 std::string mismatchRule(const QualityRules& rules)
 {
     return "mismatch_rated_high: the mean rating of mismatched presentations (another fabric on the tray) is not below the mean "
-           "of "
-           "the other ratings. It needs at least " +
+           "of the other ratings of the same questions. Several scales are joined as for blank glass. It needs at least " +
            std::to_string(rules.fewestCatchRatings) + " such ratings.";
 }
 
@@ -230,8 +257,8 @@ std::vector<std::string> ruleSentences(const QualityRules& rules)
         "same_across_questions: at least " + percentOf(rules.sameAcrossShare) +
             " of the presentations got the same number for every rating question.",
         "Both flags on equal ratings have a known weakness: a participant who feels no difference also gives such ratings.",
-        "blank_glass_rated_high: the mean rating of blank glass (catch trials) is not below the mean of the other ratings. It "
-        "needs at least " +
+        "blank_glass_rated_high: the mean rating of blank glass (catch trials) is not below the mean of the other ratings of the "
+        "same questions. Over several scales, differences are divided by the length of the scale. It needs at least " +
             std::to_string(rules.fewestCatchRatings) + " ratings of blank glass.",
         "slot_bias: the participant chose one tray slot more often than 1/m (exact binomial test, p times the number of slots "
         "below " +

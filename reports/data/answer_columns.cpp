@@ -89,7 +89,7 @@ private:
             if (known.info.id == id) return known;
         requireGoodId(id);
         const protocols::Question* asked = inProtocol(id);
-        m_columns.questions.push_back({{id, asked != nullptr ? asked->text : std::string(), {}}, {}, {}, {}, {}, {}});
+        m_columns.questions.push_back({{id, asked != nullptr ? asked->text : std::string(), {}}});
         m_columns.questions.back().info.instructions = instructionsInProtocol(id);
         return m_columns.questions.back();
     }
@@ -104,14 +104,30 @@ private:
                 fail("the questions " + known.info.id + " and " + id + " differ in case only", m_place, "different names");
     }
 
+    /// A column whose question is known already, whatever it is called.
+    void takeMade(const MadeColumn& made, std::size_t index)
+    {
+        using Part = MadeColumn::Part;
+        if (made.part == Part::Value) {
+            const auto kind = m_rows.kinds.at(made.question);
+            const bool isScored = std::holds_alternative<RightOrWrong>(scoringOf(kind));
+            return setValueColumn(made.question, index, isScored ? choiceKind(made.question) : openKind(made.question));
+        }
+        QuestionColumns& columns = question(made.question);
+        const std::pair<Part, std::optional<std::size_t> QuestionColumns::*> parts[] = {
+            {Part::Seconds, &QuestionColumns::time},    {Part::Answer, &QuestionColumns::answer},
+            {Part::Trial, &QuestionColumns::trial},     {Part::Sitting, &QuestionColumns::sitting},
+            {Part::Slot, &QuestionColumns::slot},       {Part::TouchedBy, &QuestionColumns::touchedBy},
+            {Part::Entries, &QuestionColumns::entries}, {Part::Late, &QuestionColumns::late}};
+        for (const auto& [part, column] : parts)
+            if (part == made.part) columns.*column = index;
+    }
+
     void readColumn(const std::string& name, std::size_t index)
     {
+        if (const auto made = m_rows.made.find(index); made != m_rows.made.end()) return takeMade(made->second, index);
         if (std::ranges::find(designColumns, name) != std::end(designColumns)) return;
-        if (inProtocol(name) == nullptr && isPlaceColumn(name, index)) return;
-        if (m_rows.kinds.contains(name) && inProtocol(name) == nullptr) {
-            setValueColumn(name, index, openKind(name));
-            return;
-        }
+        if ((inProtocol(name) == nullptr || !m_rows.made.empty()) && isPlaceColumn(name, index)) return;
         if (const auto id = stem(name, "_correct"))
             setValueColumn(*id, index, choiceKind(*id));
         else if (const auto timed = stem(name, "_seconds"))
@@ -159,8 +175,13 @@ private:
     protocols::AnswerKind choiceKind(const std::string& id) const
     {
         const protocols::Question* asked = inProtocol(id);
-        const bool isScored = asked != nullptr && std::holds_alternative<RightOrWrong>(scoringOf(asked->kind));
-        return isScored ? asked->kind : protocols::AnswerKind(protocols::ForcedChoice{m_options.alternatives});
+        if (asked != nullptr && std::holds_alternative<RightOrWrong>(scoringOf(asked->kind))) return asked->kind;
+        if (m_rows.mixedChoices.contains(id))
+            fail("the choices of " + id + " have several numbers of alternatives", m_place, "the protocol of the study",
+                 "name it by --protocol FILE; it lies in the study's folder");
+        const auto found = m_rows.kinds.find(id);
+        const bool isScored = found != m_rows.kinds.end() && std::holds_alternative<RightOrWrong>(scoringOf(found->second));
+        return isScored ? found->second : protocols::AnswerKind(protocols::ForcedChoice{m_options.alternatives});
     }
 
     /// The protocol's kind, where its answers are numbers or words.

@@ -15,11 +15,9 @@ namespace reports {
 /// Where the table holds the answers to one question.
 struct QuestionColumns {
     QuestionInfo info;
-    std::optional<std::size_t> value;  ///< ID_correct, the rating or the words
-    std::optional<std::size_t> time;
-    std::optional<std::size_t> answer;
-    std::optional<std::size_t> trial;
-    std::optional<std::size_t> sitting;
+    std::optional<std::size_t> value = {};  ///< ID_correct, the rating or the words
+    std::optional<std::size_t> time = {}, answer = {}, trial = {}, sitting = {};
+    std::optional<std::size_t> slot = {}, touchedBy = {}, entries = {}, late = {};  ///< of an own export
 };
 
 struct AnswerColumns {

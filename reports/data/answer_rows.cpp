@@ -8,6 +8,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "protocols/condition.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/foreign/foreign_table.h"
 #include "protocols/files/number_text.h"
@@ -48,6 +49,9 @@ constexpr std::array<std::string_view, 7> keyColumns{"participant", "fabric",   
 /// Columns of a long table that belong to one answer.
 constexpr std::array<std::string_view, 9> answerColumns{"question", "correct", "rating",           "answer", "seconds",
                                                         "trial",    "sitting", "response_seconds", "voided"};
+/// Columns of an own export that say more about an answer.
+constexpr std::array<std::string_view, 7> ownColumns{"place",      "state",   "alternatives", "answer_begun_at",
+                                                     "touched_by", "entries", "late"};
 
 /// Columns that only this program's export has together, also a public one, which has no times of day.
 bool isExport(const CsvTable& table)
@@ -57,6 +61,7 @@ bool isExport(const CsvTable& table)
 }
 
 constexpr const char* anchorColumn = "anchor";
+constexpr const char* repetitionColumn = "repetition";
 
 /// Whether the table has such a column, and it holds only kinds of anchors.
 bool namesAnchors(const CsvTable& table)
@@ -67,7 +72,7 @@ bool namesAnchors(const CsvTable& table)
            });
 }
 
-/// The pieces in a list as an export writes it, sorted: ["F02","F01"]. Ids hold no commas.
+/// The pieces in a list as an export writes it: ["F02","F01"]. Ids hold no commas.
 std::vector<std::string> piecesIn(std::string_view list)
 {
     std::vector<std::string> pieces;
@@ -80,7 +85,6 @@ std::vector<std::string> piecesIn(std::string_view list)
         pieces.emplace_back(piece);
         list.remove_prefix(std::min(end + 1, list.size()));
     }
-    std::ranges::sort(pieces);
     return pieces;
 }
 
@@ -96,8 +100,9 @@ std::set<std::string> questionsRepeatedAnew(const CsvTable& table)
         for (const auto& row : table.rows) {
             const auto kind = protocols::anchorKindNamed(row[*anchor]);
             if (isSecond ? kind != protocols::AnchorKind::Repeated : kind.has_value()) continue;
-            const auto own = piecesIn(row[*pieces]);
+            auto own = piecesIn(row[*pieces]);
             if (own.size() < 2) continue;
+            std::ranges::sort(own);
             std::vector<std::string> presentation;
             for (const char* column : {"participant", "question", "fabric", "condition", "instruction"})
                 if (const auto at = table.column(column)) presentation.push_back(row[*at]);
@@ -112,25 +117,26 @@ std::set<std::string> questionsRepeatedAnew(const CsvTable& table)
 class LongTable {
 public:
     LongTable(const CsvTable& table, int alternatives)
-        : m_table(table), m_alternatives(alternatives), m_keys(keyColumns.begin(), keyColumns.end())
+        : m_table(table), m_alternatives(alternatives), m_isOwn(isExport(table)), m_keys(keyColumns.begin(), keyColumns.end())
     {
         if (namesAnchors(table)) m_keys.emplace_back(anchorColumn);
-        m_seconds = table.column("seconds");
-        const auto response = table.column("response_seconds");
-        if (response && allPresent(*response)) m_seconds = response;
-        m_trial = table.column(isExport(table) && table.column("place") ? "place" : "trial");
+        m_trial = table.column(m_isOwn && table.column("place") ? "place" : "trial");
+        m_namesCatches = m_isOwn && !table.column(repetitionColumn);
+        chooseSeconds();
     }
 
     void writeInto(AnswerRows& rows)
     {
         for (const auto& numbers : {m_table.column("rating"), m_seconds})
             if (numbers) requireOneDecimalMark(m_table, *numbers);
+        rows.times = m_times;
         findQuestions(rows);
-        writeHeader(rows.table);
+        writeHeader(rows);
         for (std::size_t row = 0; row < m_table.rows.size(); ++row) addAnswer(rows, row);
         for (const std::string& column : m_table.columns)
             if (std::ranges::find(m_keys, column) == m_keys.end() &&
-                std::ranges::find(answerColumns, column) == answerColumns.end() && column != "place")
+                std::ranges::find(answerColumns, column) == answerColumns.end() &&
+                !(m_isOwn && std::ranges::find(ownColumns, column) != ownColumns.end()))
                 rows.unused.push_back(column);
     }
 
@@ -140,9 +146,9 @@ private:
     /// Columns of one question in the wide table.
     struct Columns {
         Kind kind = Kind::Words;
-        std::size_t first = 0;  ///< value, seconds, answer, trial, sitting
+        std::size_t first = 0;           ///< the parts of MadeColumn, in their order
+        std::optional<int> pieces = {};  ///< on the tray of a choice; none where the table does not tell
     };
-    static constexpr std::size_t columnsOfQuestion = 5;
 
     std::string cell(std::size_t row, const char* column) const
     {
@@ -153,6 +159,18 @@ private:
     {
         const auto index = m_table.column(column);
         return index && !protocols::isMissing(m_table.rows[row][*index]);
+    }
+    /// An own export is read by the rule of the study's report: times of two definitions must not meet in one table.
+    void chooseSeconds()
+    {
+        m_seconds = m_table.column("seconds");
+        const auto response = m_table.column("response_seconds");
+        if (m_isOwn && response) {
+            const bool allBegun = allPresent(*m_table.column("answer_begun_at"));
+            m_times = allBegun ? TimesTaken::ToBeginning : TimesTaken::ToEntry;
+            if (allBegun) m_seconds = response;
+        } else if (response && allPresent(*response))
+            m_seconds = response;
     }
     bool allPresent(std::size_t column) const
     {
@@ -174,14 +192,28 @@ private:
             else if (has(row, "rating") && columns.kind == Kind::Words)
                 columns.kind = Kind::Number;
         }
-        for (const std::string& id : m_order) rows.kinds.emplace(id, answerKindOf(m_questions[id].kind));
+        if (m_isOwn) countAlternatives(rows);
+        for (const std::string& id : m_order) rows.kinds.emplace(id, answerKindOf(m_questions[id]));
     }
 
-    protocols::AnswerKind answerKindOf(Kind kind) const
+    /// The tray of a choice holds its alternatives; that of same/different one piece.
+    void countAlternatives(AnswerRows& rows)
     {
-        switch (kind) {
+        for (std::size_t row = 0; row < m_table.rows.size(); ++row) {
+            Columns& columns = m_questions.at(cell(row, "question"));
+            if (columns.kind != Kind::Choice || !has(row, "correct")) continue;
+            const auto pieces = static_cast<int>(piecesIn(cell(row, "alternatives")).size());
+            if (columns.pieces && *columns.pieces != pieces) rows.mixedChoices.insert(cell(row, "question"));
+            columns.pieces = pieces;
+        }
+    }
+
+    protocols::AnswerKind answerKindOf(const Columns& columns) const
+    {
+        switch (columns.kind) {
             case Kind::Choice:
-                return protocols::ForcedChoice{m_alternatives};
+                if (columns.pieces == 1) return protocols::SameDifferent{};
+                return protocols::ForcedChoice{columns.pieces.value_or(0) > 1 ? *columns.pieces : m_alternatives};
             case Kind::Number:
                 return protocols::Rating{};
             case Kind::Words:
@@ -190,22 +222,42 @@ private:
         return protocols::Rating{};
     }
 
-    void writeHeader(CsvTable& wide)
+    static const char* valueColumn(Kind kind)
     {
+        return kind == Kind::Choice ? "correct" : kind == Kind::Number ? "rating" : "answer";
+    }
+
+    /// The names of made columns hold blanks: a question may be called like a column of the table.
+    void writeHeader(AnswerRows& rows)
+    {
+        std::vector<std::string>& names = rows.table.columns;
         for (const std::string_view key : m_keys)
-            if (m_table.column(key)) wide.columns.emplace_back(key);
+            if (m_table.column(key)) names.emplace_back(key);
+        if (m_namesCatches) names.emplace_back(repetitionColumn);
         for (const std::string& id : m_order) {
             Columns& columns = m_questions[id];
-            columns.first = wide.columns.size();
-            wide.columns.push_back(columns.kind == Kind::Choice ? id + "_correct" : id);
-            for (const char* suffix : {"_seconds", "_answer", "_trial", "_sitting"}) wide.columns.push_back(id + suffix);
+            columns.first = names.size();
+            int part = 0;
+            std::vector<const char*> parts{valueColumn(columns.kind), "seconds", "answer", "trial", "sitting"};
+            if (m_isOwn) parts.insert(parts.end(), {"slot", "touched_by", "entries", "late"});
+            for (const char* name : parts) {
+                rows.made[names.size()] = {id, static_cast<MadeColumn::Part>(part++)};
+                names.push_back(std::string(name) + " of " + id);
+            }
         }
     }
 
     void addAnswer(AnswerRows& rows, std::size_t row)
     {
+        if (m_isOwn && cell(row, "state") == "withdrawn") {
+            ++rows.ofWithdrawn;
+            return;
+        }
         if (const std::string voided = cell(row, "voided"); !protocols::isMissing(voided) && voided != "0") {
-            ++rows.voided;
+            // An own export names the presentation, which may have several answers.
+            const bool isNew =
+                !m_isOwn || m_voided.insert({cell(row, "participant"), cell(row, "trial"), cell(row, "attempt")}).second;
+            rows.voided += isNew ? 1 : 0;
             return;
         }
         std::vector<std::string> key;
@@ -213,6 +265,8 @@ private:
             if (const auto index = m_table.column(column)) key.push_back(m_table.rows[row][*index]);
         if (m_keys.back() == anchorColumn && m_trial && !protocols::isMissing(key.back()))
             key.back() += " " + m_table.rows[row][*m_trial];
+        // Blank glass may come several times beside one fabric.
+        if (m_namesCatches) key.push_back(cell(row, "condition") == protocols::catchTrialId().value ? cell(row, "trial") : "");
         const auto [place, isNew] = m_places.emplace(key, rows.table.rows.size());
         if (isNew) {
             rows.table.rows.push_back(key);
@@ -226,20 +280,38 @@ private:
                                        "one row an answer, or a column `repetition` or `session`",
                                        "name such a column by --map repetition=COLUMN"});
         const Columns& columns = m_questions.at(id);
-        std::string* out = &rows.table.rows[place->second][columns.first];
-        const char* value = columns.kind == Kind::Choice ? "correct" : columns.kind == Kind::Number ? "rating" : "answer";
-        out[0] = cell(row, value);
-        if (m_seconds) out[1] = m_table.rows[row][*m_seconds];
-        if (columns.kind == Kind::Choice) out[2] = cell(row, "answer");
-        if (m_trial) out[3] = m_table.rows[row][*m_trial];
-        out[4] = cell(row, "sitting");
-        static_assert(columnsOfQuestion == 5);
+        const auto put = [&](MadeColumn::Part part, const std::string& text) {
+            rows.table.rows[place->second][columns.first + static_cast<std::size_t>(part)] = text;
+        };
+        put(MadeColumn::Part::Value, cell(row, valueColumn(columns.kind)));
+        if (m_seconds) put(MadeColumn::Part::Seconds, m_table.rows[row][*m_seconds]);
+        if (columns.kind == Kind::Choice) put(MadeColumn::Part::Answer, cell(row, "answer"));
+        if (m_trial) put(MadeColumn::Part::Trial, m_table.rows[row][*m_trial]);
+        put(MadeColumn::Part::Sitting, cell(row, "sitting"));
+        if (!m_isOwn) return;
+        put(MadeColumn::Part::Slot, slotOf(row, answerKindOf(columns)));
+        put(MadeColumn::Part::TouchedBy, cell(row, "touched_by"));
+        put(MadeColumn::Part::Entries, cell(row, "entries"));
+        put(MadeColumn::Part::Late, cell(row, "late"));
+    }
+
+    /// The place of the answer among the alternatives, from 1; empty where it has none.
+    std::string slotOf(std::size_t row, const protocols::AnswerKind& kind) const
+    {
+        std::vector<protocols::FabricId> tray;
+        for (const std::string& piece : piecesIn(cell(row, "alternatives"))) tray.emplace_back(piece);
+        const auto place = placeAmongAlternatives(kind, tray, cell(row, "answer"));
+        return place ? std::to_string(*place + 1) : "";
     }
 
     const CsvTable& m_table;
     int m_alternatives;
+    bool m_isOwn;                          ///< an export of this program
     std::vector<std::string_view> m_keys;  ///< columns that belong to the whole row
     std::optional<std::size_t> m_seconds, m_trial;
+    TimesTaken m_times = TimesTaken::AsRecorded;
+    std::set<std::tuple<std::string, std::string, std::string>> m_voided;
+    bool m_namesCatches = false;  ///< by their trial, as repetitions
     std::map<std::string, Columns> m_questions;
     std::vector<std::string> m_order;
     std::map<std::vector<std::string>, std::size_t> m_places;

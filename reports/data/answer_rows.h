@@ -10,6 +10,7 @@
 
 #include "protocols/answer_kind.h"
 #include "protocols/files/csv_table.h"
+#include "reports/data/study_data.h"
 
 namespace reports {
 
@@ -18,11 +19,22 @@ struct AnswerRowsOptions {
     std::vector<std::pair<std::string, std::string>> names;  ///< meaning of a column, and its name in the file
 };
 
+/// What a column of the wide table holds that was made from a long one.
+struct MadeColumn {
+    enum class Part { Value, Seconds, Answer, Trial, Sitting, Slot, TouchedBy, Entries, Late };  ///< the last four: own exports
+    std::string question;
+    Part part = Part::Value;
+};
+
 struct AnswerRows {
     protocols::CsvTable table;                           ///< wide
+    std::map<std::size_t, MadeColumn> made;              ///< columns of a long table's questions
     std::map<std::string, protocols::AnswerKind> kinds;  ///< of questions that a long table holds
+    std::set<std::string> mixedChoices;                  ///< questions of an own export with several numbers of alternatives
     std::vector<std::string> unused;                     ///< columns of a long table that are not analysed
-    std::size_t voided = 0;                              ///< rows of a long table that are marked as void
+    std::size_t voided = 0;                              ///< rows marked as void; of an own export, presentations
+    std::size_t ofWithdrawn = 0;                         ///< rows of an own export by participants who withdrew
+    TimesTaken times = TimesTaken::AsRecorded;           ///< what the seconds are
     std::string taken;                                   ///< what the file was taken for; empty for a usual one
     bool isOwnExport = false;                            ///< answers.csv of this program, a public one, too
     bool hasAnchors = false;                             ///< the column "anchor" names anchors, and nothing else
@@ -31,11 +43,13 @@ struct AnswerRows {
 
 /// Reads a wide or a long table. A long one has a column `question` and one row an answer, with `correct` (right or wrong),
 /// `rating` or `answer` (words), and any of `seconds`, `repetition`, `session`, `group`, `trial`, `sitting`, `voided`. The
-/// answers.csv of this program is long. Its `response_seconds`, where every answer has them, are the seconds, and `place` is the
-/// trial. A column `anchor` whose values are mismatched, repeated or missing marks answers to anchors; in a long table their
-/// trial stands behind the word, so that two mismatches with one image stay two. A table of one question needs no column
-/// `question`: it is called Q1. TRUE and FALSE, also in German and French, are read as 1 and 0 in columns of right and wrong
-/// answers. Throws badInput as readForeignTable() does, for an unknown column of `names`, and for a doubled answer.
+/// answers.csv of this program is long. Its rows of participants who withdrew are left out. `place` is its trial, and
+/// `alternatives` tells how many answers a choice had. Its seconds are `response_seconds`, unless an answer has no stamp of its
+/// beginning. Another long table may have such a column, too: it counts where every answer has a value. A column `anchor` whose
+/// values are mismatched, repeated or missing marks answers to anchors; in a long table their trial stands behind the word, so
+/// that two mismatches with one image stay two. A table of one question needs no column `question`: it is called Q1. TRUE and
+/// FALSE, also in German and French, are read as 1 and 0 in columns of right and wrong answers. Throws badInput as
+/// readForeignTable() does, for an unknown column of `names`, and for a doubled answer.
 AnswerRows readAnswerRows(const std::filesystem::path& file, const AnswerRowsOptions& options, int alternatives);
 
 /// The words that columns of right and wrong answers may hold instead of 1 and 0: "true/false, wahr/falsch, ...".

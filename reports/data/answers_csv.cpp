@@ -43,9 +43,8 @@ public:
             m_data.questions.push_back(known.info);
         }
         if (m_data.responses.empty()) fail("there are no answers", m_where, "at least one row with an answer");
-        for (const auto& [cell, rows] : m_rowsOfCell) m_data.answersPerCell = std::max(m_data.answersPerCell, rows);
-        m_data.expectedResponses = m_data.answersPerCell * m_data.participants.size() * m_data.fabrics.size() *
-                                   m_data.conditions.size() * m_data.questions.size();
+        countAnswersOfCells();
+        m_data.times = m_rows.times;
         m_data.voided = m_rows.voided;
         m_data.choicesRepeatedAnew = m_rows.choicesRepeatedAnew;
         putInOrder();
@@ -118,7 +117,11 @@ private:
         if (!unused.empty()) m_options.note(m_where + ": not analysed: " + listed(unused));
         if (m_hasOtherScale)
             m_options.note(m_where + ": some ratings are outside 0 to 10; name their scale by --scale LOW,HIGH or by --protocol");
-        if (m_rows.voided > 0) m_options.note(m_where + ": " + counted(m_rows.voided, "voided answer") + " left out");
+        if (m_rows.voided > 0)
+            m_options.note(m_where + ": " + counted(m_rows.voided, m_rows.isOwnExport ? "voided presentation" : "voided answer") +
+                           " left out");
+        if (m_rows.ofWithdrawn > 0)
+            m_options.note(m_where + ": " + counted(m_rows.ofWithdrawn, "answer") + " of participants who withdrew left out");
     }
 
     void readDesign(const protocols::Protocol& protocol)
@@ -135,6 +138,22 @@ private:
         design.contrasts = m_data.planned.size();
         design.equivalenceBounds = protocol.equivalenceBounds;
         design.protocolSha256 = m_data.protocolInUse = m_options.protocolSha256;
+    }
+
+    /// A question has as many answers in a cell as the cell with the most; phases may differ in it.
+    void countAnswersOfCells()
+    {
+        std::map<std::string, std::map<std::tuple<std::string, std::string, std::string>, std::size_t>> counts;
+        for (const StudyResponse& response : m_data.responses)
+            ++counts[response.question][{response.participant, response.fabric, response.condition}];
+        const std::size_t cells = m_data.participants.size() * m_data.fabrics.size() * m_data.conditions.size();
+        for (QuestionInfo& question : m_data.questions) {
+            question.answersPerCell = 1;
+            for (const auto& [cell, answers] : counts[question.id])
+                question.answersPerCell = std::max(question.answersPerCell, answers);
+            m_data.answersPerCell = std::max(m_data.answersPerCell, question.answersPerCell);
+            m_data.expectedResponses += question.answersPerCell * cells;
+        }
     }
 
     static void remember(std::vector<std::string>& names, const std::string& name)
@@ -216,6 +235,12 @@ private:
         return *taken > *given->deadlineSeconds;
     }
 
+    /// As the export says; none without a deadline or a time.
+    std::optional<bool> lateIn(std::size_t row, std::size_t column) const
+    {
+        return cell(row, column).empty() ? std::nullopt : std::optional(cell(row, column) == "1");
+    }
+
     void readGroup(std::size_t row, const std::string& participant)
     {
         if (!m_table.column("group")) return;
@@ -240,7 +265,6 @@ private:
                      " occur twice",
                  nameOf(row),
                  "one row a participant, fabric and condition, or a column `repetition`, `session` or `instruction`");
-        if (anchor.empty()) ++m_rowsOfCell[{participant, fabric, condition}];
         readGroup(row, participant);
         remember(m_data.participants, participant);
         const bool isCatch = m_rows.isOwnExport && condition == protocols::catchTrialId().value;
@@ -262,7 +286,9 @@ private:
                 response.sitting = sitting ? countIn(row, sitting) : session;
                 response.instruction = instruction;
                 learnInstruction(columns, instruction);
-                response.late = isLate(columns.info, instruction, taken);
+                response.late = columns.late ? lateIn(row, *columns.late) : isLate(columns.info, instruction, taken);
+                if (columns.touchedBy) response.touchedBy = cell(row, *columns.touchedBy);
+                response.entries = countIn(row, columns.entries);
                 responsesOf(anchor, isCatch).push_back(std::move(response));
             }
     }
@@ -284,8 +310,8 @@ private:
         if (!number) return std::nullopt;
         constexpr double largest = 1e9;
         if (!(*number >= 1 && *number <= largest) || *number != std::floor(*number))
-            fail("\"" + cell(row, *column) + "\" is not a number of a trial or sitting",
-                 nameOf(row) + ", column " + m_table.columns[*column], "a whole number from 1");
+            fail("\"" + cell(row, *column) + "\" is not a whole number", nameOf(row) + ", column " + m_table.columns[*column],
+                 "a whole number from 1");
         return static_cast<int>(*number);
     }
 
@@ -310,8 +336,9 @@ private:
             fail("\"" + protocols::inShort(score, 60) + "\" is neither right nor wrong", place,
                  "0 or 1; or one of the words " + wordsForScores(),
                  "replace the words; where another column holds the right answers, name it by --map " +
-                     m_table.columns[*columns.value] + "=COLUMN");
+                     (m_rows.made.contains(*columns.value) ? "correct" : m_table.columns[*columns.value]) + "=COLUMN");
         ChosenAnswer choice{number == 1.0, {}, {}};
+        if (const auto slot = countIn(row, columns.slot)) choice.slot = *slot - 1;
         if (columns.answer && !protocols::isMissing(cell(row, *columns.answer))) choice.answer = cell(row, *columns.answer);
         return choice;
     }
@@ -350,7 +377,6 @@ private:
     std::map<std::string, std::vector<std::string>> m_sessions;  ///< of each participant, in the order of the rows
     /// Cells with their repetitions and anchors.
     std::set<std::tuple<std::string, std::string, std::string, std::string, std::string>> m_seen;
-    std::map<std::tuple<std::string, std::string, std::string>, std::size_t> m_rowsOfCell;
 };
 
 }  // namespace

@@ -21,7 +21,7 @@ namespace reports {
 struct AnswersCsvOptions {
     std::optional<protocols::Protocol> protocol;  ///< bounds, planned contrasts, kinds and sentences of the questions
     std::string protocolSha256;                   ///< hash of the protocol's file
-    int alternatives = 3;                         ///< m of choices that the protocol does not describe
+    int alternatives = 3;                         ///< m of choices that neither protocol nor own export describes
     AnswerRowsOptions rows = {};                  ///< encoding, and names of columns
     std::optional<std::pair<double, double>> equivalenceBounds = {};  ///< instead of the protocol's
     std::vector<std::pair<std::string, std::string>> planned = {};    ///< contrasts instead of the protocol's

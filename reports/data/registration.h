@@ -26,6 +26,9 @@ std::string timingText(std::size_t answersBefore, bool afterUnblinding);
 /// Whether a plan was registered before anything could be known.
 bool isInTime(const Registration& registration);
 
+/// Name of the bounds among the parts of a plan that a protocol changed (StudyData::protocolChanges).
+inline constexpr const char* equivalenceBoundsChanged = "equivalence bounds";
+
 /// The numbers and names of a plan.
 struct PlannedDesign {
     std::size_t participants = 0;

@@ -78,20 +78,36 @@ using Scoring = std::variant<RightOrWrong, NumberOnScale, OpenWords>;
 /// The only place of the report that knows the kinds of answer one by one.
 Scoring scoringOf(const protocols::AnswerKind& kind);
 
+/// One wording of a sentence that was read to participants, where the protocol was amended between them.
+struct SentenceWording {
+    std::string text;
+    std::vector<int> versions;  ///< of the protocol
+    std::vector<std::string> participants;
+};
+
 /// What a block asked of the participant's speed: one level of the factor "instruction".
 struct InstructionInfo {
     std::string id;
     std::string text = {};  ///< the sentence that was said; empty: unknown
     std::optional<double> deadlineSeconds = {};
+    std::vector<SentenceWording> wordings = {};  ///< several ones; empty where `text` is the only one
 };
 
 struct QuestionInfo {
     std::string id;
-    std::string text;
+    std::string text;  ///< of several wordings, the last one
     protocols::AnswerKind kind;
     std::vector<InstructionInfo> instructions = {};  ///< in the order of every table; empty: none were given
     std::size_t answersPerCell = 0;                  ///< most answers by one participant x fabric x condition; 0: as in the study
     std::size_t presentations = 0;                   ///< to a participant, with catch trials and anchors; 0: those of all cells
+    std::vector<SentenceWording> wordings = {};      ///< several ones; empty where `text` is the only one
+};
+
+/// A version of an amended protocol.
+struct FollowedVersion {
+    int version = 1;
+    std::string sha256;
+    std::size_t participants = 0;  ///< analysed ones with answers who followed it
 };
 
 /// What a display measured of the finger in one presentation. A value is missing where it has no sensor, or saw too little.
@@ -142,9 +158,12 @@ struct StudyData {
     bool boundsStated = false;  ///< a protocol stated them; false: they are the default of this program
     std::vector<std::pair<std::string, std::string>> planned;  ///< the primary one first; empty while blinded
     std::optional<PlannedDesign> plannedDesign;                ///< none: neither a registered plan nor a protocol is known
-    bool hasLog = false;                       ///< false: nobody could have registered a plan that this program knows
-    std::vector<Registration> registrations;   ///< in their order
-    std::string protocolInUse;                 ///< SHA-256 of the latest protocol of the study
+    bool hasLog = false;                            ///< false: nobody could have registered a plan that this program knows
+    std::vector<Registration> registrations;        ///< in their order
+    std::string protocolInUse;                      ///< SHA-256 of the latest protocol of the study
+    std::vector<FollowedVersion> protocolVersions;  ///< empty where the protocol was never amended
+    /// Version of an amended protocol that states the plan, because no registration is followed; 0: there is no need to say it.
+    int planVersion = 0;
     std::vector<std::string> protocolChanges;  ///< parts in which it differs from the plan: "equivalence bounds"
     std::vector<StudyResponse> responses;
     std::vector<StudyResponse> catchResponses;  ///< to blank glass; only quality flags use them

@@ -25,6 +25,7 @@ Json instructedRow(const std::vector<std::string>& conditions, const InstructedS
 {
     Json row{{"id", under.instruction.id}};
     if (!under.instruction.text.empty()) row["text"] = under.instruction.text;
+    putWordings(row, under.instruction.wordings);
     if (under.instruction.deadlineSeconds) row["deadline_seconds"] = *under.instruction.deadlineSeconds;
     row["answers"] = under.answers;
     if (under.instruction.deadlineSeconds) {
@@ -97,6 +98,12 @@ Json instructionsJson(const std::vector<std::string>& conditions, const Instruct
     part["anova_proportion"] = anovaJson(analysis.shares);
     part["anova_log_seconds"] = anovaJson(analysis.logSeconds);
     return part;
+}
+
+void putWordings(Json& row, const std::vector<SentenceWording>& wordings)
+{
+    for (const SentenceWording& one : wordings)
+        row["wordings"].push_back({{"text", one.text}, {"protocol_versions", one.versions}, {"participants", one.participants}});
 }
 
 }  // namespace reports

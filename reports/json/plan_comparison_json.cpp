@@ -27,6 +27,8 @@ void putRegistration(Json& part, const StudyData& data)
         part["after_unblinding"] = first.afterUnblinding;
         for (const Registration& registration : data.registrations)
             if (registration.isFollowed) part["followed"] = registration.number;
+        if (data.planVersion > 0)
+            putNull(part, "followed", "the registered plan changes what the protocol stated before the first answer");
         return;
     }
     const std::string why = data.hasLog ? "the study was not preregistered" : "the answers came without a registration";
@@ -40,6 +42,7 @@ nlohmann::ordered_json preregistrationJson(const StudyAnalysis& analysis)
     const StudyData& data = analysis.data;
     Json part{{"registered", !data.registrations.empty()}};
     putRegistration(part, data);
+    if (data.planVersion > 0) part["protocol_version"] = data.planVersion;
     part["amendments"] = Json::array();
     for (std::size_t i = 1; i < data.registrations.size(); ++i) part["amendments"].push_back(amendmentRow(data.registrations[i]));
     if (data.plannedDesign) {

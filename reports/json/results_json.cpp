@@ -24,6 +24,9 @@ Json studyPart(const StudyData& data, const ReportOrigin& origin)
         putNull(study, "protocol_sha256", "the answers came without a protocol");
     else
         study["protocol_sha256"] = data.protocolSha256;
+    for (const FollowedVersion& one : data.protocolVersions)
+        study["protocol_versions"].push_back(
+            {{"version", one.version}, {"sha256", one.sha256}, {"participants", one.participants}});
     study["participants"] = data.participants.size();
     study["fabrics"] = data.fabrics.size();
     study["blinded"] = data.blinded;

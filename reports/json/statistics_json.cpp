@@ -8,6 +8,7 @@
 #include "reports/json/choice_statistics_json.h"
 #include "reports/json/effects_json.h"
 #include "reports/json/group_json.h"
+#include "reports/json/instructions_json.h"
 #include "reports/json/json_members.h"
 #include "reports/json/model_json.h"
 #include "reports/json/ordinal_json.h"
@@ -42,6 +43,7 @@ NumberOnScale commonScale(const StudyAnalysis& analysis)
 Json questionRow(const QuestionAnalysis& question, const NumberOnScale& common)
 {
     Json row{{"id", question.question.id}, {"text", question.question.text}, {"kind", scoringName(question.question)}};
+    putWordings(row, question.question.wordings);
     const auto* ratings = std::get_if<RatingAnalysis>(&question.findings);
     if (ratings != nullptr && ratings->scale != common) row["scale"] = {ratings->scale.min, ratings->scale.max};
     return row;
@@ -270,6 +272,7 @@ Json questionsOfBlinded(const StudyData& data)
     Json questions = Json::array();
     for (const QuestionInfo& question : data.questions) {
         Json row{{"id", question.id}, {"text", question.text}, {"kind", scoringName(question)}};
+        putWordings(row, question.wordings);
         if (const Scoring scoring = scoringOf(question.kind); const auto* scale = std::get_if<NumberOnScale>(&scoring))
             row["scale"] = {scale->min, scale->max};
         questions.push_back(std::move(row));

@@ -8,6 +8,7 @@
 #include "reports/cells/finger_motion.h"
 #include "reports/cells/response_time.h"
 #include "reports/page/anchor_text.h"
+#include "reports/page/plan_section.h"
 #include "reports/text/number_text.h"
 #include "reports/text/plain_words.h"
 
@@ -131,6 +132,13 @@ std::string pairsParagraph()
            "these fabrics only. d<sub>z</sub> is the mean difference divided by the SD of the differences.";
 }
 
+/// Empty where the latest protocol has the bounds of the plan.
+std::string laterBoundsSentence(const StudyData& data)
+{
+    if (std::ranges::find(data.protocolChanges, equivalenceBoundsChanged) == data.protocolChanges.end()) return "";
+    return " The latest version of the protocol states other bounds. They are not used, because they came after the plan.";
+}
+
 std::string equivalenceParagraph(const StudyData& data)
 {
     const std::string bounds = boundsText(data) + " scale points";
@@ -139,7 +147,7 @@ std::string equivalenceParagraph(const StudyData& data)
            "renderings, or generated and measured signals, are alike. Published work has read p &lt; 0.05 of a t test as "
            "&ldquo;the averages are close&rdquo;, which reverses the meaning of the test. Likeness is tested here by two "
            "one-sided tests. " +
-           (data.boundsStated ? "The protocol states their bounds: " + bounds + "."
+           (data.boundsStated ? planSource(data) + " states their bounds: " + bounds + "." + laterBoundsSentence(data)
                               : "Their bounds are the default of this program, " + bounds + ": no protocol stated any.") +
            " Both tests must reject at 5 %. Without a correction they do so exactly when the 90 % interval lies inside the "
            "bounds. A "

@@ -1,5 +1,7 @@
 #include "reports/page/plan_section.h"
 
+#include <algorithm>
+
 #include "protocols/files/markup_text.h"
 #include "reports/page/html_parts.h"
 #include "reports/text/condition_label.h"
@@ -15,10 +17,18 @@ std::string registrationSentence(const StudyData& data)
     if (!data.hasLog)
         return data.plannedDesign ? "A protocol came with the answers. No registration of it is known."
                                   : "Neither a registration nor a protocol came with the answers: no plan is known.";
-    if (data.registrations.empty()) return "The study was not preregistered. The plan is that of its first protocol.";
+    if (data.registrations.empty() && data.planVersion == 0)
+        return "The study was not preregistered. The plan is that of its first protocol.";
+    const std::string ofVersion = "The plan is that of version " + std::to_string(data.planVersion) +
+                                  " of its protocol, the last one before the first answer.";
+    if (data.registrations.empty()) return "The study was not preregistered. " + ofVersion;
     const Registration& first = data.registrations.front();
-    return "Preregistered on " + escapedMarkup(first.time) + ", " + timingText(first.answersBefore, first.afterUnblinding) +
-           ", SHA-256 <code>" + escapedMarkup(first.sha256) + "</code>.";
+    const std::string registered = "Preregistered on " + escapedMarkup(first.time) + ", " +
+                                   timingText(first.answersBefore, first.afterUnblinding) + ", SHA-256 <code>" +
+                                   escapedMarkup(first.sha256) + "</code>.";
+    if (data.planVersion == 0) return registered;
+    return registered + " This plan is not followed, because it changes what the protocol stated before the first answer. " +
+           ofVersion;
 }
 
 std::string amendmentSentences(const StudyData& data)
@@ -67,6 +77,13 @@ std::string planLead(const StudyAnalysis& analysis)
     html += paragraph(deviationSentence(analysis.plan));
     if (const std::string untested = untestedSentence(analysis.plan); !untested.empty()) html += paragraph(untested);
     return html;
+}
+
+std::string planSource(const StudyData& data)
+{
+    const bool isOther = std::ranges::find(data.protocolChanges, equivalenceBoundsChanged) != data.protocolChanges.end();
+    if (data.planVersion > 0) return "Version " + std::to_string(data.planVersion) + " of the protocol";
+    return isOther && !data.registrations.empty() ? "The registered plan" : "The protocol";
 }
 
 std::vector<std::string> planFindings(const StudyAnalysis& analysis)

@@ -14,4 +14,7 @@ std::string planLead(const StudyAnalysis& analysis);
 /// Sentences for the summary, as HTML: the registration, and the number of deviations. None where no plan is known.
 std::vector<std::string> planFindings(const StudyAnalysis& analysis);
 
+/// What states the bounds of equivalence: "The protocol", "Version 2 of the protocol", "The registered plan".
+std::string planSource(const StudyData& data);
+
 }  // namespace reports

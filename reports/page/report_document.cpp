@@ -49,9 +49,11 @@ std::string footerOf(const StudyData& data, const std::string& logHead)
 {
     const std::string head =
         logHead.empty() ? "" : " Head of the study's log: <code>" + protocols::escapedMarkup(logHead) + "</code>.";
-    const std::string hash = data.protocolSha256.empty()
-                                 ? ""
-                                 : " Protocol SHA-256: <code>" + protocols::escapedMarkup(data.protocolSha256) + "</code>.";
+    std::vector<std::string> hashes;
+    for (const FollowedVersion& one : data.protocolVersions)
+        hashes.push_back("version " + std::to_string(one.version) + " <code>" + protocols::escapedMarkup(one.sha256) + "</code>");
+    if (hashes.empty()) hashes.push_back("<code>" + protocols::escapedMarkup(data.protocolSha256) + "</code>");
+    const std::string hash = data.protocolSha256.empty() ? "" : " Protocol SHA-256: " + listed(hashes) + ".";
     const std::string files =
         data.blinded ? "The same numbers are in <code>results.json</code> and <code>tables/</code> beside this page."
                      : "All numbers with full digits are in <code>results.json</code>, <code>statistics.json</code>, "

@@ -33,19 +33,37 @@ std::string summaryLead(const StudyAnalysis& analysis)
                   countTile(data.voided, "presentation", " voided"), countTile(analysis.flags.size(), "quality flag")});
 }
 
+/// "3 participants, version 2 of the protocol".
+std::string whoText(const SentenceWording& wording)
+{
+    std::vector<std::string> versions;
+    for (const int version : wording.versions) versions.push_back(std::to_string(version));
+    return counted(wording.participants.size(), "participant") + ", " + pluralOf(versions.size(), "version") + " " +
+           listed(versions) + " of the protocol";
+}
+
+/// The sentence in quotation marks, with its wording and a remark in brackets where there are any.
+std::string quotedWording(const QuestionInfo& asked, const std::string& words, const std::string& remark)
+{
+    const std::string wording = protocols::wordingOf(protocols::QuestionId(asked.id), asked.kind, words);
+    const std::string remarks = wording + (wording.empty() || remark.empty() ? "" : "; ") + remark;
+    return "\u201C" + protocols::escapedMarkup(words) + "\u201D" +
+           (remarks.empty() ? "" : " (" + protocols::escapedMarkup(remarks) + ")");
+}
+
 /// The questions of one kind with the sentences that were read to the participants.
 template <class Findings>
 std::string questionTexts(const StudyAnalysis& analysis)
 {
     std::string text;
     for (const auto& question : questionsWith<Findings>(analysis)) {
-        const std::string& words = question.analysis.question.text;
-        if (words.empty()) continue;
-        text += (text.empty() ? "" : "<br>") + ("<b>" + protocols::escapedMarkup(question.id())) + "</b> \u201C" +
-                protocols::escapedMarkup(words) + "\u201D";
-        const auto& asked = question.analysis.question;
-        const std::string wording = protocols::wordingOf(protocols::QuestionId(asked.id), asked.kind, words);
-        if (!wording.empty()) text += " (" + protocols::escapedMarkup(wording) + ")";
+        const QuestionInfo& asked = question.analysis.question;
+        if (asked.text.empty()) continue;
+        text += (text.empty() ? "<b>" : "<br><b>") + protocols::escapedMarkup(question.id()) + "</b> ";
+        if (asked.wordings.empty()) text += quotedWording(asked, asked.text, "");
+        std::vector<std::string> wordings;
+        for (const SentenceWording& one : asked.wordings) wordings.push_back(quotedWording(asked, one.text, whoText(one)));
+        text += listed(wordings);
     }
     return text.empty() ? text : paragraph(text);
 }
@@ -53,7 +71,7 @@ std::string questionTexts(const StudyAnalysis& analysis)
 std::string claimsLead(const StudyData& data)
 {
     const std::string bounds =
-        data.boundsStated ? "The protocol states the bounds of equivalence."
+        data.boundsStated ? planSource(data) + " states the bounds of equivalence."
                           : "No protocol came with the answers: the bounds of equivalence are the default of this program.";
     return paragraph(
         "Each contrast has two rows. &ldquo;These fabrics&rdquo; asks what other participants would show on the same fabrics. "

@@ -30,6 +30,13 @@ QString ServerBar::faultOf(const database::StationStore::Link& link)
     return text;
 }
 
+QString ServerBar::lossOf(const database::StationStore::Link& link)
+{
+    if (!link.lostAfter) return {};
+    return tr("The server lost entries after entry %1 that this station had seen. Ask the study's owner before anybody goes on.")
+        .arg(*link.lostAfter);
+}
+
 QString ServerBar::clockFaultOf(const database::StationStore::Link& link)
 {
     const auto seconds = link.clockAhead.count();
@@ -45,7 +52,7 @@ void ServerBar::present(const std::optional<database::StationStore::Link>& link)
     QStringList faults;
     for (const QString& line : QString::fromStdString(link->setAside).split('\n', Qt::SkipEmptyParts))
         faults << inOwnLanguage(line);
-    for (const QString& fault : {faultOf(*link), clockFaultOf(*link)})
+    for (const QString& fault : {lossOf(*link), faultOf(*link), clockFaultOf(*link)})
         if (!fault.isEmpty()) faults << fault;
     if (faults.isEmpty())
         showDone(tr("Station %1: every answer is on the server.").arg(QString::fromStdString(link->station)));

@@ -17,6 +17,7 @@ public:
 private:
     /// Why no entry reaches the server; empty where each does.
     static QString faultOf(const database::StationStore::Link& link);
+    static QString lossOf(const database::StationStore::Link& link);
     static QString clockFaultOf(const database::StationStore::Link& link);
 };
 

@@ -9,6 +9,7 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/safe_text.h"
+#include "rendering/fabrics/recordings/import_sources.h"
 #include "rendering/fabrics/recordings/photograph_files.h"
 #include "rendering/models/cloth/cloth_check.h"
 #include "rendering/models/exchange.h"
@@ -63,9 +64,11 @@ std::vector<std::filesystem::path> picturesOf(const std::string& place)
     std::vector<std::filesystem::path> files;
     const auto endings = rendering::fabrics::photographEndings();
     if (!std::filesystem::is_directory(place)) return {place};
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(place))
-        if (entry.is_regular_file() && std::ranges::find(endings, entry.path().extension().string()) != endings.end())
-            files.push_back(entry.path());
+    for (std::filesystem::recursive_directory_iterator entry(place), end; entry != end; ++entry)
+        if (rendering::fabrics::isHidden(entry->path()))
+            entry.disable_recursion_pending();
+        else if (entry->is_regular_file() && std::ranges::find(endings, entry->path().extension().string()) != endings.end())
+            files.push_back(entry->path());
     if (files.empty())
         throw protocols::badInput({"there are no pictures", place, "PNG, JPEG or TIFF files", "name another folder"});
     std::ranges::sort(files);

@@ -39,17 +39,21 @@ int exportStudy(const ExportCall& call)
     const auto store = records::openStudy(study);
     const std::string whyNoMeans =
         exports::writeExport(store, out, {format, withLog, withSamples, isPublic, licence, authors}, passphraseFrom(passphrase));
-    const std::size_t words = isPublic ? exports::answersInWords(store) : 0;
+    const auto leftOut = isPublic ? exports::answersLeftOut(store) : exports::LeftOutAnswers();
     std::printf("%s: %s as %s%s\n", protocols::printable(out).c_str(),
-                reports::counted(store.answerCount() - words, "answer").c_str(), format.c_str(),
+                reports::counted(store.answerCount() - leftOut.ofWithdrawn - leftOut.inWords, "answer").c_str(), format.c_str(),
                 store.unblinding() ? "" : ", blinded (no condition, no true piece)");
     if (!whyNoMeans.empty()) std::printf("  %s\n", whyNoMeans.c_str());
     std::printf("  log head %s\n", records::headTextOf(store).c_str());
     if (withLog) std::printf("  log.csv holds the log, acts.csv what was exported and saved; log.txt says how to check both\n");
     if (isPublic)
-        std::printf("  no days, notes or words are in it%s; LICENSE.txt says %s\n",
-                    words == 0 ? "" : (" (" + reports::counted(words, "answer") + " in words left out)").c_str(),
-                    protocols::printable(licence).c_str());
+        std::printf(
+            "  no days, notes or words are in it%s; LICENSE.txt says %s\n",
+            leftOut.inWords == 0 ? "" : (" (" + reports::counted(leftOut.inWords, "answer") + " in words left out)").c_str(),
+            protocols::printable(licence).c_str());
+    if (leftOut.ofWithdrawn > 0)
+        std::printf("  %s of participants who withdrew %s left out\n", reports::counted(leftOut.ofWithdrawn, "answer").c_str(),
+                    leftOut.ofWithdrawn == 1 ? "is" : "are");
     if (isPublic && authors.empty()) std::printf("  name the authors in CITATION.cff, or export again with --author NAME\n");
     if (withSamples) std::printf("  finger_samples.csv holds what the display measured of the fingers\n");
     recordAct(store, "export", out);
@@ -104,7 +108,8 @@ void addExport(CLI::App& app, Action& action)
         command->add_flag("--with-samples", call->withSamples,
                           "add what displays measured of the fingers (finger_samples.csv); unblinded studies only");
     auto* isPublic = command->add_flag(
-        "--public", call->isPublic, "leave out days, notes and words, and add LICENSE.txt and CITATION.cff; unblinded studies");
+        "--public", call->isPublic,
+        "leave out days, notes, words and answers of those who withdrew; add LICENSE.txt and CITATION.cff; unblinded studies");
     command->add_option("--licence", call->licence, "with --public: SPDX identifier of the licence")
         ->check(isSpdxIdentifier())
         ->needs(isPublic)

@@ -53,6 +53,7 @@ int backup(const std::string& study, const std::string& out)
                 protocols::printable(study).c_str(), store.answers().size());
     std::printf("  log head %s\n", records::headTextOf(store).c_str());
     recordAct(store, "backup", out, faults);
+    noteIfReadByAll(out);
     if (const auto acts = headOfActs(store); acts.sequence > 0) std::printf("  acts head %s\n", textOf(acts).c_str());
     return 0;
 }

@@ -1,13 +1,11 @@
 // vis2hap power: the effects that a planned study can detect, before any participant takes part. With --calibrate: how often
 // each test of the report rejects in studies without a difference. With --planted: how often its claims find a difference.
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
-#include "protocols/files/number_text.h"
 #include "protocols/files/safe_text.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
@@ -37,7 +35,7 @@ struct PowerPlan {
     std::size_t calibrate = 0;  ///< studies; 0: no calibration
     std::size_t planted = 0;    ///< studies of each truth; 0: no planted differences
     std::uint64_t seed = 1;
-    std::string question = {};  ///< whose scale the ratings have; empty: the first rated question
+    std::string question = {};  ///< whose scale or alternatives the answers have; empty: the first of each kind
 };
 
 struct PowerCall {
@@ -55,20 +53,13 @@ struct CountsOfRun {
     std::shared_ptr<analyse::SharedCounts> recorded, taken;  ///< of a shard; of a merged run, which simulates nothing
 };
 
-/// The question whose scale the simulated ratings have.
-struct RatedQuestion {
-    std::string id;
-    protocols::RatingScale scale;
-    std::vector<std::string> others;  ///< questions with another scale
-};
-
 struct PowerResults {
     protocols::Protocol protocol;
     stats::PowerOptions options;
     std::vector<stats::PlannedTest> tests;
     std::vector<stats::CalibrationRow> calibration;
     std::vector<stats::PlantedCell> cells;
-    std::optional<RatedQuestion> rated = {};  ///< none where no question is rated
+    analyse::TestedQuestions tested;
 };
 
 ordered_json optionsOf(const PowerPlan& plan)
@@ -147,62 +138,11 @@ std::vector<stats::PlantedCell> planted(const protocols::Protocol& protocol, con
     return stats::plantedCells(planted);
 }
 
-bool isSameScale(const protocols::RatingScale& a, const protocols::RatingScale& b)
-{
-    return a.min == b.min && a.max == b.max && a.step == b.step;
-}
-
-/// The rated question of this name, or the first one where the name is empty. Throws badInput for a name that no rated question
-/// has.
-std::optional<RatedQuestion> ratedQuestionOf(const protocols::Protocol& protocol, const std::string& name)
-{
-    std::vector<std::pair<std::string, protocols::RatingScale>> all;
-    for (const protocols::Phase& phase : protocol.phases)
-        for (const protocols::Question& question : phase.questions)
-            if (const auto* rating = std::get_if<protocols::Rating>(&question.kind))
-                all.emplace_back(question.id.value, rating->scale);
-    const auto found = std::ranges::find_if(all, [&](const auto& one) { return name.empty() || one.first == name; });
-    if (found == all.end() && !name.empty()) {
-        std::string names;
-        for (const auto& [id, scale] : all) names += (names.empty() ? "" : ", ") + id;
-        throw protocols::badInput({"the protocol has no rated question \"" + name + "\"", "--question",
-                                   names.empty() ? "no such option, because nothing is rated" : "one of " + names, ""});
-    }
-    if (found == all.end()) return std::nullopt;
-    RatedQuestion rated{found->first, found->second, {}};
-    for (const auto& [id, scale] : all)
-        if (!isSameScale(scale, rated.scale)) rated.others.push_back(id);
-    return rated;
-}
-
-/// Which ratings the numbers are for, and how to get those of another scale.
-void printRated(const RatedQuestion& rated)
-{
-    const auto number = [](protocols::Tenths tenths) { return protocols::shortest(tenths.inScaleUnits()); };
-    std::string line = "The ratings are those of " + rated.id + ", from " + number(rated.scale.min) + " to " +
-                       number(rated.scale.max) + " in steps of " + number(rated.scale.step) + ".";
-    if (!rated.others.empty()) {
-        line += " Another scale:";
-        for (const std::string& id : rated.others) line += " " + id;
-        line += "; see it by --question " + rated.others.front() + ".";
-    }
-    std::printf("%s\n", protocols::printable(line).c_str());
-}
-
-void putRated(ordered_json& json, const RatedQuestion& rated)
-{
-    json["rated"] = {{"question", rated.id},
-                     {"scale", {rated.scale.min.inScaleUnits(), rated.scale.max.inScaleUnits()}},
-                     {"step", rated.scale.step.inScaleUnits()},
-                     {"questions_with_other_scales", rated.others}};
-}
-
 PowerResults resultsOf(const PowerPlan& plan, const std::string& where, CountsOfRun& counts)
 {
     PowerResults results{protocols::protocolFromJson(plan.protocol, where), {}, {}, {}, {}, {}};
-    results.options = analyse::powerOptionsOf(results.protocol);
-    results.rated = ratedQuestionOf(results.protocol, plan.question);
-    if (results.rated) results.options.ratings = analyse::ratingTruthOf(results.rated->scale);
+    results.tested = analyse::testedQuestions(results.protocol, plan.question);
+    results.options = analyse::powerOptionsOf(results.protocol, results.tested);
     if (plan.participants) results.options.design.participants = static_cast<std::size_t>(*plan.participants);
     results.options.simulation.studies = plan.studies;
     results.options.simulation.seed = plan.seed;
@@ -214,10 +154,10 @@ PowerResults resultsOf(const PowerPlan& plan, const std::string& where, CountsOf
 
 void show(const PowerResults& results, const JsonTarget& target)
 {
-    const auto& [protocol, options, tests, calibration, cells, rated] = results;
+    const auto& [protocol, options, tests, calibration, cells, tested] = results;
     if (!target) {
         analyse::printDesign(protocol.name, options);
-        if (rated) printRated(*rated);
+        std::fputs(protocols::printableLines(analyse::textOf(tested)).c_str(), stdout);
         analyse::printTests(tests);
         if (!calibration.empty()) analyse::printCalibration(calibration);
         if (!cells.empty()) analyse::printPlanted(cells);
@@ -225,7 +165,7 @@ void show(const PowerResults& results, const JsonTarget& target)
     }
     ordered_json json{{"schema", "vis2hap.power/1"}, {"protocol", protocol.name}};
     analyse::putDesign(json, options);
-    if (rated) putRated(json, *rated);
+    analyse::putTested(json, tested);
     analyse::putTests(json, tests);
     if (!calibration.empty()) analyse::putCalibration(json, calibration);
     if (!cells.empty()) analyse::putPlanted(json, cells);
@@ -277,7 +217,8 @@ void addPower(CLI::App& app, Action& action)
         ->check(CLI::Range(std::size_t{2}, mostParticipants));
     command
         ->add_option("--question", call->plan.question,
-                     "rated question whose scale the ratings have (default: the first rated question)")
+                     "question whose scale the ratings have, or whose alternatives the choices have (default: the first rated "
+                     "question and the first choice)")
         ->type_name("ID");
     command->add_option("--studies", call->plan.studies, "number of simulated studies for each effect")
         ->check(CLI::Range(std::size_t{20}, mostStudies))

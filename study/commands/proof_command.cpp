@@ -61,6 +61,7 @@ int makeSigningKey(const KeyCall& call)
     protocols::writeWholeFile(openFile, protocols::pemOf(protocols::publicKeyOf(seed)));
     std::printf("%s: the signing key; keep it secret, and away from the studies\n", protocols::printable(call.out).c_str());
     std::printf("%s: the public key; give it to everybody who checks\n", protocols::printable(openFile).c_str());
+    noteIfReadByAll(call.out);
     return 0;
 }
 

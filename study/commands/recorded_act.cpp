@@ -4,6 +4,7 @@
 
 #include "database/server/study_move.h"
 #include "protocols/files/safe_text.h"
+#include "protocols/files/temporary_folder.h"
 #include "study/commands/command_line.h"
 #include "study/session/operated_by.h"
 
@@ -17,7 +18,8 @@ void noteIfOpen(const std::filesystem::path& path)
     using std::filesystem::perms;
     std::error_code ignored;
     const auto status = std::filesystem::status(path, ignored);
-    if (!std::filesystem::is_directory(status) || (status.permissions() & (perms::group_all | perms::others_all)) == perms::none)
+    if (!std::filesystem::is_directory(status) || !protocols::keepsAccessRights(path) ||
+        (status.permissions() & (perms::group_all | perms::others_all)) == perms::none)
         return;
     std::fprintf(stderr, "note: others on this computer can open the folder %s; `chmod 700` closes it\n",
                  protocols::printable(path.string()).c_str());
@@ -43,6 +45,18 @@ void recordAct(const database::StudyStore& store, const std::string& kind, const
     if (const std::string refused = addAct(store, kind, path, {}, note); !refused.empty())
         std::fprintf(stderr, "not recorded: %s\n", protocols::printable(refused).c_str());
     noteIfOpen(path);
+}
+
+void noteIfReadByAll(const std::filesystem::path& secret)
+{
+    std::error_code unknown;
+    const auto whole = std::filesystem::absolute(secret, unknown).lexically_normal();
+    const bool isFolder = std::filesystem::is_directory(whole, unknown);
+    if (protocols::keepsAccessRights(isFolder ? whole : whole.parent_path())) return;
+    std::fprintf(stderr,
+                 "note: the file system of %s keeps no access rights: every account that sees it can read it; move it to a disk "
+                 "that keeps them\n",
+                 protocols::printable(secret.string()).c_str());
 }
 
 }  // namespace study::commands

@@ -1,4 +1,4 @@
-// Records in a study what a command did with it: an export, a backup, a report, an unblinding.
+// Records in a study what a command did with it: an export, a backup, a report, an unblinding. Notes who else can read the files.
 #pragma once
 
 #include <filesystem>
@@ -18,5 +18,9 @@ std::string addAct(const database::StudyStore& store, const std::string& kind, c
 /// read-only folder, it prints "not recorded: " and why on standard error.
 void recordAct(const database::StudyStore& store, const std::string& kind, const std::filesystem::path& path = {},
                const std::string& note = {});
+
+/// Prints a note on standard error where the file system of a secret file, or of a folder that holds some, keeps no access
+/// rights.
+void noteIfReadByAll(const std::filesystem::path& secret);
 
 }  // namespace study::commands

@@ -49,7 +49,8 @@ void addJoin(CLI::App& study, Action& action)
     auto address = std::make_shared<std::string>(), folder = std::make_shared<std::string>(),
          station = std::make_shared<std::string>();
     command->add_option("ADDRESS", *address, "postgresql://USER@HOST/DATABASE?study=NAME")->required();
-    command->add_option("FOLDER", *folder, "folder to make (default: the study's name)");
+    command->add_option("FOLDER", *folder,
+                        "folder to make, or a station's folder that takes the address (default: the study's name)");
     addStationOption(*command, station);
     command->callback([address, folder, station, &action] {
         action.surroundings = Surroundings::Core;

@@ -25,10 +25,12 @@
 #include "study/commands/parts/progress.h"
 #include "study/commands/parts/text_checks.h"
 #include "study/commands/passphrase_option.h"
+#include "study/commands/recorded_act.h"
 #include "study/commands/server/server_work.h"
 #include "study/making/new_study.h"
 #include "study/making/study_sheets.h"
 #include "study/records/display_response_record.h"
+#include "study/records/registered_plan.h"
 #include "study/records/running_orders_csv.h"
 #include "study/records/stored_study.h"
 #include "study/records/study_status.h"
@@ -83,6 +85,7 @@ int makeNew(const making::NewStudy& request, StageTimes& stages, bool goesToServ
                 word.c_str());
     if (!goesToServer)  // the plan is registered in a folder
         std::printf("next: `vis2hap study preregister %s` registers the plan before the first answer\n", word.c_str());
+    noteIfReadByAll(request.study);
     return 0;
 }
 
@@ -134,16 +137,19 @@ int amend(const Amendment& call)
         return 0;
     }
     const std::string madeBy = store.facts().programVersion;
-    const auto changed = fixedPartsChanged(protocols::keptProtocolFromJson(kept.json, "the kept protocol", madeBy),
-                                           protocols::keptProtocolFromJson(text, file.string(), madeBy));
+    const auto before = protocols::keptProtocolFromJson(kept.json, "the kept protocol", madeBy);
+    const auto amended = protocols::keptProtocolFromJson(text, file.string(), madeBy);
+    const auto changed = fixedPartsChanged(before, amended);
     if (!changed.empty())
         throw protocols::badInput({"the edit changes " + listed(changed) + ", which running orders and stimuli depend on",
                                    file.string(), "changes of texts, times, breaks, bounds, contrasts, checklist or facts only",
                                    "make a new study; `vis2hap study amend " + protocols::shellWord(call.study) +
                                        " --undo` restores the stored protocol"});
+    const std::string note = records::noteOnPlan(store, amended);
     store.takeProtocol(text, call.who, call.why);
     if (text != written) protocols::writeWholeFile(file, text);  // the kept text and the file agree
     std::printf("%s: now version %d; participants who have started keep their version\n", file.c_str(), kept.version + 1);
+    if (!note.empty()) std::printf("note: %s\n", note.c_str());
     return 0;
 }
 

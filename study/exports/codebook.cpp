@@ -38,31 +38,40 @@ struct ColumnMeaning {
 
 constexpr const char* nanoseconds = "ns since the session was last opened";
 
+constexpr const char* meaningOfState = "how far the session came; reports leave out who withdrew";
+
 constexpr ColumnMeaning answerMeanings[] = {
     {"participant", "text", "", any, "id of the participant"},
     {"trial", "whole number", "", from(1), "place in the participant's running order"},
     {"question", "text", "", any, "id of the question"},
-    {"fabric", "text", "", any, "the fabric whose rendering was shown"},
+    {"fabric", "text", "", any,
+     "the fabric whose rendering was shown; in a catch trial nothing was shown, and it only lay on the tray"},
     {"condition", "text", "", any, "input condition of the rendering; catch: blank glass"},
     {"alternatives", "list as JSON", "", any, "fabrics on the tray, in the order of its slots"},
     {"answer", "text", "", any, "the fabric chosen, same or different, or words; empty for ratings"},
-    {"correct", "whole number", "", oneOf("0; 1"), "1 where the answer is right; empty where no answer is right or wrong"},
+    {"correct", "whole number", "", oneOf("0; 1"),
+     "1 where the answer is right; empty where no answer is right or wrong; in catch trials right by luck only: leave them out"},
     {"rating", "number", "points of the scale", any, "on the scale of the question; empty for other questions"},
     {"seconds", "number", "s", above(0), "from the first touch, or from the question without one, to the entry of the answer"},
     {"ready_at", "whole number", nanoseconds, any, "the presentation was ready"},
     {"touched_at", "whole number", nanoseconds, any, "first touch; empty where none was stamped"},
     {"touched_by", "text", "", oneOf("display; operator"), "who stamped the first touch"},
     {"answered_at", "whole number", nanoseconds, any, "the answer was entered"},
-    {"stored_at", "whole number", nanoseconds, any, "the answer was on disk"},
+    {"stored_at", "whole number", nanoseconds, any,
+     "the latest entry of the answer was on disk: of its correction, where there is one"},
     {"corrections", "whole number", "", from(0), "times that this answer was corrected"},
     {"voided", "whole number", "", oneOf("0; 1"), "1 where the presentation was voided, so that the answer does not count"},
-    {"wall_time", "text", "ISO 8601, UTC", any, "day and time of the answer"},
+    {"wall_time", "text", "ISO 8601, UTC", any, "day and time of the latest entry of the answer"},
     {"note", "text", "", any, "what the operator wrote"},
     {"touch_ended_at", "whole number", nanoseconds, any, "last time before the answer that the finger left the display"},
     {"answer_begun_at", "whole number", nanoseconds, any, "the answer began: a key, or the spoken word"},
     {"answer_begun_by", "text", "", oneOf("entry; spoken; script"), "what stamped the beginning"},
     {"entries", "whole number", "", from(2), "entries until two agreed; empty where one is enough"},
     {"response_seconds", "number", "s", any, "from the first touch to the beginning of the answer; the time that reports use"},
+    {"place", "whole number", "", from(1), "place of the presentation in the order of time; voided ones count"},
+    {"attempt", "whole number", "", from(1), "number of this presentation of the trial; a void starts the next"},
+    {"sitting", "whole number", "", from(1), "times that the session had been opened"},
+    {"state", "text", "", oneOf("started; finished; withdrawn"), meaningOfState},
     {"instruction", "text", "", any, "what the block asked of the speed; empty where it asked nothing"},
     {"deadline_seconds", "number", "s", any, "deadline of the block"},
     {"late", "whole number", "", oneOf("0; 1"), "1 where the answer came after the deadline"},
@@ -74,7 +83,7 @@ constexpr ColumnMeaning participantMeanings[] = {
     {"slot", "whole number", "", from(1), "running order of the study that this participant has"},
     {"participant", "text", "", any, "id of the participant"},
     {"kind", "text", "", oneOf("human; scripted; simulated"), "who answered; only human participants are evidence about people"},
-    {"state", "text", "", oneOf("started; finished; withdrawn"), "how far the session came"},
+    {"state", "text", "", oneOf("started; finished; withdrawn"), meaningOfState},
     {"protocol_version", "whole number", "", from(1), "version of the protocol that the session followed"},
 };
 
@@ -133,6 +142,18 @@ CodebookColumn columnOf(const char* table, const ColumnMeaning& column)
     return {table, name, type, unit, levelsIn(values.levels), values.least, values.exceedsLeast, {}, meaning};
 }
 
+/// "1 = not at all, 2 = a little"; empty for a scale without words.
+std::string wordsOf(const protocols::RatingScale& scale)
+{
+    std::string words;
+    protocols::Tenths point = scale.min;
+    for (const std::string& label : scale.labels) {
+        words += (words.empty() ? "" : ", ") + protocols::shortest(point.inScaleUnits()) + " = " + label;
+        point.value += scale.step.value;
+    }
+    return words;
+}
+
 /// Adds the levels and scales that the phases of the protocol decide.
 void addFromPhases(CodebookColumn& column, const protocols::Protocol& protocol)
 {
@@ -143,7 +164,8 @@ void addFromPhases(CodebookColumn& column, const protocols::Protocol& protocol)
         for (const protocols::Question& question : phase.questions) {
             if (column.name == "question") addLevel(column.levels, question.id.value);
             if (const auto* rating = std::get_if<protocols::Rating>(&question.kind); rating && column.name == "rating")
-                column.ratings.push_back({question.id, rating->scale.min.inScaleUnits(), rating->scale.max.inScaleUnits()});
+                column.ratings.push_back(
+                    {question.id, rating->scale.min.inScaleUnits(), rating->scale.max.inScaleUnits(), wordsOf(rating->scale)});
         }
     }
 }
@@ -157,7 +179,7 @@ void addFromStudy(CodebookColumn& column, const protocols::Protocol& protocol, c
     addFromPhases(column, protocol);
 }
 
-/// "0; 1", "from 1", "above 0" or "Q2: 0 to 10; Q3: 1 to 7"
+/// "0; 1", "from 1", "above 0" or "Q2: 0 to 10; Q3: 1 to 2 (1 = no, 2 = yes)"
 std::string valuesText(const CodebookColumn& column)
 {
     using protocols::shortest;
@@ -165,8 +187,8 @@ std::string valuesText(const CodebookColumn& column)
     std::string text;
     const auto add = [&](const std::string& value) { text += (text.empty() ? "" : "; ") + value; };
     for (const std::string& level : column.levels) add(level);
-    for (const auto& [question, least, greatest] : column.ratings)
-        add(question.value + ": " + shortest(least) + " to " + shortest(greatest));
+    for (const auto& [question, least, greatest, words] : column.ratings)
+        add(question.value + ": " + shortest(least) + " to " + shortest(greatest) + (words.empty() ? "" : " (" + words + ")"));
     return text;
 }
 

@@ -14,6 +14,7 @@ namespace study::exports {
 struct RatedQuestion {
     protocols::QuestionId question;
     double least = 0, greatest = 0;
+    std::string words = {};  ///< of a Likert scale, "1 = not at all, 2 = a little"; empty without
 };
 
 /// One column of an exported table.

@@ -48,11 +48,13 @@ ordered_json propertyOf(const CodebookColumn& column)
     if (column.least) property["minValue"] = jsonNumber(*column.least);
     ordered_json references = ordered_json::array();
     for (const std::string& level : column.levels) references.push_back({{"@type", "DefinedTerm"}, {"name", level}});
-    for (const auto& [question, least, greatest] : column.ratings)
+    for (const auto& [question, least, greatest, words] : column.ratings) {
         references.push_back({{"@type", "QuantitativeValue"},
                               {"name", question.value},
                               {"minValue", jsonNumber(least)},
                               {"maxValue", jsonNumber(greatest)}});
+        if (!words.empty()) references.back()["description"] = words;
+    }
     if (!column.ratings.empty()) {
         property["minValue"] = jsonNumber(std::ranges::min(column.ratings, {}, &RatedQuestion::least).least);
         property["maxValue"] = jsonNumber(std::ranges::max(column.ratings, {}, &RatedQuestion::greatest).greatest);
@@ -88,11 +90,12 @@ std::string markdown(const std::string& text)
     return safe;
 }
 
-/// "3 participants (2 human, 1 simulated)"
-std::string participantsOf(const database::StudyStore& store)
+/// "3 participants (2 human, 1 simulated)"; a public data set holds nothing of those who withdrew.
+std::string participantsOf(const database::StudyStore& store, bool isPublic)
 {
     std::map<std::string, std::size_t> kinds;
-    const auto enrolments = store.enrolments();
+    auto enrolments = store.enrolments();
+    std::erase_if(enrolments, [&](const auto& one) { return isPublic && one.state == database::SlotState::Withdrawn; });
     for (const auto& enrolment : enrolments) ++kinds[nameOf(enrolment.kind)];
     std::string text;
     for (const auto& [kind, count] : kinds) text += (text.empty() ? " (" : ", ") + std::to_string(count) + " " + kind;
@@ -108,9 +111,9 @@ std::string questionsOf(const protocols::Protocol& protocol)
     return (ids.size() == 1 ? "the question " : "the questions ") + reports::listed(ids);
 }
 
-std::string describedAnswers(const database::StudyStore& store, const database::StudyFacts& facts)
+std::string describedAnswers(const database::StudyStore& store, const database::StudyFacts& facts, bool isPublic)
 {
-    return "Answers in the study \"" + facts.name + "\" by " + participantsOf(store) +
+    return "Answers in the study \"" + facts.name + "\" by " + participantsOf(store, isPublic) +
            ". In each presentation a participant feels a rendering of a fabric on a haptic display. The participant then "
            "answers " +
            questionsOf(records::protocolOf(facts)) + ". Only human participants are evidence about people.";
@@ -118,7 +121,7 @@ std::string describedAnswers(const database::StudyStore& store, const database::
 
 std::string describedProgress(const database::StudyStore& store, const database::StudyFacts& facts, bool hasMeans)
 {
-    return "Progress of the study \"" + facts.name + "\" with " + participantsOf(store) +
+    return "Progress of the study \"" + facts.name + "\" with " + participantsOf(store, false) +
            ". The study is blinded, so these tables hold no single answer, no fabric and no condition." +
            (hasMeans ? " Rounded means stand under labels that hide the conditions. They are over all places of the "
                        "study, which are finished."
@@ -194,11 +197,14 @@ PsychDsDataset psychDsDataset(const database::StudyStore& store, const database:
     for (const CodebookColumn& column : columns)
         if (dataset.tables.empty() || dataset.tables.back() != column.table) dataset.tables.push_back(column.table);
     const bool hasAnswers = dataset.tables.front() == "answers";
-    dataset.description =
-        hasAnswers ? describedAnswers(store, facts) : describedProgress(store, facts, dataset.tables.back() == "conditions");
+    dataset.description = hasAnswers ? describedAnswers(store, facts, form.isPublic)
+                                     : describedProgress(store, facts, dataset.tables.back() == "conditions");
     if (hasAnswers)
-        dataset.rowKey = "`participant`, `trial` and `question` name one row of the answers, among the rows where `voided` is 0.";
-    dataset.limits = records::stampsOf(store, facts);
+        dataset.rowKey =
+            "`participant`, `trial` and `question` name one row of the answers, among the rows where `voided` is 0. Reports "
+            "leave out voided rows, and rows whose `state` is withdrawn.";
+    dataset.limits =
+        records::stampsOf(store, facts, form.isPublic ? records::ProgramFiles::LeftOut : records::ProgramFiles::Named);
     dataset.changes = changesOf(store, hasAnswers && !form.isPublic);
     dataset.logHead = records::headTextOf(store);
     dataset.hasMaterials = hasAnswers;
@@ -239,7 +245,7 @@ std::string datasetReadme(const PsychDsDataset& dataset)
                        fileTable(dataset) + "\n## Rows and cells\n\n" + (dataset.rowKey.empty() ? "" : dataset.rowKey + "\n") +
                        "An empty cell is a missing value. Files are in UTF-8, with commas and decimal points.\n"
                        "Text that a spreadsheet would run as a formula has an apostrophe in front.\n";
-    if (dataset.isPublic) text += "Days, notes and words of participants are left out.\n";
+    if (dataset.isPublic) text += "Days, notes and words of participants are left out, and the answers of those who withdrew.\n";
     if (!dataset.limits.empty()) text += "\n## Limits\n\n";
     for (const std::string& limit : dataset.limits) text += "- " + markdown(limit) + "\n";
     return text + "\n## Standard\n\nThis folder follows Psych-DS " + psychDsVersion + " (https://psych-ds.github.io).\n";

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <set>
 #include <string_view>
 #include <variant>
 
@@ -59,12 +60,20 @@ bool isWorded(const protocols::Protocol& protocol, const protocols::QuestionId& 
     return known == nullptr || std::holds_alternative<protocols::FreeText>(known->kind);
 }
 
-std::size_t answersInWords(const database::StudyStore& store)
+LeftOutAnswers answersLeftOut(const database::StudyStore& store)
 {
     const auto protocol = records::protocolOf(store.facts());
-    std::size_t count = 0;
-    store.eachAnswer([&](const database::CurrentAnswer& answer) { count += isWorded(protocol, answer.record.question) ? 1 : 0; });
-    return count;
+    std::set<protocols::ParticipantId> withdrawn;
+    for (const auto& enrolment : store.enrolments())
+        if (enrolment.state == database::SlotState::Withdrawn) withdrawn.insert(enrolment.participant);
+    LeftOutAnswers leftOut;
+    store.eachAnswer([&](const database::CurrentAnswer& answer) {
+        if (withdrawn.contains(answer.participant))
+            ++leftOut.ofWithdrawn;
+        else
+            leftOut.inWords += isWorded(protocol, answer.record.question) ? 1 : 0;
+    });
+    return leftOut;
 }
 
 }  // namespace study::exports

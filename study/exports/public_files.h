@@ -23,7 +23,11 @@ std::string citationText(const std::string& study, const std::string& spdx, cons
 /// Words of a participant; also an answer to a question that the protocol does not know.
 bool isWorded(const protocols::Protocol& protocol, const protocols::QuestionId& question);
 
-/// Answers that a public export leaves out: participants' own words.
-std::size_t answersInWords(const database::StudyStore& store);
+/// Answers that a public export leaves out.
+struct LeftOutAnswers {
+    std::size_t ofWithdrawn = 0;  ///< of participants who withdrew
+    std::size_t inWords = 0;      ///< of the others, in their own words
+};
+LeftOutAnswers answersLeftOut(const database::StudyStore& store);
 
 }  // namespace study::exports

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 #include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <variant>
@@ -27,6 +28,7 @@
 #include "study/records/evidence/exported_log.h"
 #include "study/records/evidence/exported_samples.h"
 #include "study/records/log_heads.h"
+#include "study/records/places_in_time.h"
 #include "study/records/shown_origin.h"
 #include "study/records/stored_study.h"
 
@@ -45,7 +47,36 @@ struct Export {
     const records::Naming* naming;  ///< null while the study is blinded
     fs::path out;                   ///< a draft, which is synced as a whole
     bool isPublic = false;
+    records::Places places = {};  ///< empty while the study is blinded
+    std::map<protocols::ParticipantId, database::SlotState> states = {};
+
+    bool hasWithdrawn(const protocols::ParticipantId& participant) const
+    {
+        return states.at(participant) == database::SlotState::Withdrawn;
+    }
 };
+
+std::map<protocols::ParticipantId, database::SlotState> statesIn(const database::StudyStore& store)
+{
+    std::map<protocols::ParticipantId, database::SlotState> states;
+    for (const auto& enrolment : store.enrolments()) states.emplace(enrolment.participant, enrolment.state);
+    return states;
+}
+
+/// Answers that came since the places were read are left out.
+void eachAnswer(const Export& job, const std::function<void(const CurrentAnswer&)>& take)
+{
+    job.store.eachAnswer([&](const CurrentAnswer& answer) {
+        if (job.places.contains(records::presentationOf(answer))) take(answer);
+    });
+}
+
+records::Places placesIn(const database::StudyStore& store)
+{
+    records::PlacesInTime inTime;
+    store.eachAnswer([&](const CurrentAnswer& answer) { inTime.add(answer); });
+    return inTime.places();
+}
 
 constexpr std::size_t bytesAtOnce = std::size_t{1} << 20;
 
@@ -113,7 +144,11 @@ std::vector<NamedValue> rowOf(const Export& job, const CurrentAnswer& answer)
                                 {"voided", std::int64_t{answer.voided}},
                                 {"wall_time", answer.wallTime},
                                 {"note", record.note},
-                                {"entries", record.entries ? ExportedValue(std::int64_t{*record.entries}) : ExportedValue()}};
+                                {"entries", record.entries ? ExportedValue(std::int64_t{*record.entries}) : ExportedValue()},
+                                {"place", std::int64_t{job.places.at(records::presentationOf(answer))}},
+                                {"attempt", std::int64_t{answer.attempt}},
+                                {"sitting", std::int64_t{answer.sitting}},
+                                {"state", nameOf(job.states.at(answer.participant))}};
     if (hasInstructions(job.protocol)) addInstruction(row, entry, answer);
     if (hasAnchors(job.protocol)) row.push_back(anchorOf(entry));
     return row;
@@ -208,21 +243,22 @@ void write(const Export& job, const char* name, const std::string& text)
 std::vector<std::string> columnsOf(const Export& job)
 {
     std::vector<std::string> columns(protocols::answerColumns().begin(), protocols::answerColumns().end());
+    columns.insert(columns.end(), {"place", "attempt", "sitting", "state"});
     if (hasInstructions(job.protocol)) columns.insert(columns.end(), {"instruction", "deadline_seconds", "late"});
     if (hasAnchors(job.protocol)) columns.emplace_back("anchor");
     if (job.isPublic) std::erase_if(columns, isPrivateColumn);
     return columns;
 }
 
-/// The answers one by one: a large study is never held as a whole.
+/// The answers one by one: of a large study only the places of the presentations are held.
 void writeAnswersCsv(const Export& job, const protocols::TakeBytes& take)
 {
     const std::vector<std::string> columns = columnsOf(job);
     take(protocols::csvRow(columns));
     std::vector<std::string> cells(columns.size());
     std::string rows;
-    job.store.eachAnswer([&](const CurrentAnswer& answer) {
-        if (job.isPublic && isWorded(job.protocol, answer.record.question)) return;
+    eachAnswer(job, [&](const CurrentAnswer& answer) {
+        if (job.isPublic && (isWorded(job.protocol, answer.record.question) || job.hasWithdrawn(answer.participant))) return;
         for (const auto& [name, value] : rowOf(job, answer))
             if (const auto column = std::ranges::find(columns, name); column != columns.end())
                 cells[static_cast<std::size_t>(column - columns.begin())] = cell(value);
@@ -301,7 +337,7 @@ void writeAnswersJson(const Export& job, const protocols::TakeBytes& take)
     text.resize(text.size() - 2);  // the line end and the brace
     text += ",\n \"answers\": [";
     bool isFirst = true;
-    job.store.eachAnswer([&](const CurrentAnswer& answer) {
+    eachAnswer(job, [&](const CurrentAnswer& answer) {
         text += std::exchange(isFirst, false) ? "\n" : ",\n";
         for (const char c : "  " + jsonRowOf(rowOf(job, answer)).dump(1)) {
             text += c;
@@ -418,7 +454,11 @@ std::string writeExport(const database::StudyStore& store, const fs::path& out, 
     if (form.isPublic || isDataset) requireOwnFolder(out, form.isPublic ? "a public export" : "a data set");
     if (form.isPublic) requirePublishable(store, form);
     protocols::FolderDraft draft(out, protocols::Earlier::FilesJoined);
-    const Export job{store, facts, protocol, naming ? &*naming : nullptr, draft.path(), form.isPublic};
+    Export job{store, facts, protocol, naming ? &*naming : nullptr, draft.path(), form.isPublic};
+    if (naming && form.format != "script") {
+        job.places = placesIn(store);
+        job.states = statesIn(store);
+    }
     std::string whyNoMeans;
     bool isWithoutMeans = false;
     if (form.format == "script")

@@ -13,7 +13,8 @@ struct ExportForm {
     std::string format;        ///< "csv", "json", "script" or "psych-ds", which writes a data set by that specification
     bool withLog = false;      ///< the log, too: log.csv, acts.csv and log.txt, for "psych-ds" in data/raw
     bool withSamples = false;  ///< samples of the finger, too: finger_samples.csv, beside the log; unblinded studies only
-    /// Leaves out days, notes and words, and adds LICENSE.txt and CITATION.cff; "csv" and "psych-ds" of unblinded studies only.
+    /// Leaves out days, notes, words and answers of who withdrew, and adds LICENSE.txt and CITATION.cff; "csv" and "psych-ds" of
+    /// unblinded studies only.
     bool isPublic = false;
     std::string licence = {};  ///< SPDX identifier
     std::vector<std::string> authors = {};

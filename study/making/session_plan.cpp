@@ -146,11 +146,10 @@ ordered_json sessionPlan(const Protocol& protocol)
     json["language"] = protocol.language;
     json["phases"] = ordered_json::array();
     for (const Phase& phase : protocol.phases) json["phases"].push_back(phaseJson(protocol, phase));
-    const int presentations = protocol.presentations();
-    json["presentations_per_participant"] = presentations;
+    json["presentations_per_participant"] = protocol.presentations();
     json["answers_per_participant"] = protocol.answersPerParticipant();
     json["minutes_per_participant"] = protocol.minutesPerParticipant();
-    json["breaks"] = protocol.breakAfterPresentations > 0 ? (presentations - 1) / protocol.breakAfterPresentations : 0;
+    json["breaks"] = protocol.breaks();
     json["sittings"] = protocol.sittingsPerParticipant();
     json["answers"] = protocol.answersPerParticipant() * protocol.participants;
     json.update(protocols::jsonOf(protocols::balanceOf(protocols::drawDesign(protocol, shownSeed), protocol)));

@@ -152,6 +152,7 @@ ScriptedPlace placeFrom(const Entry& entry, const protocols::Protocol& protocol)
             throw entry.fault("anchor", "unknown anchor \"" + entry.text("anchor") + "\"", "\"mismatched\" or \"repeated\"");
         place.anchor = *kind;
     }
+    if (entry.has("occurrence")) place.occurrence = entry.whole("occurrence", 1);
     place.fabric = protocols::FabricId(entry.text("fabric"));
     place.condition = conditionIn(entry, protocol);
     return place;
@@ -254,17 +255,27 @@ void checkDoubled(const Script& script)
     std::set<std::tuple<protocols::QuestionId, ScriptedPlace>> seen;
     for (const auto& answer : script.answers) {
         if (seen.emplace(answer.question, answer.place).second) continue;
-        const std::string place = answer.place.trial
-                                      ? "trial " + std::to_string(answer.place.trial->value)
-                                      : answer.place.condition.value + ", " + answer.place.fabric.value +
-                                            (answer.place.instruction.empty() ? "" : ", ") + answer.place.instruction.value +
-                                            (nameOf(answer.place.anchor).empty() ? "" : ", ") + nameOf(answer.place.anchor);
+        const std::string place =
+            answer.place.trial ? "trial " + std::to_string(answer.place.trial->value)
+                               : answer.place.condition.value + ", " + answer.place.fabric.value +
+                                     (answer.place.instruction.empty() ? "" : ", ") + answer.place.instruction.value +
+                                     (nameOf(answer.place.anchor).empty() ? "" : ", ") + nameOf(answer.place.anchor) +
+                                     (answer.place.occurrence ? ", occurrence " + std::to_string(*answer.place.occurrence) : "");
         throw fault("there are two answers to " + answer.question.value + " for " + place, script.where,
                     "one answer for each question and rendering");
     }
 }
 
 }  // namespace
+
+std::vector<Occurrence> occurrencesIn(const std::vector<std::pair<int, ScriptedPlace>>& places)
+{
+    std::map<std::pair<int, ScriptedPlace>, int> counts;
+    std::vector<Occurrence> occurrences;
+    for (const auto& place : places) occurrences.push_back({++counts[place], false});
+    for (std::size_t i = 0; i < places.size(); ++i) occurrences[i].isShared = counts[places[i]] > 1;
+    return occurrences;
+}
 
 const ScriptedAnswer* Script::answerTo(const protocols::QuestionId& question, const ScriptedPlace& place) const
 {
@@ -283,6 +294,7 @@ const ScriptedAnswer* Script::answerTo(const protocols::QuestionId& question, co
         }
     };
     add([](ScriptedPlace& wider) { wider.attempt.reset(); });
+    add([](ScriptedPlace& wider) { wider.occurrence.reset(); });
     if (!place.instruction.empty()) add([](ScriptedPlace& wider) { wider.instruction = {}; });
     if (place.anchor == protocols::AnchorKind::Repeated)
         add([](ScriptedPlace& wider) { wider.anchor = protocols::AnchorKind::None; });

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -24,8 +25,17 @@ struct ScriptedPlace {
     std::optional<int> attempt = std::nullopt;  ///< counts presentations of the same trial from 1; later ones follow a void
     protocols::InstructionId instruction = {};  ///< of the block; empty: the answer holds under every instruction
     protocols::AnchorKind anchor = protocols::AnchorKind::None;
+    std::optional<int> occurrence = std::nullopt;  ///< counts the trials of the list with this place from 1; empty: all
     auto operator<=>(const ScriptedPlace&) const = default;
 };
+
+/// The occurrences of the places of a list, and whether a place occurs again.
+struct Occurrence {
+    int number = 1;
+    bool isShared = false;
+};
+/// [trial]: `places` holds phase and place of each.
+std::vector<Occurrence> occurrencesIn(const std::vector<std::pair<int, ScriptedPlace>>& places);
 
 struct ScriptedAnswer {
     protocols::QuestionId question;
@@ -68,8 +78,8 @@ struct Script {
     std::vector<ScriptedAnswer> answers;
     std::vector<ScriptedEvent> events;
 
-    /// The answer for this attempt and instruction, else for any attempt, else for any instruction. A repetition that has none
-    /// gets the answer to the first presentation. Else null.
+    /// The answer for this attempt, occurrence and instruction, else for any attempt, any occurrence, any instruction. A
+    /// repetition that has none gets the answer to the first presentation. Else null.
     const ScriptedAnswer* answerTo(const protocols::QuestionId& question, const ScriptedPlace& place) const;
 };
 

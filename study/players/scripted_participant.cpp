@@ -52,7 +52,18 @@ public:
         : m_script(script), m_trials(trials), m_hands(hands), m_clock(clock), m_passed(script.events.size(), false)
     {
         protocols::AnchorFinder finder(trials.protocol);
-        for (const auto& trial : trials.trials) m_anchors.push_back(finder.next(trial, trials.key.entryOf(trial)));
+        std::vector<std::pair<int, ScriptedPlace>> places;
+        for (const auto& trial : trials.trials) {
+            const auto& shown = trials.key.entryOf(trial);
+            places.push_back(
+                {trial.phase,
+                 {std::nullopt, shown.condition, shown.fabric, std::nullopt, trial.instruction, finder.next(trial, shown)}});
+        }
+        const std::vector<Occurrence> occurrences = occurrencesIn(places);
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            m_places.push_back(places[i].second);
+            m_places.back().occurrence = occurrences[i].number;
+        }
     }
 
     void skipPassed(const std::vector<database::EventRecord>& logged);
@@ -77,7 +88,7 @@ private:
     Hands& m_hands;
     VirtualClock& m_clock;
     std::vector<bool> m_passed;
-    std::vector<protocols::AnchorKind> m_anchors;  ///< [trial]
+    std::vector<ScriptedPlace> m_places;  ///< [trial]
 };
 
 void Player::skipPassed(const std::vector<database::EventRecord>& logged)
@@ -245,13 +256,11 @@ void Player::answer(const Presenting& presenting)
 {
     const auto& trial = m_trials.trials[presenting.index];
     const auto& question = m_trials.protocol.phases[trial.phase].questions[presenting.question];
-    const auto& entry = m_trials.key.entryOf(trial);
     const State& state = m_hands.state();
-    const int attempt = attemptAt(state, state.position);
-    const auto* scripted = m_script.answerTo(question.id, {trial.number, {}, {}, attempt});
-    if (!scripted)
-        scripted = m_script.answerTo(question.id, {std::nullopt, entry.condition, entry.fabric, attempt, trial.instruction,
-                                                   m_anchors[static_cast<std::size_t>(presenting.index)]});
+    ScriptedPlace place = m_places[static_cast<std::size_t>(presenting.index)];
+    place.attempt = attemptAt(state, state.position);
+    const auto* scripted = m_script.answerTo(question.id, {trial.number, {}, {}, place.attempt});
+    if (!scripted) scripted = m_script.answerTo(question.id, place);
     if (!scripted)
         throw protocols::badInput({"no answer", m_script.where + ": " + placeName(presenting.index, question.id),
                                    "an answer to every question and rendering of the protocol",

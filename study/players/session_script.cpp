@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "protocols/files/errors.h"
 #include "protocols/files/safe_text.h"
 #include "protocols/files/whole_file.h"
 #include "study/players/player_answers.h"
@@ -32,6 +33,15 @@ public:
              bool hasVoids)
         : m_plan(plan), m_participant(participant), m_naming(naming), m_script(script), m_hasVoids(hasVoids)
     {
+        if (m_naming == nullptr) return;
+        std::vector<std::pair<int, ScriptedPlace>> places;
+        for (const auto& trial : plan.trials) {
+            const auto& shown = naming->of(participant, trial.number);
+            places.push_back({trial.phase,
+                              {std::nullopt, protocols::ConditionId(shown.condition), shown.fabric, std::nullopt,
+                               trial.instruction, shown.anchor}});
+        }
+        m_occurrences = occurrencesIn(places);
     }
 
     void follow(const database::EventRecord& record)
@@ -88,6 +98,8 @@ private:
             entry["fabric"] = shown.fabric.value;
             if (!trial.instruction.empty()) entry["instruction"] = trial.instruction.value;
             if (shown.anchor != protocols::AnchorKind::None) entry["anchor"] = nameOf(shown.anchor);
+            if (const auto& one = m_occurrences[static_cast<std::size_t>(asked.index)]; one.isShared)
+                entry["occurrence"] = one.number;
         }
         if (m_hasVoids) entry["attempt"] = attemptAt(m_state, m_state.position);
         entry["answer"] = jsonOf(answered.response);
@@ -118,6 +130,7 @@ private:
     const records::Naming* m_naming;  ///< null while the study is blinded
     ordered_json& m_script;
     bool m_hasVoids;
+    std::vector<Occurrence> m_occurrences;  ///< [trial]; empty while the study is blinded
     State m_state;
 };
 
@@ -140,8 +153,12 @@ void writeScripts(const database::StudyStore& store, const records::Naming* nami
         const Plan plan = readPlan(store, enrolment.participant);
         Recorder recorder(plan, enrolment.participant, naming, script, hasVoids);
         for (const auto& record : log) recorder.follow(record);
-        protocols::writeWholeFile(out / (protocols::fileNameOf(enrolment.participant.value) + ".json"), script.dump(1) + "\n",
-                                  protocols::Sync::Later);
+        const auto file = out / (protocols::fileNameOf(enrolment.participant.value) + ".json");
+        if (std::filesystem::exists(file))
+            throw protocols::environmentFault({"the file system takes the names of two scripts for one", file.string(),
+                                               "a folder that tells capital letters from small ones",
+                                               "export into a folder on another disk"});
+        protocols::writeWholeFile(file, script.dump(1) + "\n", protocols::Sync::Later);
     }
 }
 

@@ -19,6 +19,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/strict_json.h"
+#include "protocols/files/temporary_folder.h"
 #include "protocols/files/whole_file.h"
 
 namespace study::records {
@@ -108,7 +109,10 @@ public:
         for (const fs::path& entry : entries) openToOthers += lookAt(entry, file, folder);
         if (openToOthers > 0)
             m_findings.notes.push_back(nameOf(where) + ": other users may read or change " + std::to_string(openToOthers) +
-                                       " of its files (expected modes 0600 and 0700): run chmod -R go-rwx on the study");
+                                       " of its files (expected modes 0600 and 0700): " +
+                                       (protocols::keepsAccessRights(where)
+                                            ? "run chmod -R go-rwx on the study"
+                                            : "this file system keeps no access rights; move the study to a disk that does"));
     }
 
 private:

@@ -7,6 +7,8 @@
 #include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
+#include "reports/text/plain_words.h"
+#include "study/records/followed_versions.h"
 
 namespace study::records {
 
@@ -62,52 +64,90 @@ auto readFrom(const database::StudyStore& store, const database::Preregistration
     }
 }
 
+/// By the log: an erasure takes answers away, but not that they were given.
+bool isInTime(const database::StudyStore& store, const database::PreregistrationRecord& record)
+{
+    const auto answered = store.firstEventOfKind("answered");
+    return record.answersBefore == 0 && !record.afterUnblinding && (!answered || record.event < *answered);
+}
+
+/// The last plan that was registered in time; if there is none, the first one. Null where none is registered.
+const database::PreregistrationRecord* followedOf(const database::StudyStore& store,
+                                                  const std::vector<database::PreregistrationRecord>& records)
+{
+    const database::PreregistrationRecord* followed = records.empty() ? nullptr : &records.front();
+    for (const auto& record : records)
+        if (isInTime(store, record)) followed = &record;
+    return followed;
+}
+
 std::vector<reports::Registration> registrationsOf(const database::StudyStore& store,
-                                                   const std::vector<database::PreregistrationRecord>& records)
+                                                   const std::vector<database::PreregistrationRecord>& records,
+                                                   const database::PreregistrationRecord* followed)
 {
     std::vector<reports::Registration> registrations;
     for (const auto& record : records)
         registrations.push_back(
             {record.number, record.wallTime, record.jsonSha256(), record.answersBefore, record.afterUnblinding,
              readFrom(store, record, [](const json& plan) { return plan.at("changes").get<std::vector<std::string>>(); }),
-             &record == followedOf(records)});
+             &record == followed});
     return registrations;
+}
+
+/// The parts of a plan that an amended protocol can change.
+std::vector<std::string> changesOfPlan(const reports::PlannedDesign& planned, const reports::PlannedDesign& used)
+{
+    std::vector<std::string> changes;
+    if (planned.equivalenceBounds != used.equivalenceBounds) changes.emplace_back(reports::equivalenceBoundsChanged);
+    if (planned.contrastPairs != used.contrastPairs) changes.emplace_back("planned contrasts");
+    return changes;
 }
 
 std::vector<std::string> changesBetween(const reports::PlannedDesign& planned, const reports::PlannedDesign& used)
 {
-    std::vector<std::string> changes;
-    if (planned.equivalenceBounds != used.equivalenceBounds) changes.emplace_back("equivalence bounds");
-    if (planned.contrastPairs != used.contrastPairs) changes.emplace_back("planned contrasts");
+    std::vector<std::string> changes = changesOfPlan(planned, used);
     if (changes.empty() && planned.protocolSha256 != used.protocolSha256) changes.emplace_back("texts or times only");
     return changes;
 }
 
-}  // namespace
+/// The plan that counts, and the registration that states it; null where the protocol does.
+struct CountingPlan {
+    reports::PlannedDesign design;
+    const database::PreregistrationRecord* followed = nullptr;
+};
 
-const database::PreregistrationRecord* followedOf(const std::vector<database::PreregistrationRecord>& records)
+reports::PlannedDesign designOf(const database::ProtocolVersion& version, const database::StudyStore& store)
 {
-    const database::PreregistrationRecord* followed = records.empty() ? nullptr : &records.front();
-    for (const auto& record : records)
-        if (record.answersBefore == 0 && !record.afterUnblinding) followed = &record;
-    return followed;
+    return designOf(protocols::keptProtocolFromJson(version.json, "the study's protocol", store.facts().programVersion), store,
+                    version.sha256);
 }
+
+CountingPlan countingPlan(const database::StudyStore& store, const std::vector<database::PreregistrationRecord>& records)
+{
+    CountingPlan plan{designOf(versionBeforeAnswers(store), store), followedOf(store, records)};
+    if (plan.followed == nullptr) return plan;
+    reports::PlannedDesign registered = readFrom(store, *plan.followed, designIn);
+    // A plan after answers binds nobody: it may not change what the protocol stated before them.
+    if (store.protocolVersions().size() == 1 || isInTime(store, *plan.followed) || changesOfPlan(plan.design, registered).empty())
+        plan.design = std::move(registered);
+    else
+        plan.followed = nullptr;
+    return plan;
+}
+
+}  // namespace
 
 void describePlan(const database::StudyStore& store, reports::StudyData& data)
 {
-    const auto facts = store.facts();
     const auto records = preregistrationsOf(store);
-    const auto protocolIn = [&](const std::string& text) {
-        return protocols::keptProtocolFromJson(text, "the study's protocol", facts.programVersion);
-    };
-    const auto latest = store.protocolVersions().back();
-    const auto* followed = followedOf(records);
-    reports::PlannedDesign design = followed != nullptr ? readFrom(store, *followed, designIn)
-                                                        : designOf(protocolIn(facts.protocolJson), store, facts.protocolSha256);
+    const auto versions = store.protocolVersions();
+    const auto& latest = versions.back();
+    auto [design, followed] = countingPlan(store, records);
     data.hasLog = true;
-    data.registrations = registrationsOf(store, records);
+    data.registrations = registrationsOf(store, records, followed);
+    data.planVersion = versions.size() > 1 && followed == nullptr ? versionBeforeAnswers(store).version : 0;
     data.protocolInUse = latest.sha256;
-    data.protocolChanges = changesBetween(design, designOf(protocolIn(latest.json), store, latest.sha256));
+    data.protocolChanges = changesBetween(design, designOf(latest, store));
     data.equivalenceBounds = design.equivalenceBounds;
     if (data.blinded) {
         design.conditionIds.clear();
@@ -115,6 +155,22 @@ void describePlan(const database::StudyStore& store, reports::StudyData& data)
     }
     data.planned = design.contrastPairs;
     data.plannedDesign = std::move(design);
+}
+
+std::string noteOnPlan(const database::StudyStore& store, const protocols::Protocol& amended)
+{
+    const auto records = preregistrationsOf(store);
+    const CountingPlan plan = countingPlan(store, records);
+    const auto changes = changesOfPlan(plan.design, designOf(amended, store, {}));
+    if (changes.empty()) return {};
+    const std::string what = reports::listed(changes);
+    const bool isAnswered = store.firstEventOfKind("answered").has_value();
+    if (isAnswered || store.unblinding())
+        return what + (isAnswered ? " changed after the first answer" : " changed after the unblinding") +
+               ": reports keep those of the plan before, and name the change";
+    if (plan.followed == nullptr) return {};
+    return "the registered plan states other " + what +
+           ": reports keep it, unless `vis2hap study preregister` registers the change before the first answer";
 }
 
 std::vector<std::string> faultsOfRegisteredFiles(const database::StudyStore& store)

@@ -13,13 +13,14 @@
 #include "protocols/files/strict_json.h"
 #include "protocols/protocol_json.h"
 #include "protocols/records/anchor_trials.h"
-#include "protocols/usual_texts.h"
 #include "reports/cells/finger_motion.h"
 #include "reports/json/prices_json.h"
 #include "reports/json/signals_json.h"
 #include "reports/text/plain_words.h"
 #include "study/records/display_response_record.h"
+#include "study/records/followed_versions.h"
 #include "study/records/participants_sentence.h"
+#include "study/records/places_in_time.h"
 #include "study/records/registered_plan.h"
 #include "study/records/shown_origin.h"
 
@@ -115,11 +116,6 @@ reports::AnswerContent contentOf(const database::AnswerRecord& record, const pro
     return reports::WordedAnswer{text};
 }
 
-/// One presentation of a trial.
-using PresentationKey = std::tuple<protocols::ParticipantId, protocols::TrialNumber, int>;
-
-PresentationKey keyOf(const database::CurrentAnswer& answer) { return {answer.participant, answer.record.trial, answer.attempt}; }
-
 reports::StudyResponse responseOf(const database::CurrentAnswer& answer, const Naming::Entry& entry,
                                   const protocols::AnswerKind& kind, int place, reports::TimesTaken times)
 {
@@ -137,24 +133,6 @@ reports::StudyResponse responseOf(const database::CurrentAnswer& answer, const N
             .sitting = answer.sitting,
             .instruction = entry.instruction.value,
             .late = isLate(entry, answer)};
-}
-
-/// The place of each presentation among those that its participant answered, from 1, in the order of time. A presentation that
-/// was voided after an answer counts, because it took its time.
-std::map<PresentationKey, int> placesInTime(const std::vector<database::CurrentAnswer>& answers)
-{
-    std::map<PresentationKey, std::int64_t> firstEvents;
-    for (const auto& answer : answers) {
-        const auto [entry, isNew] = firstEvents.emplace(keyOf(answer), answer.event);
-        if (!isNew) entry->second = std::min(entry->second, answer.event);
-    }
-    // In a damaged study two presentations may have the same entry of the log.
-    std::set<std::tuple<protocols::ParticipantId, std::int64_t, PresentationKey>> inTime;
-    for (const auto& [key, event] : firstEvents) inTime.emplace(std::get<0>(key), event, key);
-    std::map<protocols::ParticipantId, int> counts;
-    std::map<PresentationKey, int> places;
-    for (const auto& [participant, event, key] : inTime) places[key] = ++counts[participant];
-    return places;
 }
 
 /// Times of two definitions must not meet in one table. A study that an older version began keeps the older definition.
@@ -213,7 +191,9 @@ void readAnswers(const std::vector<database::CurrentAnswer>& answers, const prot
     const std::set<std::string> analysed(data.participants.begin(), data.participants.end());
     std::set<PresentationKey> voided;
     data.times = timesOf(answers);
-    const auto places = placesInTime(answers);
+    PlacesInTime inTime;
+    for (const auto& answer : answers) inTime.add(answer);
+    const Places places = inTime.places();
     RepeatedTrays trays;
     for (const auto& answer : answers) {
         if (!analysed.contains(answer.participant.value)) continue;
@@ -222,9 +202,10 @@ void readAnswers(const std::vector<database::CurrentAnswer>& answers, const prot
         const auto& entry = named->second;
         const auto* question = questionWith(protocol, answer.record.question);
         if (answer.voided)
-            voided.insert(keyOf(answer));
+            voided.insert(presentationOf(answer));
         else if (question != nullptr)
-            responsesTo(entry, data).push_back(responseOf(answer, entry, question->kind, places.at(keyOf(answer)), data.times));
+            responsesTo(entry, data)
+                .push_back(responseOf(answer, entry, question->kind, places.at(presentationOf(answer)), data.times));
         if (hasAnchors(protocol)) trays.add(answer, entry);
     }
     data.choicesRepeatedAnew = trays.questionsAnew();
@@ -288,18 +269,6 @@ reports::StudyData describedStudy(const database::StudyStore& store, const datab
     return data;
 }
 
-/// What participants read and hear, where it is not English; empty where it is.
-std::string languageStamp(const std::string& tag)
-{
-    const bool isUsual = protocols::hasUsualTexts(tag);
-    const protocols::UsualTexts& texts = protocols::usualTexts(tag);
-    if (isUsual && texts.language == "en") return "";
-    const std::string review = texts.reviewer.empty() ? "translation not reviewed" : "translation reviewed by " + texts.reviewer;
-    return "The language of the participants is '" + tag + "'" +
-           (isUsual ? "; the program's own sentences in " + texts.name + ": " + review + "."
-                    : "; sentences that the protocol does not give are in English.");
-}
-
 }  // namespace
 
 database::StudyStore openStudy(const std::filesystem::path& study) { return database::readStudy({study}); }
@@ -315,7 +284,7 @@ protocols::Protocol latestProtocolOf(const database::StudyStore& store)
                                            store.facts().programVersion);
 }
 
-std::vector<std::string> stampsOf(const database::StudyStore& store, const database::StudyFacts& facts)
+std::vector<std::string> stampsOf(const database::StudyStore& store, const database::StudyFacts& facts, ProgramFiles files)
 {
     std::set<protocols::ParticipantId> seen, people;
     std::size_t withoutDisplay = 0;
@@ -329,8 +298,7 @@ std::vector<std::string> stampsOf(const database::StudyStore& store, const datab
             ++withoutDisplay;
     }
     std::vector<std::string> stamps = facts.stamps;
-    if (std::string language = languageStamp(protocolOf(facts).language); !language.empty())
-        stamps.push_back(std::move(language));
+    for (std::string& sentence : followedSentences(store)) stamps.push_back(std::move(sentence));
     if (!seen.empty())
         stamps.push_back("The display left its images as plain files in sessions of " +
                          reports::counted(seen.size(), "participant") +
@@ -338,7 +306,8 @@ std::vector<std::string> stampsOf(const database::StudyStore& store, const datab
     if (withoutDisplay > 0)
         stamps.push_back(reports::counted(withoutDisplay, "sitting") +
                          " ran without a display: participants of these sittings felt no image on the glass.");
-    for (std::string& sentence : programSentences(store, facts)) stamps.push_back(std::move(sentence));
+    if (files == ProgramFiles::Named)
+        for (std::string& sentence : programSentences(store, facts)) stamps.push_back(std::move(sentence));
     if (auto sentence = otherDisplaySentence(store, facts); !sentence.empty()) stamps.push_back(std::move(sentence));
     return stamps;
 }
@@ -387,6 +356,7 @@ std::optional<reports::StudyData> studyData(const database::StudyStore& store, c
     if (!naming) return std::nullopt;
     auto data = describedStudy(store, facts, protocol);
     data.conditions = naming->conditions;
+    describeWordings(store, answers, data);
     describeFinished(store, protocol, answers, data);
     if (!data.blinded) readSignals(facts.signalsJson, data);
     for (const auto& fabric : facts.fabrics) data.fabrics.push_back(fabric.value);
@@ -405,6 +375,7 @@ reports::StudyData sealedStudyData(const database::StudyStore& store, const std:
     const auto protocol = protocolOf(facts);
     auto data = describedStudy(store, facts, protocol);
     data.blinded = true;
+    describeWordings(store, answers, data);
     data.conditions = data.fabrics = {sealed.value};
     for (auto& question : data.questions) question.answersPerCell = question.presentations;
     Naming naming;

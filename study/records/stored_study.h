@@ -43,7 +43,7 @@ std::optional<Naming> namingOf(const database::StudyStore& store, const protocol
 /// Whether the answer began after the deadline of its block. None without a deadline or without a response time.
 std::optional<bool> isLate(const Naming::Entry& entry, const database::CurrentAnswer& answer);
 
-/// As the study was made.
+/// As the study was made. Later versions differ in texts, times, bounds and contrasts only (protocols::fixedPartsChanged).
 protocols::Protocol protocolOf(const database::StudyFacts& facts);
 
 /// As new participants follow it: the last version that the study took over. Texts, times and questions of facts may differ.
@@ -55,8 +55,12 @@ inline constexpr const char* imageWarningsField = "image_warnings";
 /// Field of StudyFacts::signalsJson with the prices of the renderings (reports::pricesFromJson).
 inline constexpr const char* pricesField = "prices";
 
+/// Whether sentences name the files of a lab's own programs; such a name may be a person's.
+enum class ProgramFiles { Named, LeftOut };
+
 /// The sentences that every report must show: those of the study's facts and, where it is so, that images lay open.
-std::vector<std::string> stampsOf(const database::StudyStore& store, const database::StudyFacts& facts);
+std::vector<std::string> stampsOf(const database::StudyStore& store, const database::StudyFacts& facts,
+                                  ProgramFiles files = ProgramFiles::Named);
 
 /// The data of the report; empty where the study is blinded and nobody gives its passphrase. Throws badInput for a wrong one,
 /// workFailed if the stored study cannot be read.

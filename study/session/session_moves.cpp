@@ -54,7 +54,7 @@ std::vector<PlaceInOrder> orderOf(const Plan& plan)
     std::vector<PlaceInOrder> order;
     int block = 0, inBlock = 0;
     for (std::size_t i = 0; i < plan.trials.size(); ++i) {
-        // A change of the instruction is a break, so that the operator can say the new one.
+        // A change of the instruction is a break, so that the operator can say the new one. Protocol::breaks() has the same rule.
         const bool isNewList = i > 0 && (plan.trials[i].phase != plan.trials[i - 1].phase ||
                                          plan.trials[i].instruction != plan.trials[i - 1].instruction);
         if (isNewList || inBlock == plan.protocol.breakAfterPresentations) {

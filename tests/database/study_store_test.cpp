@@ -143,7 +143,7 @@ private Q_SLOTS:
         QVERIFY(holder.waitForReadyRead(20000));
         QCOMPARE(holder.readLine().trimmed(), QByteArray("held"));
         const QString error = errorOf([&] { StudyStore(folder, Access::Write); });
-        QVERIFY2(error.startsWith("3:") && error.contains(QString("(process %1)").arg(holder.processId())), qPrintable(error));
+        QVERIFY2(error.startsWith("3:") && error.contains(QString("(process %1 on ").arg(holder.processId())), qPrintable(error));
         QCOMPARE(StudyStore(folder, Access::Read).slots().size(), 2u);
         holder.kill();
         QVERIFY(holder.waitForFinished(20000));

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "database/server/answer_queue.h"
+#include "database/server/held_log.h"
 #include "database/server/server_replies.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/foreign/foreign_table.h"
@@ -187,6 +188,11 @@ void readQueue(const fs::path& folder, const std::string& bytes)
     }
     queue.put({0, "P01", "human", "{}"});
     require(queue.size() > 0, "an entry was put and is not there");
+    const auto seen = queue.seenOf("a study");
+    require(seen.head.sequence >= 0 && (!seen.lostAfter || *seen.lostAfter < seen.head.sequence),
+            "an impossible memory was read");
+    queue.keepSeen(database::afterHead(seen, {8, std::string(64, 'b')}));
+    for (const std::string& code : queue.enrolledHere()) require(code.size() <= 64, "a code that is too long was read");
 }
 
 std::string soundQueue(const fs::path& folder)
@@ -196,6 +202,8 @@ std::string soundQueue(const fs::path& folder)
     {
         database::AnswerQueue queue(place);
         for (int entry = 0; entry < 3; ++entry) queue.put({0, "P01", "human", R"({"kind":"answered","payload":"{}"})"});
+        queue.keepSeen({"a study", {7, std::string(64, 'a')}, 5});
+        queue.keepEnrolled("P01");
     }
     std::ifstream in(place.queue(), std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};

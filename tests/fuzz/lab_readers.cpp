@@ -108,7 +108,7 @@ std::vector<Reader> labReaders(const fs::path& folder)
          }},
         {"server-note",
          {R"({"schema":"vis2hap.on-server/1","address":"postgresql://a@b:5432/lab?study=x","station":"left","token":")" +
-          std::string(64, 'c') + R"(","owner":true})"},
+          std::string(64, 'c') + R"(","owner":true,"computer":"","study":")" + std::string(64, 'd') + R"("})"},
          [station](const std::string& bytes) {
              put(database::serverNoteOf(station), bytes);
              const auto note = database::readServerNote(station);

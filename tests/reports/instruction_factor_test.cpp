@@ -129,16 +129,19 @@ private Q_SLOTS:
         protocol.phases.push_back(
             {{{protocols::QuestionId("Q1"), "Which?", protocols::ForcedChoice{3}}}, protocols::ForcedChoice{3}});
         protocol.phases[0].instructions = {{protocols::InstructionId("deadline"), protocols::SpeedAim::None, 4.0, "Within 4 s."}};
-        const auto analysis = analysed(
-            "participant,fabric,condition,instruction,Q1_correct,Q1_seconds\nP1,F1,f,deadline,1,3\nP1,F2,f,deadline,0,4.5\n"
-            "P2,F1,f,deadline,1,\nP2,F2,f,deadline,1,5\n",
-            {protocol, "", 3});
-        const auto& row =
-            reports::questionsWith<reports::ChoiceAnalysis>(analysis).front().findings.instructions.instructions.at(0);
-        QCOMPARE(row.answers, std::size_t(4));
-        QCOMPARE(row.timed, std::size_t(3));
-        QCOMPARE(row.late, std::size_t(2));
-        QCOMPARE(*row.speed.share, 0.75);
+        for (const char* table :
+             {"participant,fabric,condition,instruction,Q1_correct,Q1_seconds\nP1,F1,f,deadline,1,3\nP1,F2,f,deadline,0,4.5\n"
+              "P2,F1,f,deadline,1,\nP2,F2,f,deadline,1,5\n",
+              "participant,fabric,condition,instruction,question,correct,seconds\nP1,F1,f,deadline,Q1,1,3\n"
+              "P1,F2,f,deadline,Q1,0,4.5\nP2,F1,f,deadline,Q1,1,\nP2,F2,f,deadline,Q1,1,5\n"}) {
+            const auto analysis = analysed(table, {protocol, "", 3});
+            const auto& row =
+                reports::questionsWith<reports::ChoiceAnalysis>(analysis).front().findings.instructions.instructions.at(0);
+            QCOMPARE(row.answers, std::size_t(4));
+            QCOMPARE(row.timed, std::size_t(3));
+            QCOMPARE(row.late, std::size_t(2));
+            QCOMPARE(*row.speed.share, 0.75);
+        }
     }
 
     void oneParticipantAndMissingTimesHaveReasonsAndNoNumbers()

@@ -49,6 +49,21 @@ std::vector<double> different(std::size_t n)
     return ratings;
 }
 
+/// P01 gives ratings of 60 to 71 on a line from 0 to 100 (Q2), and of 4 to 6 on a scale from 1 to 7 (Q3).
+StudyData onTwoScales()
+{
+    protocols::Rating line, words;
+    line.scale.max = protocols::Tenths{1000};
+    words.scale.min = protocols::Tenths{10};
+    words.scale.max = protocols::Tenths{70};
+    StudyData data = builders::emptyStudy(1, 12, oneCondition, {{"Q2", "", line}, {"Q3", "", words}});
+    for (std::size_t i = 0; i < data.fabrics.size(); ++i) {
+        data.responses.push_back(builders::rated("P01", data.fabrics[i], "f", "Q2", 60.0 + static_cast<double>(i)));
+        data.responses.push_back(builders::rated("P01", data.fabrics[i], "f", "Q3", 4.0 + static_cast<double>(i % 3)));
+    }
+    return data;
+}
+
 }  // namespace
 
 class QualityFlagsTest : public QObject {
@@ -229,6 +244,47 @@ private Q_SLOTS:
         for (const double rating : blank) data.catchResponses.push_back(builders::rated("P01", "F01", "f", "Q2", rating));
         data.catchResponses.push_back(builders::rated("P02", "F01", "f", "Q2", 9));
         QCOMPARE(flagged(data), flags);
+    }
+
+    // The means are 65.5 on the line and 5 in words. 40 of 100 is low although it is above the mean of all ratings (35.25), and 6
+    // of 7 is high although it is below. Over both questions the differences are shares of the scales: -25.5 of 100 and 1 of 6.
+    void ratingsAreComparedWithinTheirQuestion_data()
+    {
+        QTest::addColumn<QList<double>>("line");   // of blank glass to Q2
+        QTest::addColumn<QList<double>>("words");  // of blank glass to Q3
+        QTest::addColumn<bool>("isFlagged");
+        QTest::newRow("low on the line") << QList<double>{40, 40, 40} << QList<double>{} << false;
+        QTest::newRow("high on the line") << QList<double>{66, 66, 66} << QList<double>{} << true;
+        QTest::newRow("high in words") << QList<double>{} << QList<double>{6, 6, 6} << true;
+        QTest::newRow("low in words") << QList<double>{} << QList<double>{4, 5, 5} << false;
+        QTest::newRow("lower on the line than higher in words") << QList<double>{40, 40} << QList<double>{6, 6} << false;
+        QTest::newRow("higher in words than lower on the line") << QList<double>{60, 60} << QList<double>{6, 6} << true;
+    }
+    void ratingsAreComparedWithinTheirQuestion()
+    {
+        QFETCH(QList<double>, line);
+        QFETCH(QList<double>, words);
+        QFETCH(bool, isFlagged);
+        for (auto StudyData::*const low : {&StudyData::catchResponses, &StudyData::mismatchedResponses}) {
+            StudyData data = onTwoScales();
+            for (const double rating : line) (data.*low).push_back(builders::rated("P01", "F01", "f", "Q2", rating));
+            for (const double rating : words) (data.*low).push_back(builders::rated("P01", "F01", "f", "Q3", rating));
+            QCOMPARE(flagged(data).size(), qsizetype(isFlagged));
+        }
+    }
+
+    /// Q2 has 2 catch trials, Q3 has 6: glass is lower in both, though its mean over all is higher (5.5 against 5).
+    void questionsWithUnequalCatchTrialsAreNotMixed()
+    {
+        StudyData data =
+            builders::emptyStudy(1, 12, oneCondition, {{"Q2", "", protocols::Rating{}}, {"Q3", "", protocols::Rating{}}});
+        for (std::size_t i = 0; i < data.fabrics.size(); ++i) {
+            data.responses.push_back(builders::rated("P01", data.fabrics[i], "f", "Q2", 1.0 + static_cast<double>(i % 3)));
+            data.responses.push_back(builders::rated("P01", data.fabrics[i], "f", "Q3", 7.0 + static_cast<double>(i % 3)));
+        }
+        for (int i = 0; i < 2; ++i) data.catchResponses.push_back(builders::rated("P01", "F01", "f", "Q2", 1));
+        for (int i = 0; i < 6; ++i) data.catchResponses.push_back(builders::rated("P01", "F01", "f", "Q3", 7));
+        QCOMPARE(flagged(data), QStringList());
     }
 
     void mismatchesRatedHigh()

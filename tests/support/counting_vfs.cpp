@@ -14,6 +14,7 @@ struct SharedState {
     LogTraffic traffic;
     int writeFault = SQLITE_OK;
     int syncFault = SQLITE_OK;
+    bool hasSharedMemory = true;
     DiskFault fault;
     std::int64_t operations = 0;
     std::chrono::milliseconds delay{0};
@@ -100,7 +101,7 @@ const sqlite3_io_methods countingMethods = {
     [](sqlite3_file* f) { return methodsOf(f).xSectorSize(realOf(f)); },
     [](sqlite3_file* f) { return methodsOf(f).xDeviceCharacteristics(realOf(f)); },
     [](sqlite3_file* f, int page, int size, int extend, void volatile** memory) {
-        return methodsOf(f).xShmMap(realOf(f), page, size, extend, memory);
+        return shared.hasSharedMemory ? methodsOf(f).xShmMap(realOf(f), page, size, extend, memory) : SQLITE_IOERR_SHMMAP;
     },
     [](sqlite3_file* f, int offset, int count, int flags) { return methodsOf(f).xShmLock(realOf(f), offset, count, flags); },
     [](sqlite3_file* f) { methodsOf(f).xShmBarrier(realOf(f)); },
@@ -141,6 +142,7 @@ CountingVfs::~CountingVfs()
 LogTraffic CountingVfs::traffic() const { return shared.traffic; }
 void CountingVfs::letWritesFailWith(int code) { shared.writeFault = code; }
 void CountingVfs::letSyncsFailWith(int code) { shared.syncFault = code; }
+void CountingVfs::letSharedMemoryFail() { shared.hasSharedMemory = false; }
 
 void CountingVfs::setFault(const DiskFault& fault)
 {

@@ -46,6 +46,8 @@ public:
     /// Sets the result of all following writes: SQLITE_FULL, SQLITE_IOERR_WRITE, …; SQLITE_OK lets them work again.
     void letWritesFailWith(int code);
     void letSyncsFailWith(int code);
+    /// As a file system that maps no memory for several processes.
+    void letSharedMemoryFail();
 
     /// Sets the fault and counts the operations from 0 again.
     void setFault(const DiskFault& fault);

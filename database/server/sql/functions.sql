@@ -20,7 +20,8 @@
 -- presentation is not due. VH204 another station went on. VH205 this connection has not joined or claimed. VH206 the study is
 -- being moved. VH207 all slots are taken. VH208 the answer is stored already. VH209 there is no answer to correct. VH210 a table
 -- is append-only. VH211 the presentation was not released. VH212 the participant has withdrawn. VH213 the transaction is not
--- of its own. VH214 the study is not complete. VH301 the database is of another kind. VH302 the study is busy.
+-- of its own. VH214 the study is not complete. VH301 the database is of another kind. VH302 the study is busy. VH303 the groups
+-- of the study (roles.sql) are those of another study, or have members of an earlier one.
 
 -- The bytes that are hashed: protocols/files/canonical_bytes.h. Without the casts to text the planner could not inline these
 -- functions.
@@ -184,14 +185,17 @@ $$;
 
 -- Locks and connections.
 
--- A later statement of a transaction at a higher level does not see what others stored.
+-- A later statement of a transaction at a higher level does not see what others stored. From here on the transaction is on the
+-- disk when it returns, whatever database or login have set: an image must not go out without the record of its release.
 CREATE OR REPLACE FUNCTION @schema@.server_require_statement() RETURNS void LANGUAGE plpgsql AS $$
 BEGIN
     IF current_setting('transaction_isolation') <> 'read committed' THEN
         RAISE EXCEPTION USING ERRCODE = 'VH213', MESSAGE = 'the transaction has the isolation level '
                 || current_setting('transaction_isolation'),
-            DETAIL = 'read committed', HINT = 'call the function outside a transaction';
+            DETAIL = 'read committed',
+            HINT = 'call the function outside a transaction, with default_transaction_isolation = ''read committed''';
     END IF;
+    IF current_setting('synchronous_commit') = 'off' THEN PERFORM set_config('synchronous_commit', 'on', true); END IF;
 END
 $$;
 
@@ -212,8 +216,7 @@ BEGIN
 END
 $$;
 
--- Entries are appended one after the other: the lock lasts until the transaction ends. A transaction that writes entries is on
--- the disk when it returns, whatever the login has set.
+-- Entries are appended one after the other: the lock lasts until the transaction ends.
 CREATE OR REPLACE FUNCTION @schema@.server_lock(needs_open boolean) RETURNS void LANGUAGE plpgsql AS $$
 DECLARE
     state text;
@@ -228,7 +231,6 @@ BEGIN
         RAISE EXCEPTION USING ERRCODE = 'VH206', MESSAGE = 'the study is being moved',
             DETAIL = 'a study whose move is complete', HINT = 'ask its owner where it is now';
     END IF;
-    IF current_setting('synchronous_commit') = 'off' THEN PERFORM set_config('synchronous_commit', 'on', true); END IF;
 END
 $$;
 
@@ -241,6 +243,16 @@ $$ SELECT l.pid, l.classid::bigint << 32 | l.objid::bigint FROM pg_locks l
 -- Whether the process holds the sign of its station.
 CREATE OR REPLACE FUNCTION @schema@.server_is_live(process int, its_sign bigint) RETURNS boolean LANGUAGE sql STABLE AS
 $$ SELECT EXISTS (SELECT FROM @schema@.server_signs() s WHERE s.pid = process AND s.sign = its_sign) $$;
+
+-- Keeps on record what the connection of a station may owe that has ended. The caller removes it from the station's row.
+CREATE OR REPLACE FUNCTION @schema@.server_keep_owed(ended @schema@.server_stations) RETURNS void LANGUAGE sql AS $$
+    INSERT INTO @schema@.server_owed(token, participant, station, login, queue_length)
+    SELECT ended.token, coalesce(ended.participant, ''), ended.station, ended.login, ended.queue_length
+    WHERE ended.participant IS NOT NULL OR ended.queue_length > 0
+    ON CONFLICT (token, participant) DO UPDATE
+        SET station = excluded.station, login = excluded.login, since = excluded.since,
+            queue_length = greatest(server_owed.queue_length, excluded.queue_length)
+$$;
 
 -- The row of this connection, locked; a row of NULLs where it has not joined.
 CREATE OR REPLACE FUNCTION @schema@.server_own_station() RETURNS @schema@.server_stations LANGUAGE plpgsql AS $$
@@ -411,11 +423,15 @@ BEGIN
     END IF;
     own := @schema@.server_own_station();
     IF own.station IS NOT NULL THEN PERFORM pg_advisory_unlock(own.sign); END IF;
-    -- Monitors see a station that is gone for one day. One that holds a participant stays: answers may wait there. A process of a
-    -- server that started again may have the number of its last connection, but not its lock.
+    -- A station that joins again on the same connection has left its participant, and nothing waits. One that comes back on
+    -- another connection may still have to send what waits; so may the one whose name it takes.
+    IF same.station IS DISTINCT FROM own.station THEN PERFORM @schema@.server_keep_owed(same); END IF;
+    IF own.queue_length > 0 THEN PERFORM @schema@.server_keep_owed(own); END IF;
+    -- Monitors see a station that is gone for one day. One that may owe answers stays. A process of a server that started again
+    -- may have the number of its last connection, but not its lock.
     DELETE FROM @schema@.server_stations s
     WHERE s.station = its_station OR s.station = own.station
-       OR (s.last_seen < clock_timestamp() - interval '1 day' AND s.participant IS NULL
+       OR (s.last_seen < clock_timestamp() - interval '1 day' AND s.participant IS NULL AND s.queue_length = 0
            AND NOT @schema@.server_is_live(s.pid, s.sign));
     new_sign := ('x' || left(@schema@.server_salt(), 16))::bit(64)::bigint;
     PERFORM pg_advisory_lock(new_sign);
@@ -525,7 +541,8 @@ BEGIN
                 MESSAGE = 'participant ' || its_id || ' is at station ' || holder.station,
                 DETAIL = 'a participant at one station at a time', HINT = 'end the session at the other station first';
         END IF;
-        UPDATE @schema@.server_stations s SET participant = NULL WHERE s.station = holder.station;
+        PERFORM @schema@.server_keep_owed(holder);
+        UPDATE @schema@.server_stations s SET participant = NULL, queue_length = 0 WHERE s.station = holder.station;
     END IF;
     its := @schema@.server_enrol(its_id, kind);
     UPDATE @schema@.server_stations s SET participant = its_id, last_seen = clock_timestamp() WHERE s.station = own.station;
@@ -1038,6 +1055,8 @@ BEGIN
     IF new_state IS NOT NULL THEN UPDATE @schema@.participants p SET state = new_state WHERE p.id = its_id; END IF;
     INSERT INTO @schema@.server_received(id, participant, event, station, login)
     VALUES (entry_id, its_id, number, own.station, session_user);
+    -- What waits elsewhere for this participant follows another log: VH204 from here on.
+    DELETE FROM @schema@.server_owed o WHERE o.participant = its_id AND o.token <> own.token;
     RETURN jsonb_build_object('event', number, 'head', @schema@.server_head(), 'again', false);
 END
 $$;
@@ -1053,6 +1072,7 @@ BEGIN
     END IF;
     UPDATE @schema@.server_stations s SET queue_length = its_length, last_seen = clock_timestamp()
     WHERE s.station = own.station;
+    IF its_length = 0 THEN DELETE FROM @schema@.server_owed o WHERE o.token = own.token; END IF;
     RETURN jsonb_build_object('now', @schema@.server_wall_time());
 END
 $$;
@@ -1063,6 +1083,12 @@ DECLARE
     own @schema@.server_stations := @schema@.server_own_station();
 BEGIN
     IF own.station IS NULL THEN RETURN; END IF;
+    -- A program leaves when nothing waits; one that reported entries and then no longer may keep them.
+    IF own.queue_length = 0 THEN
+        DELETE FROM @schema@.server_owed o WHERE o.token = own.token;
+    ELSE
+        PERFORM @schema@.server_keep_owed(own);
+    END IF;
     DELETE FROM @schema@.server_stations s WHERE s.station = own.station;
     PERFORM pg_advisory_unlock(own.sign);
 END
@@ -1081,6 +1107,11 @@ CREATE OR REPLACE FUNCTION @schema@.progress() RETURNS jsonb LANGUAGE sql VOLATI
                 ORDER BY s.station)
             FROM @schema@.server_stations s
             LEFT JOIN @schema@.server_signs() held ON held.pid = s.pid AND held.sign = s.sign), '[]'),
+        'owed', coalesce((
+            SELECT jsonb_agg(jsonb_build_object(
+                'station', o.station, 'login', o.login, 'participant', nullif(o.participant, ''), 'queue_length', o.queue_length)
+                ORDER BY o.station, o.participant)
+            FROM @schema@.server_owed o), '[]'),
         'head', @schema@.server_head())
 $$;
 
@@ -1111,6 +1142,11 @@ BEGIN
         PERFORM @schema@.server_wrong_field('details.hash', 'the hash of the entry in the log');
     END IF;
     PERFORM @schema@.server_require_statement();
+    -- A move compares all rows, and a copy that is on its way would lack this one.
+    IF (SELECT s.state FROM @schema@.server_study s WHERE s.id = 1) IS DISTINCT FROM 'open' THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH206', MESSAGE = 'the study is being moved',
+            DETAIL = 'a study whose move is complete', HINT = 'complete the move first';
+    END IF;
     LOCK TABLE @schema@.acts IN SHARE ROW EXCLUSIVE MODE;
     SELECT a.number + 1, a.hash INTO number, previous FROM @schema@.acts a ORDER BY a.number DESC LIMIT 1;
     IF number IS NULL THEN
@@ -1263,9 +1299,16 @@ BEGIN
         RAISE EXCEPTION USING ERRCODE = 'VH202', MESSAGE = 'stations are in sessions: ' || live,
             DETAIL = 'no station in a session', HINT = 'end the sessions first';
     END IF;
-    SELECT string_agg(s.station || ' (' || s.participant || ')', ', ' ORDER BY s.station) INTO away
-    FROM @schema@.server_stations s
-    WHERE s.participant IS NOT NULL AND NOT given_up ? s.station;
+    SELECT string_agg(w.station || ' (' || concat_ws(', ', nullif(w.participant, ''),
+                                                     CASE WHEN w.entries > 0 THEN w.entries || ' entries' END) || ')',
+                      ', ' ORDER BY w.station, w.participant) INTO away
+    FROM (SELECT o.station, o.participant, max(o.queue_length) AS entries
+          FROM (SELECT s.station, coalesce(s.participant, '') AS participant, s.queue_length FROM @schema@.server_stations s
+                WHERE s.participant IS NOT NULL OR s.queue_length > 0
+                UNION ALL
+                SELECT k.station, k.participant, k.queue_length FROM @schema@.server_owed k) o
+          WHERE NOT given_up ? o.station
+          GROUP BY o.station, o.participant) w;
     IF away IS NOT NULL THEN
         RAISE EXCEPTION USING ERRCODE = 'VH202', MESSAGE = 'answers may wait at stations that are away: ' || away,
             DETAIL = 'every station closed while it reaches the server',

@@ -1,19 +1,53 @@
 -- The groups of a study's logins. They cannot log in; a lab grants them to logins of its own, one for each station. Run as often
--- as wanted.
+-- as wanted. Groups belong to the whole server, but a study to one database of it.
 
 DO $$
 DECLARE
     name text;
+    its_group oid;
+    member text;
+    members text;
 BEGIN
     FOREACH name IN ARRAY ARRAY['@prefix@_experimenter', '@prefix@_monitor', '@prefix@_analyst', '@prefix@_display'] LOOP
-        IF NOT EXISTS (SELECT FROM pg_catalog.pg_roles r WHERE r.rolname = name) THEN
-            EXECUTE format('CREATE ROLE %I NOLOGIN', name);
+        SELECT r.oid INTO its_group FROM pg_catalog.pg_roles r WHERE r.rolname = name;
+        IF NOT FOUND THEN
+            BEGIN
+                EXECUTE format('CREATE ROLE %I NOLOGIN', name);
+            EXCEPTION
+                WHEN insufficient_privilege THEN
+                    RAISE EXCEPTION USING ERRCODE = 'VH301', MESSAGE = 'your login cannot make the groups of the study',
+                        DETAIL = 'a login with CREATEROLE', HINT = 'ask the administrator of the server';
+            END;
+            CONTINUE;
         END IF;
+        -- A group that has rights here is that of this study, or of a copy of it in another database.
+        CONTINUE WHEN EXISTS (SELECT FROM pg_catalog.pg_namespace n, pg_catalog.aclexplode(n.nspacl) a
+                              WHERE n.oid = '@schema@'::pg_catalog.regnamespace AND a.grantee = its_group);
+        IF EXISTS (SELECT FROM pg_catalog.pg_shdepend d
+                   WHERE d.refclassid = 'pg_catalog.pg_authid'::pg_catalog.regclass AND d.refobjid = its_group
+                     AND d.dbid NOT IN (0, (SELECT b.oid FROM pg_catalog.pg_database b
+                                            WHERE b.datname = current_database()))) THEN
+            RAISE EXCEPTION USING ERRCODE = 'VH303',
+                MESSAGE = 'another database of this server has a study of this name, and its logins could enter this one',
+                DETAIL = 'a name of its own for each study of a server',
+                HINT = 'move this study back, then to an address with another study=NAME';
+        END IF;
+        -- Else it is left over from an earlier study: its members are not those of this one.
+        SELECT string_agg(m.member::pg_catalog.regrole::text, ', ' ORDER BY m.member::pg_catalog.regrole::text) INTO members
+        FROM pg_catalog.pg_auth_members m WHERE m.roleid = its_group;
+        FOR member IN SELECT m.rolname FROM pg_catalog.pg_auth_members a JOIN pg_catalog.pg_roles m ON m.oid = a.member
+                      WHERE a.roleid = its_group LOOP
+            BEGIN
+                EXECUTE format('REVOKE %I FROM %I', name, member);
+            EXCEPTION
+                WHEN insufficient_privilege THEN
+                    RAISE EXCEPTION USING ERRCODE = 'VH303',
+                        MESSAGE = 'the group ' || name || ' is left over from an earlier study, with members: ' || members,
+                        DETAIL = 'a group without members',
+                        HINT = 'ask the administrator of the server to revoke these members and run this again; then grant the role';
+            END;
+        END LOOP;
     END LOOP;
-EXCEPTION
-    WHEN insufficient_privilege THEN
-        RAISE EXCEPTION USING ERRCODE = 'VH301', MESSAGE = 'your login cannot make the groups of the study',
-            DETAIL = 'a login with CREATEROLE', HINT = 'ask the administrator of the server';
 END
 $$;
 

@@ -148,6 +148,13 @@ CREATE TABLE @schema@.server_stations(
     participant text COLLATE "C" UNIQUE, queue_length bigint NOT NULL DEFAULT 0, program text NOT NULL,
     last_seen timestamptz NOT NULL DEFAULT clock_timestamp());
 
+-- Answers that may still wait at a station, where the connection that ended with them has lost its row above: the station joined
+-- anew, or another one has its name or its participant now. They stay until the station of the token says that nothing waits, or
+-- another station stores an entry of the participant. participant: empty where the station had none.
+CREATE TABLE @schema@.server_owed(
+    token text NOT NULL, participant text COLLATE "C" NOT NULL, station text COLLATE "C" NOT NULL, login text NOT NULL,
+    queue_length bigint NOT NULL, since timestamptz NOT NULL DEFAULT clock_timestamp(), PRIMARY KEY (token, participant));
+
 -- Which entries of stations are stored, so that one that is sent again is not stored again.
 CREATE TABLE @schema@.server_received(
     id uuid PRIMARY KEY, participant text COLLATE "C" NOT NULL, event bigint NOT NULL, station text NOT NULL,

@@ -1,6 +1,7 @@
 #include "rendering/fabrics/recordings/import_sources.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <system_error>
 #include <tuple>
@@ -39,13 +40,23 @@ std::string listed(std::span<const std::string_view> endings)
     return list;
 }
 
+using EachFile = fs::recursive_directory_iterator;
+
+/// Skips hidden folders with all that lies in them. True for a hidden file or folder.
+bool isSkipped(EachFile& entry)
+{
+    if (!isHidden(entry->path())) return false;
+    entry.disable_recursion_pending();
+    return true;
+}
+
 void takeFolder(const fs::path& folder, std::span<const std::string_view> endings, FabricNaming naming,
                 std::vector<SourceFile>& taken)
 {
     const std::size_t before = taken.size();
-    for (const auto& entry : fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied)) {
-        const fs::path& file = entry.path();
-        if (!entry.is_regular_file() || file.filename().string().starts_with('.') || !hasEnding(file, endings)) continue;
+    for (EachFile entry(folder, fs::directory_options::skip_permission_denied); entry != EachFile(); ++entry) {
+        const fs::path& file = entry->path();
+        if (isSkipped(entry) || !entry->is_regular_file() || !hasEnding(file, endings)) continue;
         const fs::path inside = file.lexically_relative(folder);
         const std::string stem = file.stem().string();
         std::string name = nameUpToLastUnderscore(stem);
@@ -62,6 +73,13 @@ void takeFolder(const fs::path& folder, std::span<const std::string_view> ending
 
 }  // namespace
 
+bool isHidden(const fs::path& entry)
+{
+    const std::string name = entry.filename().string();
+    constexpr std::array<std::string_view, 4> ofShares{"@eaDir", "#recycle", "@Recycle", "$RECYCLE.BIN"};
+    return name.starts_with('.') || std::ranges::find(ofShares, name) != ofShares.end();
+}
+
 std::string lowerCase(std::string text)
 {
     for (char& c : text)
@@ -77,11 +95,10 @@ std::string picturesLeftOut(std::span<const fs::path> from, std::span<const std:
     std::size_t count = 0;
     for (const fs::path& source : from) {
         std::error_code problem;
-        for (const auto& entry :
-             fs::recursive_directory_iterator(source, fs::directory_options::skip_permission_denied, problem)) {
-            const bool isHidden = entry.path().filename().string().starts_with('.');
-            if (isHidden || hasEnding(entry.path(), endings) || !hasEnding(entry.path(), otherPictures)) continue;
-            kinds.insert(lowerCase(entry.path().extension().string()));
+        for (EachFile entry(source, fs::directory_options::skip_permission_denied, problem); entry != EachFile(); ++entry) {
+            const fs::path& file = entry->path();
+            if (isSkipped(entry) || hasEnding(file, endings) || !hasEnding(file, otherPictures)) continue;
+            kinds.insert(lowerCase(file.extension().string()));
             ++count;
         }
     }

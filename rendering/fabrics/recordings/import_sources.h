@@ -20,8 +20,13 @@ enum class FabricNaming {
     BeforeForce,   ///< the file name up to "_F" and a digit (sliding records)
 };
 
+/// Whether no person put the file or folder there. Such files begin with a dot. Network disks and sticks keep older files and
+/// thumbnails in folders of their own, such as .Trash-1000, .stversions, .@__thumb, @eaDir and #recycle.
+bool isHidden(const std::filesystem::path& entry);
+
 /// The given files, and the files in given folders and their sub-folders that have one of `endings` (lower case, with the
-/// dot). Ordered by fabric name and path. Throws badInput for a missing path and for a folder without such a file.
+/// dot). Hidden files and folders in them are left out. Ordered by fabric name and path. Throws badInput for a missing path and
+/// for a folder without such a file.
 std::vector<SourceFile> sourceFiles(std::span<const std::filesystem::path> from, std::span<const std::string_view> endings,
                                     FabricNaming naming);
 

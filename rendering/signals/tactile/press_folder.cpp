@@ -23,8 +23,10 @@ std::string endingOf(const fs::path& file)
     return ending;
 }
 
+/// A Mac puts "._NAME.png", which is no picture, beside each picture on a stick.
 bool isPicture(const fs::path& file)
 {
+    if (file.filename().string().starts_with('.')) return false;
     constexpr std::array<std::string_view, 6> endings{".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff"};
     return std::find(endings.begin(), endings.end(), endingOf(file)) != endings.end();
 }

@@ -27,30 +27,23 @@ stats::RatingTruth ratingTruthOf(const protocols::RatingScale& scale)
     return truth;
 }
 
-stats::PowerOptions powerOptionsOf(const protocols::Protocol& protocol)
+stats::PowerOptions powerOptionsOf(const protocols::Protocol& protocol, const TestedQuestions& tested)
 {
     stats::PowerOptions options;
     options.design.participants = static_cast<std::size_t>(protocol.participants);
     options.design.fabrics = static_cast<std::size_t>(protocol.fabricCount);
     options.design.conditions = protocol.conditions.size();
     options.equivalenceBounds = protocol.equivalenceBounds;
-    options.hasChoices = options.hasRatings = false;
-    for (const auto& phase : protocol.phases) {
-        if (const auto* choice = std::get_if<protocols::ForcedChoice>(&phase.task); choice && !options.hasChoices) {
-            options.hasChoices = true;
-            options.design.alternatives = choice->alternatives;
-        }
-        if (const auto* rating = std::get_if<protocols::Rating>(&phase.task); rating && !options.hasRatings) {
-            options.hasRatings = true;
-            options.ratings = ratingTruthOf(rating->scale);
-        }
-    }
+    options.hasChoices = tested.choices.has_value();
+    options.hasRatings = tested.ratings.has_value();
+    if (tested.choices) options.design.alternatives = tested.choices->alternatives;
+    if (tested.ratings) options.ratings = ratingTruthOf(tested.ratings->scale);
     return options;
 }
 
 std::string boundsWarning(const protocols::Protocol& protocol)
 {
-    const stats::PowerOptions options = powerOptionsOf(protocol);
+    const stats::PowerOptions options = powerOptionsOf(protocol, testedQuestions(protocol));
     if (!options.hasRatings || options.design.participants < 2) return {};
     const stats::Value reached = stats::narrowestBounds(options);
     const auto [low, high] = protocol.equivalenceBounds;

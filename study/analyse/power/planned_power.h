@@ -6,12 +6,13 @@
 #include "protocols/protocol.h"
 #include "stats/power/calibration.h"
 #include "stats/power/power_plan.h"
+#include "study/analyse/power/tested_questions.h"
 
 namespace study::analyse {
 
-/// The design of the protocol, and for its first rating the default variances, stretched to its scale. The caller sets the
-/// simulation, and the number of participants if it differs from the protocol's.
-stats::PowerOptions powerOptionsOf(const protocols::Protocol& protocol);
+/// The design of the protocol with the alternatives of the tested choices, and the default variances, stretched to the scale of
+/// the tested ratings. The caller sets the simulation, and the number of participants if it differs from the protocol's.
+stats::PowerOptions powerOptionsOf(const protocols::Protocol& protocol, const TestedQuestions& tested);
 
 /// The default variances of stats::RatingTruth, stretched to this scale.
 stats::RatingTruth ratingTruthOf(const protocols::RatingScale& scale);

@@ -76,8 +76,9 @@ void putDesign(ordered_json& json, const stats::PowerOptions& options)
     json["design"] = {{"participants", design.participants},
                       {"fabrics", design.fabrics},
                       {"conditions", design.conditions},
-                      {"alternatives", design.alternatives},
+                      {"alternatives", options.hasChoices ? ordered_json(design.alternatives) : ordered_json()},
                       {"equivalence_bounds", {options.equivalenceBounds.first, options.equivalenceBounds.second}}};
+    if (!options.hasChoices) json["design"]["why"] = {{"alternatives", "no answer is right or wrong"}};
     json["assumed"] = {{"variance_participant", truth.participant},
                        {"variance_fabric", truth.fabric},
                        {"variance_participant_condition", truth.participantCondition},

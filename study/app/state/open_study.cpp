@@ -1,12 +1,10 @@
 #include "study/app/state/open_study.h"
 
 #include <QCoreApplication>
-#include <QDir>
-#include <QRegularExpression>
 #include <QStandardPaths>
 #include <algorithm>
 
-#include "database/server/server_roles.h"
+#include "database/server/station_folders.h"
 #include "protocols/files/errors.h"
 #include "protocols/protocol_json.h"
 #include "study/app/language/app_text.h"
@@ -32,16 +30,8 @@ std::unique_ptr<database::SessionStore> storeOf(const database::StudyFolder& fol
 std::filesystem::path folderOfStudy(const std::filesystem::path& place)
 {
     if (!database::isServerAddress(place.string())) return place;
-    const database::ServerAddress address = database::serverAddressFrom(place.string());
-    const QString name = QString::fromStdString(address.study + "-" + address.database + "-" + address.host);
-    const QDir stations(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/stations");
-    const database::StudyFolder folder{
-        stations.filePath(QString(name).replace(QRegularExpression("[^A-Za-z0-9_.-]"), "_")).toStdString()};
-    if (database::readServerNote(folder.folder))
-        takeAddress(address, folder);
-    else
-        joinStudy(address, folder.folder, session::operatedBy("", "").host);
-    return folder.folder;
+    const QString stations = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/stations";
+    return stationFolder(database::serverAddressFrom(place.string()), stations.toStdString(), session::operatedBy("", "").host);
 }
 
 OpenStudy::OpenStudy(const std::filesystem::path& folder)

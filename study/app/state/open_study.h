@@ -39,8 +39,8 @@ struct StudyOverview {
 };
 
 /// The folder of a study that the operator named. An address of a server becomes the folder of this station, which is made at the
-/// first time, below the user's data; a folder that is there takes the address over. Throws the errors of database::joinStudy and
-/// database::takeAddress.
+/// first time, below the user's data; a folder of the same study takes the address over. Throws the errors of
+/// database::stationFolder.
 std::filesystem::path folderOfStudy(const std::filesystem::path& place);
 
 class OpenStudy {

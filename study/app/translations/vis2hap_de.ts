@@ -832,6 +832,34 @@
         <translation>schließen Sie die Studie zuerst dort</translation>
     </message>
     <message>
+        <source>another computer has the study open for writing, or its program ended without closing it (process %1)</source>
+        <translation>ein anderer Computer hat die Studie zum Schreiben geöffnet, oder sein Programm endete, ohne sie zu schließen (Prozess %1)</translation>
+    </message>
+    <message>
+        <source>one computer at a time on a disk that other computers may use</source>
+        <translation>nur ein Computer zur selben Zeit auf einer Netzwerkfreigabe</translation>
+    </message>
+    <message>
+        <source>close the study there</source>
+        <translation>schließen Sie die Studie dort</translation>
+    </message>
+    <message>
+        <source>where it is closed for certain, delete %1 and do it again</source>
+        <translation>wenn sie dort sicher geschlossen ist, löschen Sie %1 und wiederholen Sie den Schritt</translation>
+    </message>
+    <message>
+        <source>the file system does not say whether the database is in its place (%1)</source>
+        <translation>das Dateisystem sagt nicht, ob die Datenbank an ihrem Platz ist (%1)</translation>
+    </message>
+    <message>
+        <source>a disk or a network share that answers</source>
+        <translation>ein Datenträger oder eine Netzwerkfreigabe, die antwortet</translation>
+    </message>
+    <message>
+        <source>check it and do the step again</source>
+        <translation>prüfen Sie das und wiederholen Sie den Schritt</translation>
+    </message>
+    <message>
         <source>the study cannot be opened for writing: %1</source>
         <translation>die Studie lässt sich nicht zum Schreiben öffnen: %1</translation>
     </message>
@@ -1566,6 +1594,42 @@
     <message>
         <source>type the next free code, or choose the participant in the list</source>
         <translation>geben Sie das nächste freie Kürzel ein, oder wählen Sie die Person in der Liste</translation>
+    </message>
+    <message>
+        <source>the server lost entries after entry %1, so codes of participants may be lost, too</source>
+        <translation>dem Server fehlen Einträge nach Eintrag %1, deshalb können auch Codes von Teilnehmenden fehlen</translation>
+    </message>
+    <message>
+        <source>ask the study&apos;s owner</source>
+        <translation>fragen Sie die Leitung der Studie</translation>
+    </message>
+    <message>
+        <source>if the owner agrees, enrol %1 once more</source>
+        <translation>ist die Leitung einverstanden, nehmen Sie %1 noch einmal auf</translation>
+    </message>
+    <message>
+        <source>the server has another study of this name than before</source>
+        <translation>der Server hat eine andere Studie dieses Namens als zuvor</translation>
+    </message>
+    <message>
+        <source>move this folder elsewhere to join the other study</source>
+        <translation>verschieben Sie diesen Ordner, um an der anderen Studie teilzunehmen</translation>
+    </message>
+    <message>
+        <source>%1 entries for another address wait in the folder of this station</source>
+        <translation>im Ordner dieser Station warten %1 Einträge, die für eine andere Adresse bestimmt sind</translation>
+    </message>
+    <message>
+        <source>open the folder itself, so that they are sent</source>
+        <translation>öffnen Sie den Ordner selbst, damit sie gesendet werden</translation>
+    </message>
+    <message>
+        <source>if its address is gone, move it elsewhere and give it to the study&apos;s owner</source>
+        <translation>gibt es seine Adresse nicht mehr, verschieben Sie ihn und geben Sie ihn der Leitung der Studie</translation>
+    </message>
+    <message>
+        <source>give the file to the study&apos;s owner, then open the address again</source>
+        <translation>geben Sie die Datei der Leitung der Studie und öffnen Sie dann die Adresse noch einmal</translation>
     </message>
 </context>
 <context>
@@ -4587,6 +4651,10 @@ Noch ist nichts gewählt.</translation>
     <message>
         <source>Station %1: entries wait on this computer: %2. They are being sent.</source>
         <translation>Station %1: Auf diesem Rechner warten Einträge: %2. Sie werden gerade gesendet.</translation>
+    </message>
+    <message>
+        <source>The server lost entries after entry %1 that this station had seen. Ask the study&apos;s owner before anybody goes on.</source>
+        <translation>Dem Server fehlen Einträge nach Eintrag %1, die diese Station gesehen hatte. Fragen Sie die Leitung der Studie, bevor jemand weitermacht.</translation>
     </message>
     <message>
         <source>The clock of this computer is %1 s ahead of the server&apos;s clock. Set it before the next session.</source>

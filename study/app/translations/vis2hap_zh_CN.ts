@@ -832,6 +832,34 @@
         <translation>请先在那里关闭研究</translation>
     </message>
     <message>
+        <source>another computer has the study open for writing, or its program ended without closing it (process %1)</source>
+        <translation>另一台计算机已打开此研究并可写入，或者其程序未关闭研究就已结束（进程%1）</translation>
+    </message>
+    <message>
+        <source>one computer at a time on a disk that other computers may use</source>
+        <translation>网络共享上同一时间只有一台计算机</translation>
+    </message>
+    <message>
+        <source>close the study there</source>
+        <translation>请在那里关闭研究</translation>
+    </message>
+    <message>
+        <source>where it is closed for certain, delete %1 and do it again</source>
+        <translation>如果确定那里已关闭，请删除%1，然后重试</translation>
+    </message>
+    <message>
+        <source>the file system does not say whether the database is in its place (%1)</source>
+        <translation>文件系统没有说明数据库是否仍在原处（%1）</translation>
+    </message>
+    <message>
+        <source>a disk or a network share that answers</source>
+        <translation>能够响应的磁盘或网络共享</translation>
+    </message>
+    <message>
+        <source>check it and do the step again</source>
+        <translation>请检查后重做这一步</translation>
+    </message>
+    <message>
         <source>the study cannot be opened for writing: %1</source>
         <translation>无法以写入方式打开研究：%1</translation>
     </message>
@@ -1566,6 +1594,42 @@
     <message>
         <source>type the next free code, or choose the participant in the list</source>
         <translation>请输入下一个可用代码，或在列表中选择该参与者</translation>
+    </message>
+    <message>
+        <source>the server lost entries after entry %1, so codes of participants may be lost, too</source>
+        <translation>服务器缺少第 %1 条之后的记录，因此参与者代码也可能丢失</translation>
+    </message>
+    <message>
+        <source>ask the study&apos;s owner</source>
+        <translation>请询问研究的所有者</translation>
+    </message>
+    <message>
+        <source>if the owner agrees, enrol %1 once more</source>
+        <translation>如果所有者同意，请再次登记 %1</translation>
+    </message>
+    <message>
+        <source>the server has another study of this name than before</source>
+        <translation>服务器上是另一项同名研究，与以前的不同</translation>
+    </message>
+    <message>
+        <source>move this folder elsewhere to join the other study</source>
+        <translation>若要加入另一项研究，请把此文件夹移到别处</translation>
+    </message>
+    <message>
+        <source>%1 entries for another address wait in the folder of this station</source>
+        <translation>本工作站的文件夹中有 %1 条发往另一个地址的记录在等待</translation>
+    </message>
+    <message>
+        <source>open the folder itself, so that they are sent</source>
+        <translation>请直接打开该文件夹，以便发送这些记录</translation>
+    </message>
+    <message>
+        <source>if its address is gone, move it elsewhere and give it to the study&apos;s owner</source>
+        <translation>如果其地址已不存在，请把它移到别处并交给研究的所有者</translation>
+    </message>
+    <message>
+        <source>give the file to the study&apos;s owner, then open the address again</source>
+        <translation>请把该文件交给研究的所有者，然后重新打开该地址</translation>
     </message>
 </context>
 <context>
@@ -4587,6 +4651,10 @@ Nothing is chosen yet.</source>
     <message>
         <source>Station %1: entries wait on this computer: %2. They are being sent.</source>
         <translation>工作站 %1：本机等待发送的记录：%2 条。正在发送。</translation>
+    </message>
+    <message>
+        <source>The server lost entries after entry %1 that this station had seen. Ask the study&apos;s owner before anybody goes on.</source>
+        <translation>服务器缺少第 %1 条之后、本工作站曾见过的记录。在任何人继续之前，请询问研究的所有者。</translation>
     </message>
     <message>
         <source>The clock of this computer is %1 s ahead of the server&apos;s clock. Set it before the next session.</source>

@@ -23,6 +23,14 @@ bool isLiveFile(const std::string& name)
            name == "study.db-journal";
 }
 
+/// Some network shares keep neither modes nor times. Then the copy keeps those that it got.
+void copyRegular(const fs::directory_entry& file, const fs::path& to)
+{
+    protocols::copyBytes(file.path(), to);
+    std::error_code notKept;
+    fs::permissions(to, file.status().permissions(), notKept);
+}
+
 /// Copies files and folders into a new folder. A link would bring a file from elsewhere, and a pipe has no end: they are left
 /// out.
 void copyFolder(const fs::path& from, const fs::path& to, const fs::path& study, std::vector<std::string>& leftOut)
@@ -34,7 +42,7 @@ void copyFolder(const fs::path& from, const fs::path& to, const fs::path& study,
         if (entry.symlink_status().type() == fs::file_type::directory)
             copyFolder(entry.path(), place, study, leftOut);
         else if (entry.symlink_status().type() == fs::file_type::regular)
-            fs::copy_file(entry.path(), place);
+            copyRegular(entry, place);
         else
             leftOut.push_back(entry.path().lexically_relative(study).string() +
                               ": not in the backup, because it is no file and no folder");
@@ -47,9 +55,10 @@ std::vector<std::string> copyFiles(const fs::path& study, const fs::path& to)
     std::vector<std::string> leftOut;
     copyFolder(study, to, study, leftOut);
     // The stimuli keep their equal time stamps: the order of copying must not reveal the order of making.
+    std::error_code notKept;
     if (fs::is_directory(to / "stimuli"))
         for (const auto& stimulus : fs::directory_iterator(to / "stimuli"))
-            fs::last_write_time(stimulus.path(), fs::last_write_time(study / "stimuli" / stimulus.path().filename()));
+            fs::last_write_time(stimulus.path(), fs::last_write_time(study / "stimuli" / stimulus.path().filename()), notKept);
     return leftOut;
 }
 

@@ -95,18 +95,26 @@ private:
     int m_socket = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
 };
 
-/// The images of tickets. A lost server is tried again at the next ticket.
+/// The images of tickets. The server may have ended the connection since the last one: it was started again, or ends idle
+/// sessions.
 class TicketImages {
 public:
     explicit TicketImages(database::ServerAddress address) : m_address(std::move(address)) {}
 
+    /// An ended connection is opened anew at once, because the same ticket may be sent twice. A lost server is tried again at the
+    /// next ticket.
     cv::Mat imageOf(const std::string& ticket)
     {
+        const auto deadline = steady_clock::now() + serverPatience;
+        const bool wasConnected = m_link.has_value();
         try {
-            if (!m_link) m_link.emplace(m_address);
-            const auto reply = m_link->callForImage("released_image", {QString::fromUtf8(ticket.c_str())}, serverPatience);
-            return rendering::openedStimulus(protocols::SecretKey::ofHex(reply.key, m_address.text), reply.image,
-                                             database::releasedImageBound, m_address.text);
+            return fetched(ticket, deadline);
+        } catch (const database::ServerAway&) {
+            m_link.reset();
+            if (!wasConnected || steady_clock::now() >= deadline) throw;
+        }
+        try {
+            return fetched(ticket, deadline);
         } catch (const database::ServerAway&) {
             m_link.reset();
             throw;
@@ -114,6 +122,15 @@ public:
     }
 
 private:
+    cv::Mat fetched(const std::string& ticket, steady_clock::time_point deadline)
+    {
+        if (!m_link) m_link.emplace(m_address);
+        const auto reply = m_link->callForImage("released_image", {QString::fromUtf8(ticket.c_str())},
+                                                std::chrono::milliseconds(millisecondsUntil(deadline)));
+        return rendering::openedStimulus(protocols::SecretKey::ofHex(reply.key, m_address.text), reply.image,
+                                         database::releasedImageBound, m_address.text);
+    }
+
     database::ServerAddress m_address;
     std::optional<database::ServerLink> m_link;
 };

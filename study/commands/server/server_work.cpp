@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <memory>
 
+#include "database/disk/server_note.h"
 #include "database/server/server_progress.h"
 #include "database/server/server_rights.h"
 #include "database/server/server_roles.h"
+#include "database/server/station_folders.h"
 #include "database/server/station_store.h"
 #include "database/server/study_move.h"
 #include "protocols/files/errors.h"
@@ -48,7 +50,7 @@ void quietTheLog(const database::ServerAddress& address)
         "server's log: may hold texts of statements, so answers, notes and facts. An administrator of the server prevents "
         "it:\n");
     for (const std::string& command : missing)
-        std::printf("  sudo -u postgres psql -c '%s'\n", protocols::printable(command).c_str());
+        std::printf("  sudo -u postgres psql -c %s\n", protocols::shellWord(protocols::printable(command)).c_str());
 }
 
 /// Keeps logins from telling images apart by how they are read, or says who can.
@@ -124,6 +126,15 @@ int moveStudy(const std::string& from, const std::string& to, const std::string&
 
 int joinAsStation(const std::string& address, const std::string& given, const std::string& station)
 {
+    const auto note = given.empty() ? std::nullopt : database::readServerNote(given);
+    if (note && !note->isOwner) {
+        if (!station.empty())
+            throw protocols::badInput({"this folder is that of station " + note->station + " already", given,
+                                       "a new folder for station " + station, "leave out --station, or name a new folder"});
+        takeAddress(database::serverAddressFrom(address), {given});
+        std::printf("%s: this station uses the new address\n", protocols::printable(given).c_str());
+        return 0;
+    }
     const database::JoinedStudy joined =
         joinStudy(database::serverAddressFrom(address), given.empty() ? fs::path() : fs::path(given), stationName(station));
     std::printf("%s: this is station %s of the study %s\n", protocols::printable(joined.folder.string()).c_str(),
@@ -169,6 +180,9 @@ int showServer(const std::string& address)
         std::printf("  %-20s %-12s %-10s entries that wait: %s, last sign of life %d s ago, by %s\n", one.station.c_str(),
                     one.isLive ? "connected" : "away", one.participant.empty() ? "-" : one.participant.c_str(),
                     one.isLive ? std::to_string(one.waiting).c_str() : "unknown", one.lastSeenSeconds, one.login.c_str());
+    for (const auto& one : seen.owed)
+        std::printf("  %-20s answers of an earlier connection may wait there%s%s\n", one.station.c_str(),
+                    one.participant.empty() ? "" : ": ", one.participant.c_str());
     return 0;
 }
 

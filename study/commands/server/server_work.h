@@ -20,6 +20,7 @@ int moveNewStudy(const std::string& folder, const std::string& address);
 /// badInput where the address names no study, or one that the server has already.
 std::string folderOfNewStudy(const std::string& address);
 
+/// Makes the folder of a station. A folder that is one takes the address.
 int joinAsStation(const std::string& address, const std::string& folder, const std::string& station);
 
 /// `grants`: LOGIN=ROLE. `imagesTo`: "station" or "display"; empty: as it is. `releasesHeld`: gives out again what the server

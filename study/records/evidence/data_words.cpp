@@ -172,7 +172,7 @@ constexpr NamedFile allFileWords[] = {
     {"study.db", "", "the database: everything in the tables of this sheet", asDatabase},
     {"study.db-wal", "", "write-ahead log of the database: its latest changes", asDatabase},
     {"study.db-shm", "", "index of the write-ahead log; no data", "not encrypted"},
-    {".lock", "", "lock of the program that writes; no data", "not encrypted"},
+    {".lock", "", "lock of the program that writes: its process and computer; nothing about people", "not encrypted"},
     {"protocol.json", "", "the protocol; nothing about people", "not encrypted"},
     {"station-key.json", "", "the station key, which opens one image at a time; nothing about people", "not encrypted"},
     {"allocation-key.sealed", "", "who is shown which fabric and condition",

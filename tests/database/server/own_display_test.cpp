@@ -87,6 +87,7 @@ private Q_SLOTS:
     void aTicketHoldsForThePresentPresentationOnly();
     void rolesAreKeptApart();
     void theWrongDisplayIsRefused();
+    void theFirstTicketAfterAnEndedConnectionIsShown();
     void otherProgramsDoNotKeepTheStationOut();
     void aDriverThatCannotStartIsNamedAtTheStation_data();
     void aDriverThatCannotStartIsNamedAtTheStation();
@@ -275,6 +276,31 @@ void OwnDisplayTest::theWrongDisplayIsRefused()
                                session.display, session.clock);
     });
     QVERIFY2(fetching.contains("--images display"), qPrintable(fetching));
+}
+
+/// A server that starts again at night, or that ends idle sessions, ends the connection of the display but not the display.
+void OwnDisplayTest::theFirstTicketAfterAnEndedConnectionIsShown()
+{
+    studyOnServer("rested", "display");
+    const StudyFolder place{joinStudy(as("hand", "rested"), m_folder.filePath("rested-place").toStdString(), "left").folder};
+    const ServedDisplay served(m_server->address("rested", "device"), referenceAt(m_folder.filePath("rested-device")));
+    ServerSession session(place, "P01", database::ParticipantKind::Human, true);
+    session.stepUntil("Presenting");
+    const auto index = std::get<study::session::Presenting>(session.driver->state().stage).index;
+    const cv::Mat ticket = session.images.image(session.driver->plan().trials.at(static_cast<std::size_t>(index)).sealedCode);
+    const auto display = rendering::openDisplay(served.specification);
+    const ServerConnection server(as("owner", "rested"));
+    const auto connections = [&] {
+        return server.value("SELECT count(*) FROM pg_stat_activity WHERE usename = 'device'").toInt();
+    };
+    for (int night = 0; night < 2; ++night) {
+        QCOMPARE(errorOf([&] { display->show(ticket); }), QString());
+        display->clear();
+        QVERIFY(connections() > 0);
+        server.run("SELECT pg_terminate_backend(pid) FROM pg_stat_activity WHERE usename = 'device'");
+        QTRY_COMPARE(connections(), 0);
+    }
+    QCOMPARE(errorOf([&] { display->show(ticket); }), QString());
 }
 
 /// Any program of the computer can connect to the port. It gets nothing, and the station comes in after it.

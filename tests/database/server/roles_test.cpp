@@ -43,6 +43,7 @@ private Q_SLOTS:
     void voidsBetweenAnswersHoldNobodyUp();
     void aRefusedEntryStaysOutOfTheLog();
     void theOwnerKeepsStatementsOutOfTheLog();
+    void aLoginThatLogsStatementsIsNamed();
     void textsAreNeverStatements_data();
     void textsAreNeverStatements();
     void aMonitorSeesProgressAndStationsOnly();
@@ -113,32 +114,13 @@ void RolesTest::noTableCanBeReadOrWritten_data()
 {
     QTest::addColumn<QString>("login");
     QTest::addColumn<QString>("statement");
-    const char* tables[] = {"study",
-                            "fabrics",
-                            "stimuli",
-                            "trials",
-                            "participants",
-                            "events",
-                            "responses",
-                            "voids",
-                            "notes",
-                            "finger_samples",
-                            "swatches",
-                            "familiarisation",
-                            "erasures",
-                            "acts",
-                            "participant_facts",
-                            "server_study",
-                            "server_images",
-                            "server_trials",
-                            "server_releases",
-                            "server_fetches",
-                            "server_stations",
-                            "server_received",
-                            "slots",
-                            "unblindings",
-                            "protocol_versions",
-                            "server_familiarisation"};
+    const char* tables[] = {"study",           "fabrics",        "stimuli",           "trials",
+                            "participants",    "events",         "responses",         "voids",
+                            "notes",           "finger_samples", "swatches",          "familiarisation",
+                            "erasures",        "acts",           "participant_facts", "server_study",
+                            "server_images",   "server_trials",  "server_releases",   "server_fetches",
+                            "server_stations", "server_owed",    "server_received",   "server_cleared",
+                            "slots",           "unblindings",    "protocol_versions", "server_familiarisation"};
     for (const char* login : {"anna", "moni", "eve"})
         for (const char* table : tables)
             for (const char* statement : {"SELECT count(*) FROM @schema@.%1", "DELETE FROM @schema@.%1",
@@ -311,6 +293,21 @@ void RolesTest::theOwnerKeepsStatementsOutOfTheLog()
     QCOMPARE(anna.value("SHOW log_min_error_statement").toString(), QString("panic"));
     (void)errorOf([&] { anna.run("SELECT CAST(? AS int)", {"WHISPERED"}); });
     QVERIFY(!m_server->log().contains("STATEMENT:  EXECUTE qpsqlpstmt_1 ('WHISPERED"));
+    // The server names the last statement of a process that is killed, where it knows one.
+    QCOMPARE(anna.value("SHOW track_activities").toString(), QString("off"));
+}
+
+/// What a login has of its own goes before the settings of the database.
+void RolesTest::aLoginThatLogsStatementsIsNamed()
+{
+    (void)keepLogQuiet(as("owner"));
+    const ServerConnection owner(as("owner"));
+    owner.run("ALTER ROLE bert SET log_statement = 'all'");
+    const std::vector<std::string> expected{"ALTER ROLE \"bert\" IN DATABASE \"lab\" SET log_statement = none"};
+    QCOMPARE(keepLogQuiet(as("eve")), expected);
+    QCOMPARE(keepLogQuiet(as("owner")), std::vector<std::string>());
+    QCOMPARE(keepLogQuiet(as("eve")), std::vector<std::string>());
+    QCOMPARE(ServerConnection(as("bert")).value("SHOW log_statement").toString(), QString("none"));
 }
 
 void RolesTest::textsAreNeverStatements_data()

@@ -7,6 +7,7 @@
 #include "database/server/login_settings.h"
 #include "database/server/server_connection.h"
 #include "tests/support/error_text.h"
+#include "tests/support/server/cut_network.h"
 #include "tests/support/server/private_server.h"
 
 using namespace tests::support;
@@ -44,6 +45,8 @@ private Q_SLOTS:
     void encryptionIsNeverWeakened();
     void theServiceFileCounts();
     void aListReachesItsSecondHost();
+    void aListAsksForTheServerThatTakesEntries();
+    void aPoolerIsRefused();
     void eachRefusalSaysWhatHelps_data();
     void eachRefusalSaysWhatHelps();
     void theServerGivesItsCode();
@@ -168,6 +171,49 @@ void ServerLoginTest::aListReachesItsSecondHost()
     QCOMPARE(connection.value("SELECT 1").toInt(), 1);
 }
 
+void ServerLoginTest::aListAsksForTheServerThatTakesEntries()
+{
+    const auto targetOf = [](const char* address, const std::map<std::string, std::string>& defaults) {
+        return valueOf(loginSettings(serverAddressFrom(address), defaults), "target_session_attrs");
+    };
+    const std::map<std::string, std::string> compiled{{"target_session_attrs", "any"}};
+    const char* list = "postgresql://a@/lab?host=one.lab,two.lab";
+    QCOMPARE(targetOf(list, compiled), std::string("primary"));
+    QCOMPARE(targetOf("postgresql://a@one.lab/lab", compiled), std::string());
+    QCOMPARE(targetOf("postgresql://a@/lab?host=one.lab,two.lab&target_session_attrs=any", compiled), std::string("any"));
+    QCOMPARE(targetOf(list, {{"target_session_attrs", "prefer-standby"}}), std::string());
+    qputenv("PGTARGETSESSIONATTRS", "any");
+    QCOMPARE(targetOf(list, compiled), std::string());
+    qunsetenv("PGTARGETSESSIONATTRS");
+    if (const QString why = PrivateServer::whyMissing(); !why.isEmpty()) QSKIP(qPrintable(why));
+    PrivateServer standBy;
+    const PrivateServer server;
+    standBy.becomeStandBy();
+    const auto listOf = [&](int second, const char* more) {
+        return serverAddressFrom("postgresql://owner@/lab?host=127.0.0.1,127.0.0.1&port=" + std::to_string(standBy.port()) + "," +
+                                 std::to_string(second) + more);
+    };
+    const QString asked = "SELECT pg_is_in_recovery()";
+    QCOMPARE(database::ServerConnection(listOf(server.port(), "")).value(asked).toBool(), false);
+    const QString none = errorOf([&] { database::ServerConnection{listOf(1, "")}; });
+    QVERIFY2(none.contains("no server of the list takes entries") && none.contains("PGTARGETSESSIONATTRS"), qPrintable(none));
+    QCOMPARE(database::ServerConnection(listOf(1, "&target_session_attrs=any")).value(asked).toBool(), true);
+    QCOMPARE(database::ServerConnection(serverAddressFrom(standBy.address("x"))).value(asked).toBool(), true);
+}
+
+/// A pooler tells its clients other process numbers than those of the server's processes that work for them.
+void ServerLoginTest::aPoolerIsRefused()
+{
+    if (const QString why = PrivateServer::whyMissing(); !why.isEmpty()) QSKIP(qPrintable(why));
+    const PrivateServer server;
+    CutNetwork network(server.port());
+    const auto address = serverAddressFrom(server.address("x", "owner", network.port()));
+    QCOMPARE(errorOf([&] { database::ServerConnection{address}; }), QString());
+    network.pool();
+    const QString refusal = errorOf([&] { database::ServerConnection{address}; });
+    QVERIFY2(refusal.startsWith("3: ") && refusal.contains("a connection pooler stands before the server"), qPrintable(refusal));
+}
+
 void ServerLoginTest::eachRefusalSaysWhatHelps_data()
 {
     QTest::addColumn<QString>("text");
@@ -190,6 +236,13 @@ void ServerLoginTest::eachRefusalSaysWhatHelps_data()
     row("unknown database", "FATAL:  database \"x\" does not exist", "3D000", 2, "refused this login", "correct the database");
     row("a stand-by", "FATAL:  the database system is not accepting connections", "57P03", 3, "takes no connections now", "pair");
     row("too many", "FATAL:  sorry, too many clients already", "53300", 3, "too many connections", "close programs");
+    row("no memory", "FATAL:  out of memory", "53200", 3, "takes no connections now", "ask who keeps the server");
+    row("its disk", "FATAL:  could not read file \"base/1\"", "58030", 3, "takes no connections now", "ask who keeps the server");
+    row("its operator", "FATAL:  terminating connection", "57P05", 3, "takes no connections now", "wait");
+    row("its protocol", "FATAL:  server login has been failing", "08P01", 3, "takes no connections now", "wait");
+    row("another code", "FATAL:  invalid value for parameter", "22023", 2, "refused this login", "~/.pgpass");
+    row("stand-bys alone", "connection to server at \"h\" failed: server is in hot standby mode", "", 3, "takes entries",
+        "PGTARGETSESSIONATTRS=any");
     row("certificate", "SSL error: certificate verify failed", "", 3, "is not accepted here", "the clock of this computer (2");
     row("another host", "server certificate for \"e\" does not match host name \"h\"", "", 3, "another server",
         "as the certificate");

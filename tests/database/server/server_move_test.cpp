@@ -4,6 +4,7 @@
 
 #include "database/disk/server_note.h"
 #include "database/server/server_connection.h"
+#include "database/server/server_progress.h"
 #include "database/server/study_move.h"
 #include "database/study_store.h"
 #include "tests/support/error_text.h"
@@ -73,6 +74,8 @@ private Q_SLOTS:
     void wrongAddressesAreOneLine();
     void anAlteredRowOnTheServerIsFound();
     void aStationThatIsAwayIsNotForgotten();
+    void whatAStationOwesOutlivesLaterJoins();
+    void aStationThatGoesOnSettlesWhatAnotherOwed();
 
 private:
     StudyFolder folder(const char* name) const { return {m_folder.filePath(name).toStdString()}; }
@@ -304,6 +307,72 @@ void ServerMoveTest::aStationThatIsAwayIsNotForgotten()
     QCOMPARE(readStudy(study).faults(), std::vector<std::string>());
     const QString gone = errorOf([&] { server.call("join_study", {"right", token, "test"}); });
     QVERIFY2(gone.contains("the study is no longer on this server") && !gone.contains("may not"), qPrintable(gone));
+}
+
+/// Somebody takes the name of a lost station, and the station comes back and is cut before it has sent anything.
+void ServerMoveTest::whatAStationOwesOutlivesLaterJoins()
+{
+    const StudyFolder study = buildStudy(folder("owes").folder);
+    const auto address = database::serverAddressFrom(m_server->address("owes"));
+    moveToServer(study, address, "owner");
+    const QString token(64, QLatin1Char('a')), other(64, QLatin1Char('b'));
+    const auto joined = [&](const QString& with) {
+        auto station = std::make_unique<ServerConnection>(address);
+        station->call("join_study", {"left", with, "test"});
+        return station;
+    };
+    const auto moveBack = [&] { return errorOf([&] { moveToFolder(address, study); }); };
+    const QString owed = "answers may wait at stations that are away: left (P01, 3 entries)";
+    {
+        const auto station = joined(token);
+        station->call("claim", {"P01", "human"});
+        station->call("sign_of_life", {3});
+    }
+    const ServerConnection server(address);
+    QTRY_COMPARE(server.call("progress", {}).at("stations").at(0).at("live").get<bool>(), false);
+    QVERIFY(moveBack().contains(owed));
+    joined(other)->call("leave", {});
+    QVERIFY2(moveBack().contains(owed), qPrintable(moveBack()));
+    const auto seen = progressOf(address);
+    QCOMPARE(seen.owed.size(), std::size_t{1});
+    QCOMPARE(seen.owed[0].station + " " + seen.owed[0].participant, std::string("left P01"));
+    QCOMPARE(seen.owed[0].waiting, 3);
+    joined(token).reset();
+    QVERIFY2(moveBack().contains(owed), qPrintable(moveBack()));
+    QVERIFY(errorOf([&] { moveToFolder(address, study, {}, {"right"}); }).contains(owed));
+    server.run("SELECT @schema@.begin_leaving('[\"left\"]')");  // --lose-answers-at left
+    server.run("SELECT @schema@.cancel_leaving()");
+    joined(token)->call("sign_of_life", {0});
+    QCOMPARE(moveBack(), QString());
+    QCOMPARE(readStudy(study).faults(), std::vector<std::string>());
+}
+
+/// From its first entry on, nothing that waits elsewhere for this participant can be stored.
+void ServerMoveTest::aStationThatGoesOnSettlesWhatAnotherOwed()
+{
+    const StudyFolder study = buildStudy(folder("settles").folder);
+    const auto address = database::serverAddressFrom(m_server->address("settles"));
+    moveToServer(study, address, "owner");
+    {
+        const ServerConnection left(address);
+        left.call("join_study", {"left", QString(64, QLatin1Char('a')), "test"});
+        left.call("claim", {"P01", "human"});
+    }
+    const ServerConnection right(address);
+    const auto takeUp = [&] {
+        return errorOf([&] {
+            right.call("join_study", {"right", QString(64, QLatin1Char('b')), "test"});
+            right.call("claim", {"P01", "human"});
+        });
+    };
+    QTRY_COMPARE(takeUp(), QString());
+    right.call("leave", {});
+    const QString refusal = errorOf([&] { moveToFolder(address, study); });
+    QVERIFY2(refusal.contains("away: left (P01)"), qPrintable(refusal));
+    QCOMPARE(takeUp(), QString());
+    right.call("store", {QString::fromStdString(sentEntry("P01", 0, "begun").dump())});
+    right.call("leave", {});
+    QCOMPARE(errorOf([&] { moveToFolder(address, study); }), QString());
 }
 
 QTEST_GUILESS_MAIN(ServerMoveTest)

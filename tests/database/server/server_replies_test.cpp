@@ -61,6 +61,9 @@ private Q_SLOTS:
         QCOMPARE(std::vector<int>({seen.free, seen.started, seen.finished, seen.withdrawn, seen.answers}),
                  std::vector<int>({1, 1, 0, 1, 7}));
         QCOMPARE(seen.stations.at(0).participant, std::string());
+        QVERIFY(seen.owed.empty());  // a study that an earlier version moved there
+        const auto owed = nlohmann::json::parse(R"([{"station": "left", "participant": "P01", "queue_length": 3}])");
+        QCOMPARE(progressFrom(changed(progress(), "/owed", owed), where).owed.at(0).waiting, 3);
         QCOMPARE(familiarisationPosition(familiarisationCode(12)), std::optional(12));
         QVERIFY(!familiarisationPosition(protocols::SealedCode("familiarisation:12x")));
         QVERIFY(!familiarisationPosition(protocols::SealedCode("00ff")));
@@ -93,6 +96,7 @@ private Q_SLOTS:
                                        << unread + "trial 2 in place of trial 1";
         QTest::newRow("state") << seen("/places/1/state", "lost") << "the database holds an unknown name";
         QTest::newRow("head") << seen("/head", nullptr) << unread;
+        QTest::newRow("what stations owe") << seen("/owed", 5) << unread;
     }
     void otherRepliesAreRefused()
     {

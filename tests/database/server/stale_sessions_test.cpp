@@ -8,6 +8,7 @@
 #include "database/server/server_connection.h"
 #include "database/server/server_link.h"
 #include "database/server/server_roles.h"
+#include "database/server/station_folders.h"
 #include "database/server/study_move.h"
 #include "tests/support/error_text.h"
 #include "tests/support/program.h"
@@ -31,6 +32,20 @@ QStringList filesLike(const StudyFolder& folder, const QString& pattern)
     return QDir(QString::fromStdString(folder.folder.string())).entryList({pattern}, QDir::Files);
 }
 
+/// The server comes back from a backup that ends with this entry, as after a fail-over.
+void loseEntriesAfter(const ServerConnection& server, qlonglong kept)
+{
+    for (const char* table : {"responses", "notes", "voids", "finger_samples", "server_received", "events"}) {
+        const QString column = table == std::string("events") ? "sequence" : "event";
+        server.run(QStringLiteral("ALTER TABLE @schema@.%1 DISABLE TRIGGER ALL").arg(table));
+        server.run(QStringLiteral("DELETE FROM @schema@.%1 WHERE %2 > ?").arg(table, column), {kept});
+        server.run(QStringLiteral("ALTER TABLE @schema@.%1 ENABLE TRIGGER ALL").arg(table));
+    }
+    for (const auto& [table, column] : {std::pair("participant_facts", "participant"), std::pair("participants", "id")})
+        server.run(QStringLiteral("DELETE FROM @schema@.%1 WHERE %2 NOT IN (SELECT participant FROM @schema@.events)")
+                       .arg(table, column));
+}
+
 /// The participant's session, opened again in the same program.
 void openAgain(ServerSession& session)
 {
@@ -47,6 +62,11 @@ private Q_SLOTS:
     void initTestCase();
     void aSessionThatAnotherStationContinuedStops();
     void aSessionWhoseServerLostEntriesStops();
+    void aServerThatLostEntriesIsNoticedWhenTheStudyIsOpened();
+    void aHeadIsComparedWithTheOneThatWasSeen_data();
+    void aHeadIsComparedWithTheOneThatWasSeen();
+    void aMoveOutAndBackLosesNothing();
+    void aQueueOfAnEarlierVersionOpens();
     void aServerThatTakesNoEntryKeepsThemWaiting_data();
     void aServerThatTakesNoEntryKeepsThemWaiting();
     void aCallThatWasGivenUpIsNotMade();
@@ -120,7 +140,6 @@ void StaleSessionsTest::aSessionThatAnotherStationContinuedStops()
     QCOMPARE(readStudy(owner).faults(), std::vector<std::string>());
 }
 
-/// The server comes back from an older backup, as after a fail-over.
 void StaleSessionsTest::aSessionWhoseServerLostEntriesStops()
 {
     const StudyFolder owner = studyOnServer("older");
@@ -133,13 +152,7 @@ void StaleSessionsTest::aSessionWhoseServerLostEntriesStops()
     session.stepUntil("Presenting");
     const auto held = session.store.events(firstPerson).size();
     network.cut();
-    for (const char* table : {"responses", "notes", "voids", "finger_samples", "server_received", "events"}) {
-        const QString column = table == std::string("events") ? "sequence" : "event";
-        const ServerConnection server = connection("older");
-        server.run(QStringLiteral("ALTER TABLE @schema@.%1 DISABLE TRIGGER ALL").arg(table));
-        server.run(QStringLiteral("DELETE FROM @schema@.%1 WHERE %2 > ?").arg(table, column), {kept});
-        server.run(QStringLiteral("ALTER TABLE @schema@.%1 ENABLE TRIGGER ALL").arg(table));
-    }
+    loseEntriesAfter(connection("older"), kept);
     (void)errorOf([&] { session.step(); });
     network.mend();
     QTRY_VERIFY_WITH_TIMEOUT((session.store.refresh(), session.store.link().isUp && session.store.link().waiting == 0), 20000);
@@ -156,6 +169,112 @@ void StaleSessionsTest::aSessionWhoseServerLostEntriesStops()
     session.playToEnd();
     QCOMPARE(readStudy(owner).answerCount(), std::size_t{24});
     QCOMPARE(readStudy(owner).faults(), std::vector<std::string>());
+}
+
+/// No session is open while the server loses P02 and more, and the queue is empty.
+void StaleSessionsTest::aServerThatLostEntriesIsNoticedWhenTheStudyIsOpened()
+{
+    studyOnServer("restored");
+    const StudyFolder place = station("restored", "left");
+    qlonglong kept = 0;
+    {
+        ServerSession session(place, "P01");
+        session.playUntilAnswers(2);
+        kept = session.store.head().sequence;
+        session.playUntilAnswers(4);
+    }
+    ServerSession(place, "P02").playUntilAnswers(3);
+    {
+        const StationStore store(place);
+        QVERIFY(!store.link().lostAfter);
+        QCOMPARE(store.nextParticipantId().value, std::string("P03"));
+    }
+    loseEntriesAfter(connection("restored"), kept);
+    for (int opening = 0; opening < 2; ++opening) {
+        const StationStore store(place);
+        QVERIFY(store.link().lostAfter == kept);
+        QCOMPARE(store.link().fault, std::string());
+        QCOMPARE(store.nextParticipantId().value, std::string("P03"));  // not the lost P02
+    }
+    ServerSession(place, "P01").playUntilAnswers(12);  // more entries than were lost
+    StationStore store(place);
+    QVERIFY(store.link().lostAfter == kept);
+    const auto enrolled = [&](const char* id) {
+        return errorOf([&] { store.enrolNew(protocols::ParticipantId(id), database::ParticipantKind::Human); });
+    };
+    QVERIFY2(enrolled("P03").contains("the server lost entries after entry " + QString::number(kept)),
+             qPrintable(enrolled("P03")));
+    QTest::qWait(1200);
+    QVERIFY(enrolled("P04").contains("ask the study's owner"));  // agreed to is one code
+    QVERIFY(enrolled("P03").contains("ask the study's owner"));
+    QVERIFY(enrolled("P03").contains("ask the study's owner"));  // a key that bounced
+    QTest::qWait(1200);
+    QCOMPARE(enrolled("P03"), QString());
+    QVERIFY(!store.link().lostAfter);
+}
+
+void StaleSessionsTest::aHeadIsComparedWithTheOneThatWasSeen_data()
+{
+    QTest::addColumn<int>("lostBefore");  // -1: nothing was lost
+    QTest::addColumn<int>("sequence");
+    QTest::addColumn<char>("hash");
+    QTest::addColumn<int>("lostAfter");
+    QTest::newRow("the same") << -1 << 9 << 'a' << -1;
+    QTest::newRow("longer") << -1 << 10 << 'b' << -1;
+    QTest::newRow("shorter") << -1 << 8 << 'b' << 8;
+    QTest::newRow("empty") << -1 << 0 << ' ' << 0;
+    QTest::newRow("of no number") << -1 << -1 << 'b' << 0;
+    QTest::newRow("another entry") << -1 << 9 << 'b' << 8;
+    QTest::newRow("grown since the loss") << 8 << 11 << 'b' << 8;
+    QTest::newRow("the newest backup") << 8 << 9 << 'a' << -1;
+}
+
+void StaleSessionsTest::aHeadIsComparedWithTheOneThatWasSeen()
+{
+    QFETCH(const int, lostBefore);
+    QFETCH(const int, sequence);
+    QFETCH(const char, hash);
+    QFETCH(const int, lostAfter);
+    database::SeenLog seen{"study", {9, std::string(64, 'a')}, {}};
+    if (lostBefore >= 0) seen.lostAfter = lostBefore;
+    const auto now = afterHead(seen, {sequence, sequence == 0 ? std::string() : std::string(64, hash)});
+    QCOMPARE(static_cast<int>(now.lostAfter.value_or(-1)), lostAfter);
+    QCOMPARE(static_cast<int>(now.head.sequence), lostAfter < 0 ? sequence : 9);
+}
+
+void StaleSessionsTest::aMoveOutAndBackLosesNothing()
+{
+    const StudyFolder owner = studyOnServer("travelled"), place = station("travelled", "left");
+    ServerSession(place, "P01").playUntilAnswers(4);
+    const std::string study = database::readServerNote(place.folder)->study;
+    moveToFolder(database::serverAddressFrom(m_server->address("travelled")), owner);
+    moveToServer(owner, database::serverAddressFrom(m_server->address("travelled")), "owner");
+    const StationStore store(place);
+    QVERIFY(!store.link().lostAfter);
+    QCOMPARE(database::readServerNote(place.folder)->study, study);
+}
+
+void StaleSessionsTest::aQueueOfAnEarlierVersionOpens()
+{
+    const StudyFolder place{m_folder.filePath("earlier").toStdString()};
+    std::filesystem::create_directory(place.folder);
+    {
+        const database::SqliteConnection file(place.queue(), database::SqliteConnection::Mode::Create);
+        file.run(
+            "CREATE TABLE entries(number INTEGER PRIMARY KEY AUTOINCREMENT, participant TEXT NOT NULL, kind TEXT NOT NULL, "
+            "json TEXT NOT NULL) STRICT");
+        file.run("INSERT INTO entries(participant, kind, json) VALUES ('P01', 'human', '{}')");
+    }
+    database::AnswerQueue queue(place);
+    QCOMPARE(queue.size(), std::size_t{1});
+    const database::SeenLog none{"study", {}, {}}, seen{"study", {7, std::string(64, 'a')}, 3};
+    QVERIFY(queue.seenOf("study") == none);
+    queue.keepSeen(seen);
+    queue.keepEnrolled("P01");
+    QVERIFY(queue.seenOf("study") == seen);
+    QCOMPARE(queue.enrolledHere(), std::set<std::string>{"P01"});
+    QVERIFY(queue.seenOf("another").head == database::LogHead());
+    QVERIFY(queue.enrolledHere().empty());
 }
 
 void StaleSessionsTest::aServerThatTakesNoEntryKeepsThemWaiting_data()
@@ -320,16 +439,12 @@ void StaleSessionsTest::aFolderTakesAnotherAddress()
         network.cut();
         (void)errorOf([&] { session.step(); });
     }
-    const QString waits = errorOf([&] { takeAddress(direct, place); });
-    QVERIFY2(waits.contains("wait in the folder") && waits.contains(QString::fromStdString(direct.text)) &&
-                 waits.contains(QString::fromStdString(other.text)),
-             qPrintable(waits));
-    network.mend();
-    {
-        const StationStore store(place);
-    }  // sends them
+    QVERIFY(database::entriesWaiting(place) > 0);
     takeAddress(direct, place);
     QCOMPARE(database::readServerNote(place.folder)->address, direct.text);
+    const StationStore store(place);  // sends them
+    QCOMPARE(store.link().waiting, std::size_t{0});
+    QCOMPARE(store.link().setAside, std::string());
 }
 
 /// The first of two hosts takes connections and says nothing, so that a thread still waits for it when the program ends.

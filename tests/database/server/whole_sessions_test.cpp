@@ -36,6 +36,7 @@ private Q_SLOTS:
     void aSessionWithoutAnAnswerIsNotFinished();
     void aFinishedSessionGetsNoVoid();
     void aReleaseThatIsTakenBackGivesNoImage();
+    void theRecordOfAReleaseIsOnTheDisk();
     void anImageIsForItsOwnStation();
     void aBusyStudyIsRefusedBeforeTheStationGivesUp();
 
@@ -181,6 +182,27 @@ void WholeSessionsTest::aReleaseThatIsTakenBackGivesNoImage()
     QCOMPARE(image(ticket).size(), 64);
     QCOMPARE(owner.value("SELECT count(*) FROM @schema@.server_releases").toInt(), 1);
     QCOMPARE(owner.value("SELECT login FROM @schema@.server_fetches").toString(), QString("anna"));
+}
+
+/// A server that crashes must not forget a presentation whose image went out.
+void WholeSessionsTest::theRecordOfAReleaseIsOnTheDisk()
+{
+    studyOfAnna("disk");
+    const ServerConnection owner(as("owner", "disk"));
+    owner.run("ALTER DATABASE lab SET synchronous_commit = off");
+    const ServerConnection anna(as("anna", "disk"));
+    owner.run("ALTER DATABASE lab RESET synchronous_commit");
+    QCOMPARE(anna.value("SHOW synchronous_commit").toString(), QString("off"));
+    anna.call("join_study", {"one", tokenOfOne, "test"});
+    anna.call("claim", {"P01", "human"});
+    anna.run("BEGIN");
+    const QString ticket = anna.value("SELECT image FROM @schema@.presentation(1)").toString();
+    QCOMPARE(anna.value("SHOW synchronous_commit").toString(), QString("on"));
+    anna.run("COMMIT");
+    anna.run("BEGIN");
+    (void)anna.value("SELECT key FROM @schema@.presented_image(?)", {ticket});
+    QCOMPARE(anna.value("SHOW synchronous_commit").toString(), QString("on"));
+    anna.run("COMMIT");
 }
 
 void WholeSessionsTest::anImageIsForItsOwnStation()

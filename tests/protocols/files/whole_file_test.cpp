@@ -280,6 +280,77 @@ private Q_SLOTS:
         if (fs::exists("/dev/full")) QVERIFY(errorOf([] { writeWholeFile("/dev/full", "x"); }).startsWith("3: /dev/full"));
     }
 
+    /// A rename would replace /dev/stdout by a file. The bytes go where this process already writes.
+    void openFileOfThisProcessIsWrittenTo()
+    {
+        const int other = ::open(file().c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+        QVERIFY(other >= 0);
+        const std::string number = std::to_string(other);
+        requireWritable("/proc/self/fd/" + number);
+        writeWholeFile("/proc/self/fd/" + number, "one\n");
+        QCOMPARE(::write(other, "two\n", 4), ssize_t{4});
+        if (fs::exists("/dev/fd")) writeWholeFile("/dev/fd/" + number, "three\n");
+        ::close(other);
+        QCOMPARE(readWholeFile(file()), std::string(fs::exists("/dev/fd") ? "one\ntwo\nthree\n" : "one\ntwo\n"));
+        QCOMPARE(namesIn(folder()), std::vector<std::string>{"answers.csv"});
+    }
+
+    void standardOutputCanBeAFile()
+    {
+        if (!fs::is_symlink("/dev/stdout")) QSKIP("this system has no /dev/stdout");
+        const int status = statusOfChild([&] {
+            ::close(STDOUT_FILENO);
+            if (::open(file().c_str(), O_WRONLY | O_CREAT, 0600) != STDOUT_FILENO) ::_exit(8);
+            requireWritable("/dev/stdout");
+            writeWholeFile("/dev/fd/1", "{}\n");
+        });
+        QCOMPARE(status, 0);
+        QCOMPARE(readWholeFile(file()), std::string("{}\n"));
+    }
+
+    void anyOtherLinkIsReplaced_data()
+    {
+        QTest::addColumn<QString>("target");
+        QTest::newRow("to a file") << "answers.csv";
+        QTest::newRow("to nothing") << "missing.csv";
+        QTest::newRow("to itself") << "link";
+    }
+    void anyOtherLinkIsReplaced()
+    {
+        QFETCH(const QString, target);
+        const fs::path link = folder() / "link";
+        writeWholeFile(file(), "somebody's");
+        fs::create_symlink(target.toStdString(), link);
+        writeWholeFile(link, "new");
+        QVERIFY(!fs::is_symlink(link));
+        QCOMPARE(readWholeFile(link), std::string("new"));
+        QCOMPARE(readWholeFile(file()), std::string("somebody's"));
+    }
+
+    /// Somebody may have put it into a folder in which this program writes.
+    void linkToAnOpenFileIsReplaced()
+    {
+        writeWholeFile(file(), "somebody's");
+        const int other = ::open(file().c_str(), O_RDWR | O_CLOEXEC);
+        const fs::path link = folder() / "link";
+        fs::create_symlink("/proc/self/fd/" + std::to_string(other), link);
+        writeWholeFile(link, "new");
+        ::close(other);
+        QVERIFY(!fs::is_symlink(link));
+        QCOMPARE(readWholeFile(file()), std::string("somebody's"));
+    }
+
+    void copyForAFolderIsItsOwnersAndNew()
+    {
+        writeWholeFile(file(), "bytes");
+        copyBytes(file(), folder() / "copy");
+        QCOMPARE(readWholeFile(folder() / "copy"), std::string("bytes"));
+        QCOMPARE(modeOf(folder() / "copy"), 0600u);
+        QVERIFY(errorOf([&] { copyBytes(file(), folder() / "copy"); }).startsWith("3: "));
+        QVERIFY(errorOf([&] { copyBytes(folder() / "missing", folder() / "other"); }).startsWith("2: "));
+        QVERIFY(!fs::exists(folder() / "other"));
+    }
+
     void finishedFileGetsItsName()
     {
         writeWholeFile(folder() / "draft", "whole", Sync::Later);

@@ -78,6 +78,26 @@ private Q_SLOTS:
         QVERIFY(faultsOfDataset(m_out).empty());
     }
 
+    void filesThatNobodyPutThereAreLeftOut_data()
+    {
+        QTest::addColumn<QString>("hidden");
+        for (const char* name : {"._Wool_1.png", ".Trash-1000/files/Silk_1.png", ".stversions/Silk_1.png", ".@__thumb/Wool_1.png",
+                                 "Wool/@eaDir/Wool_1.png", "#recycle/Silk_1.png"})
+            QTest::newRow(name) << name;
+    }
+    void filesThatNobodyPutThereAreLeftOut()
+    {
+        QFETCH(const QString, hidden);
+        for (const fs::path& file : {m_in / "Wool" / "Wool_1.png", m_in / hidden.toStdString()}) {
+            fs::create_directories(file.parent_path());
+            writePng(file, speckled(20, 24, CV_8UC3));
+        }
+        import(ImportKind::Photos, {m_in});
+        const Dataset dataset = readDataset(m_out);
+        QCOMPARE(dataset.fabrics.size(), std::size_t(1));
+        QCOMPARE(sampleIndices(dataset, FabricId("F01"), Modality::Visual), std::vector<int>{0});
+    }
+
     void photographsOfDifferentSizesAreNotedAndNoFault()
     {
         writePng(m_in / "A_1.png", speckled(20, 24, CV_8UC3));

@@ -88,6 +88,7 @@ private Q_SLOTS:
     void aSessionThatAnotherStationContinuedEndsOnThePage();
     void theSecondStationDoesNotEnrolTheSameCode();
     void theBarSaysWhyTheServerTakesNothing();
+    void aServerUnderAnotherNameGetsWhatWaits();
     void aWrongAddressIsOneLineOnTheStartPage();
     void theMonitorShowsStationsAtWorkLostAndWithEntries();
     void theMonitorFollowsSessionsAtTheStations();
@@ -250,8 +251,36 @@ void AppServerTest::theBarSaysWhyTheServerTakesNothing()
     link.station = "left";
     link.clockAhead = std::chrono::seconds(-61);
     QVERIFY2(textFor().contains("61 s behind the server's clock"), qPrintable(textFor()));
+    link.lostAfter = 95;
+    QVERIFY2(textFor().startsWith("The server lost entries after entry 95 that this station had seen. Ask the study's owner"),
+             qPrintable(textFor()));
+    link.lostAfter.reset();
     link.clockAhead = std::chrono::seconds(59);
     QCOMPARE(textFor(), QString("Station left: every answer is on the server."));
+}
+
+/// The old name is gone for good, and an answer waits that no page shows any more.
+void AppServerTest::aServerUnderAnotherNameGetsWhatWaits()
+{
+    const database::StudyFolder owner = studyOnServer("renamed");
+    CutNetwork network(m_server->port());
+    {
+        OpenWindow open({m_server->address("renamed", "owner", network.port())});
+        open.enrolAndBegin();
+        open.playTo("Presenting", "Q2");
+        network.cut();
+        open.perform(open.nextEvent());  // touched
+        open.perform(open.nextEvent());  // answered
+        QVERIFY(open.window().findChild<QLabel*>("serverBar")->text().contains("wait on this computer: "));
+    }
+    const std::size_t answers = readStudy(owner).answerCount();
+    OpenWindow open({"postgresql://owner@localhost:" + std::to_string(m_server->port()) + "/lab?study=renamed"});
+    QVERIFY(open.window().findChild<QLabel*>("serverBar")->text().contains("every answer is on the server"));
+    QCOMPARE(readStudy(owner).answerCount(), answers + 1);
+    open.window().startSession(protocols::ParticipantId("P01"));
+    open.playToEnd();
+    QCOMPARE(readStudy(owner).answerCount(), std::size_t{24});
+    QCOMPARE(readStudy(owner).faults(), std::vector<std::string>());
 }
 
 void AppServerTest::aWrongAddressIsOneLineOnTheStartPage()

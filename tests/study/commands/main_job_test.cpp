@@ -35,13 +35,14 @@ nlohmann::ordered_json readJson(const QString& file)
 
 void writeText(const QString& file, const std::string& text) { std::ofstream(file.toStdString()) << text; }
 
-/// Rows of an exported answers.csv, header first, without the instants: the clock starts anew when a session is opened again.
+/// Rows of an exported answers.csv, header first, without the sitting and the instants: the clock starts anew when a session is
+/// opened again.
 QStringList rowsWithoutInstants(const QString& csv)
 {
     const auto table = protocols::readForeignTable(csv.toStdString()).table;
     std::set<std::size_t> instants;
     for (const char* name :
-         {"ready_at", "touched_at", "touch_ended_at", "answer_begun_at", "answered_at", "stored_at", "wall_time"})
+         {"ready_at", "touched_at", "touch_ended_at", "answer_begun_at", "answered_at", "stored_at", "wall_time", "sitting"})
         instants.insert(table.column(name).value());
     const auto rowOf = [&](const std::vector<std::string>& cells) {
         std::vector<std::string> kept;

@@ -155,6 +155,11 @@ private Q_SLOTS:
         std::string images;
         for (int k = 0; k < 5; ++k) images += "P5\n1280 800\n255\n" + std::string(1024000, 'a');
         QCOMPARE(used["images_sha256"].get<std::string>(), protocols::sha256(images));
+        mustRun({"export", path("record"), "--out", path("record-set"), "--format", "psych-ds"});
+        QVERIFY(bytesIn(path("record-set/README.md")).contains("condition mine"));
+        mustRun({"export", path("record"), "--out", path("record-public"), "--format", "psych-ds", "--public", "--author", "A"});
+        for (const char* file : {"README.md", "dataset_description.json"})
+            QVERIFY2(!bytesIn(path("record-public/") + file).contains("condition mine"), file);
     }
 
     void scriptsOfRecordedSessionsAreReplayed()

@@ -128,6 +128,50 @@ private Q_SLOTS:
         QVERIFY2(unknown.exitCode == 2 && unknown.err.contains("one of Q2, W1"), qPrintable(unknown.err));
     }
 
+    /// R: with n = 72 and p = 1/2, 44 right answers are the fewest above chance, which a share of 0.6512 reaches in 80 % of
+    /// studies: uniroot(function(p) pbinom(43, 72, p, FALSE) - .8, c(.5, .9), tol = 1e-9)$root - .5
+    void sameOrDifferentIsAChoiceBetweenTwo()
+    {
+        const auto answer = powerOf({"--protocol", QString(VIS2HAP_SOURCE_DIR) + "/protocols/examples/same_different.json"});
+        QCOMPARE(answer["design"]["alternatives"], 2);
+        QCOMPARE(answer["chosen"]["question"], "Same");
+        QCOMPARE(answer["chosen"]["kind"], "same_different");
+        QVERIFY(!answer.contains("rated"));
+        QCOMPARE(answer["left_out"], json::array());
+        const auto binomial = testNamed(answer, "exact binomial against chance");
+        QCOMPARE(binomial["question"], "choices");
+        QVERIFY2(std::abs(binomial["detected_with_80_percent"].get<double>() - 0.151236) < 1e-4, binomial.dump().c_str());
+        QVERIFY(!testNamed(answer, "logistic mixed model, likelihood ratio").is_null());
+    }
+
+    /// One number of alternatives and one scale at a time; the rest is named, with the option that shows it.
+    void questionsWithoutNumbersAreNamed()
+    {
+        const QString file = m_folder.filePath("kinds.json");
+        QFile out(file);
+        QVERIFY(out.open(QIODevice::WriteOnly));
+        out.write(R"({"schema":"vis2hap.protocol/1","name":"Kinds","participants":12,"fabrics":4,"conditions":["v_grey","f","h"],
+            "question_texts":{"S1":"The same?","W1":"What is it like?"},"phases":[{"questions":["Q1"],"alternatives":3},
+            {"questions":["S1","W1"],"same_different":true,"free_text":["W1"]},
+            {"questions":["Q2"],"scale":{"min":0,"max":10}}]})");
+        out.close();
+        const auto first = powerOf({"--protocol", file}), second = powerOf({"--protocol", file, "--question", "S1"});
+        QCOMPARE(first["design"]["alternatives"], 3);
+        QCOMPARE(first["chosen"]["questions_with_other_alternatives"], json::array({"S1"}));
+        QCOMPARE(first["left_out"],
+                 json::parse(R"([{"question":"S1","why":"another number of alternatives; see it by --question"},
+                                 {"question":"W1","why":"answers in words have no test"}])"));
+        QCOMPARE(second["design"]["alternatives"], 2);
+        QCOMPARE(second["chosen"]["questions_with_other_alternatives"], json::array({"Q1"}));
+        QCOMPARE(second["rated"], first["rated"]);
+        const QString text = support::mustRun({"power", "--studies", "40", "--protocol", file}).out;
+        QVERIFY2(text.contains("The choices are those of Q1, among 3 answers. Another number of alternatives: S1; see it by "
+                               "--question S1.\nLeft out, because answers in words have no test: W1.\n"),
+                 qPrintable(text));
+        const auto words = support::runProgram({"power", "--protocol", file, "--question", "W1"});
+        QVERIFY2(words.exitCode == 2 && words.err.contains("one of Q1, S1, Q2"), qPrintable(words.err));
+    }
+
     void wrongCallsEndWithTwo()
     {
         QCOMPARE(support::runProgram({"power", "--protocol", "/there/is/none.json"}).exitCode, 2);

@@ -116,6 +116,16 @@ private Q_SLOTS:
         for (const Json& range : plan["balance"]) QVERIFY(range["max"] >= range["min"]);
     }
 
+    /// 25 choices in blocks of 20 and 5, then 25 ratings in blocks of 20 and 5: three breaks. A phase begins with a new block.
+    void breaksAreThoseOfTheSession()
+    {
+        const QString file = written("phases.json", R"({"schema":"vis2hap.protocol/1","name":"Two phases","participants":2,
+            "fabrics":5,"conditions":["v_grey","t_grey","f","h","h&f"],"break_after":20,
+            "phases":[{"questions":["Q1"],"alternatives":3},{"questions":["Q2"],"scale":{"min":0,"max":10}}]})");
+        QVERIFY(support::mustRun({"protocol", "show", file}).out.contains("; 3 breaks, "));
+        QCOMPARE(Json::parse(support::mustRun({"protocol", "show", file, "--json"}).out.toStdString())["breaks"], 3);
+    }
+
     void aPilotOfOneIsShownWithWhatItCannotTell()
     {
         const QString file = QString(VIS2HAP_SOURCE_DIR) + "/protocols/examples/pilot.json";

@@ -183,8 +183,8 @@ private Q_SLOTS:
         const auto partsOf = [](const QString& report) {
             const json all = json::parse(bytesOf(report + "/results.json").toStdString());
             json questions = all["questions"];
-            questions.erase("Why");                               // words stay in the lab
-            return questions.dump() + all["comparisons"].dump();  // claims list fabrics in the order of each file
+            questions.erase("Why");  // words stay in the lab
+            return questions.dump() + all["comparisons"].dump();
         };
         QCOMPARE(partsOf(of + "-again"), partsOf(of + "-report"));
     }

@@ -3,6 +3,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/whole_file.h"
@@ -82,8 +83,13 @@ private Q_SLOTS:
 
     void theCheckNamesEachPictureOfAFolder()
     {
+        std::filesystem::create_directory(path("strange/F02/visual/.Trash-1000").toStdString());
+        std::ofstream(path("strange/F02/visual/.Trash-1000/older.png").toStdString()) << "no picture";
+        std::ofstream(path("strange/F02/visual/._000.png").toStdString()) << "Mac OS X";
         const auto checked = mustRun({"evaluate", path("strange/F02/visual"), "--cloth-check"});
-        QVERIFY2(checked.out.contains("not_cloth: 2"), qPrintable(checked.out));
+        QVERIFY2(checked.out.contains("not_cloth: 2") && !checked.out.contains("unreadable"), qPrintable(checked.out));
+        std::filesystem::remove_all(path("strange/F02/visual/.Trash-1000").toStdString());
+        std::filesystem::remove(path("strange/F02/visual/._000.png").toStdString());
         const auto cloth = mustRun({"evaluate", m_fabrics + "/F01/visual", "--cloth-check", "--json"});
         const auto json = nlohmann::json::parse(cloth.out.toStdString());
         QCOMPARE(json.at("pictures").at(0).at("likeness").get<std::string>(), std::string("cloth"));

@@ -1,9 +1,12 @@
 // A session whose blocks instruct speed, accuracy or a deadline: when the operator says what, and what is stored with each trial.
 #include <QTemporaryDir>
 #include <QTest>
+#include <filesystem>
 #include <set>
 
 #include "database/server/study_move.h"
+#include "protocols/orders/counterbalancing.h"
+#include "protocols/protocol_json.h"
 #include "study/session/session_moves.h"
 #include "tests/support/server/engine_session.h"
 
@@ -59,6 +62,32 @@ private Q_SLOTS:
         QVERIFY(first != second);
         QCOMPARE(said, (std::vector<std::string>{first, first, second, second}));
         QCOMPARE(breaks, (std::vector<std::string>{first, second, second, "", ""}));
+        QCOMPARE(session.driver->plan().protocol.breaks(), 5);
+    }
+
+    /// What `protocol show` counts beforehand, for every example: several phases, instructions, catch trials and anchors.
+    void aSessionMakesTheBreaksThatItsProtocolCounts()
+    {
+        namespace fs = std::filesystem;
+        int examples = 0;
+        for (const auto& file : fs::directory_iterator(fs::path(VIS2HAP_SOURCE_DIR) / "protocols" / "examples")) {
+            if (file.path().extension() != ".json") continue;
+            Plan plan;
+            plan.protocol = protocols::readProtocol(file.path());
+            const protocols::Design design = protocols::drawDesign(plan.protocol, 1);
+            for (const protocols::DesignTrial& drawn : design.participants.front()) {
+                protocols::BlindedTrial trial;
+                trial.phase = drawn.phase;
+                if (drawn.instruction) trial.instruction = protocols::InstructionId(std::to_string(*drawn.instruction));
+                plan.trials.push_back(trial);
+            }
+            for (const int breakAfter : {1, 4, 20, 1000}) {
+                plan.protocol.breakAfterPresentations = breakAfter;
+                QVERIFY2(orderOf(plan).back().block == plan.protocol.breaks(), file.path().c_str());
+            }
+            ++examples;
+        }
+        QVERIFY(examples > 5);
     }
 
     void slotsGetTheInstructionsInDifferentOrders()

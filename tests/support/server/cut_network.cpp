@@ -5,8 +5,10 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
+#include <span>
 #include <stdexcept>
 
 namespace tests::support {
@@ -20,6 +22,14 @@ sockaddr_in localAddress(int port)
     address.sin_port = htons(static_cast<std::uint16_t>(port));
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     return address;
+}
+
+/// In the message BackendKeyData, where there is one: 'K', the length 12, the number (PostgreSQL manual, 55.7).
+void changeProcessNumber(std::span<char> bytes)
+{
+    constexpr std::array<char, 5> head{'K', 0, 0, 0, 12};
+    const auto found = std::ranges::search(bytes, head);
+    if (bytes.end() - found.begin() >= 9) found.begin()[8] = static_cast<char>(found.begin()[8] ^ 1);
 }
 
 }  // namespace
@@ -58,6 +68,7 @@ bool CutNetwork::carry(int from, int to) const
     std::array<char, 1 << 16> bytes{};
     const ssize_t count = ::recv(from, bytes.data(), bytes.size(), 0);
     if (count <= 0) return false;
+    if (m_isPooler) changeProcessNumber({bytes.data(), static_cast<std::size_t>(count)});
     for (ssize_t sent = 0; sent < count;) {
         const ssize_t part = ::send(to, bytes.data() + sent, static_cast<std::size_t>(count - sent), MSG_NOSIGNAL);
         if (part <= 0) return false;

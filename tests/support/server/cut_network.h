@@ -21,6 +21,8 @@ public:
     /// Carries nothing and ends nothing, as a pulled plug does.
     void silence() { m_state = State::Silent; }
     void mend() { m_state = State::Open; }
+    /// From here on new clients are told other process numbers than the server's, as a pooler does.
+    void pool() { m_isPooler = true; }
 
 private:
     enum class State { Open, Cut, Silent, Ended };
@@ -33,6 +35,7 @@ private:
 
     int m_listener = -1, m_port = 0, m_serverPort;
     std::atomic<State> m_state = State::Open;
+    std::atomic<bool> m_isPooler = false;
     std::vector<Pair> m_pairs;
     std::thread m_thread;
 };

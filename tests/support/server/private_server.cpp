@@ -98,6 +98,16 @@ void PrivateServer::start() { run("pg_ctl", {"-D", data(), "-w", "-t", "60", "-l
 
 void PrivateServer::stop() { run("pg_ctl", {"-D", data(), "-w", "-m", "immediate", "stop"}); }
 
+void PrivateServer::becomeStandBy()
+{
+    run("pg_ctl", {"-D", data(), "-w", "-m", "fast", "stop"});
+    QFile sign(data() + "/standby.signal");
+    if (!sign.open(QIODevice::WriteOnly)) throw std::runtime_error("the server's settings cannot be written");
+    sign.close();
+    if (::geteuid() == 0) QProcess::execute("chown", {"postgres", sign.fileName()});
+    start();
+}
+
 void PrivateServer::kill()
 {
     QFile file(data() + "/postmaster.pid");

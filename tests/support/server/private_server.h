@@ -29,6 +29,8 @@ public:
     void kill();
     void start();
     void stop();
+    /// Starts it again as one that takes no entries and waits for those of another server.
+    void becomeStandBy();
 
 private:
     QTemporaryDir m_folder;

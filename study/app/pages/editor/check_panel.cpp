@@ -171,13 +171,12 @@ void CheckPanel::showNumbers()
         return;
     }
     const protocols::Protocol& p = *m_protocol;
-    const int breaks = p.breakAfterPresentations > 0 ? (p.presentations() - 1) / p.breakAfterPresentations : 0;
     showText(*m_numbers, tr("Each participant: about %1 minutes without breaks. Presentations: %2, answers: %3, breaks: %4, "
                             "sittings: %5. The whole study: answers: %6.")
                              .arg(std::lround(p.minutesPerParticipant()))
                              .arg(p.presentations())
                              .arg(p.answersPerParticipant())
-                             .arg(breaks)
+                             .arg(p.breaks())
                              .arg(p.sittingsPerParticipant())
                              .arg(static_cast<qint64>(p.answersPerParticipant()) * p.participants));
 }

@@ -1,6 +1,5 @@
 #include "study/app/pages/setup/room_checks.h"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <QDateTime>
@@ -8,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include "protocols/files/temporary_folder.h"
 #include "study/app/language/app_text.h"
 
 namespace study::app {
@@ -23,8 +23,8 @@ constexpr qint64 longestWriteMs = 200;
 /// The slowest of the writes, ms; -1 where one failed.
 qint64 slowestWriteMs(const fs::path& folder)
 {
-    // Without a name, so that nothing stays behind whatever happens.
-    const int file = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+    const protocols::NamelessFile nameless(folder);
+    const int file = nameless.descriptor();
     if (file < 0) return -1;
     const std::array<char, 4096> page{};
     qint64 slowest = 0;
@@ -35,7 +35,6 @@ qint64 slowestWriteMs(const fs::path& folder)
             ::write(file, page.data(), page.size()) == static_cast<ssize_t>(page.size()) && ::fdatasync(file) == 0;
         slowest = isWritten ? std::max(slowest, timer.elapsed()) : -1;
     }
-    ::close(file);
     return slowest;
 }
 

@@ -1,6 +1,8 @@
 // A sensor calibrated by pressing a ball. The circles are found in the pictures and faults of the recording are named. The
 // calibration is accurate on other presses.
+#include <QTemporaryDir>
 #include <QTest>
+#include <fstream>
 #include <numeric>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
@@ -98,6 +100,20 @@ private Q_SLOTS:
             const auto off = circles[i].centrePx - further.centres[9 + i];
             QVERIFY(std::hypot(off.x, off.y) < 0.7);
         }
+    }
+
+    /// A Mac writes them beside every picture on a stick; they hold no picture.
+    void filesThatNobodyPutThereAreNoPresses()
+    {
+        const QTemporaryDir folder;
+        const std::filesystem::path place = folder.path().toStdString();
+        const cv::Mat frame(20, 24, CV_8UC3, cv::Scalar(90, 90, 90));
+        rendering::writePng(place / "background.png", frame);
+        rendering::writePng(place / "frame01.png", frame);
+        std::ofstream(place / "._frame01.png") << "Mac OS X";
+        const auto read = rendering::readBallPresses(place, 2.0, 0.125);
+        QCOMPARE(read.presses.size(), std::size_t(1));
+        QCOMPARE(read.presses.front().name, std::string("frame01.png"));
     }
 
     void tooFewPressesAreRefused()

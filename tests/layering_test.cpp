@@ -21,7 +21,7 @@ struct Room {
 const QList<Room>& rooms()
 {
     static const QList<Room> table{
-        {"protocols/process/", "settings of the whole process: who may open new files, how memory is kept", {}},
+        {"protocols/process/", "the whole process: who may open new files, how memory is kept, the name of its computer", {}},
         {"protocols/files/",
          "the ground floor: errors, whole files, CSV, strict and stored JSON, SHA-256",
          {"protocols/process/"}},
@@ -103,7 +103,7 @@ const QList<Room>& rooms()
          "names of a study's files; the lock of its folder; whether open files are in place, and a copy of what they held; texts "
          "that "
          "may be altered; the note of a study on a server",
-         {"protocols/finger_sample.h", "protocols/files/"}},
+         {"protocols/finger_sample.h", "protocols/files/", "protocols/process/"}},
         {"database/",
          "`study.db`, the append-only log, rescue files, keys and unblinding",
          {"database/disk/", "database/disk/server_note.h", "database/server/study_move.h", "protocols/"},

@@ -1,14 +1,12 @@
 #include "database/disk/server_note.h"
 
-#include <unistd.h>
-
-#include <array>
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
+#include "protocols/process/computer_name.h"
 
 namespace database {
 
@@ -24,9 +22,7 @@ std::filesystem::path serverNoteOf(const std::filesystem::path& folder) { return
 std::string hashOfThisComputer()
 {
     const std::string machine = protocols::readIfPossible("/etc/machine-id").value_or(std::string());
-    std::array<char, 256> host{};
-    (void)::gethostname(host.data(), host.size() - 1);
-    return protocols::sha256("vis2hap.station " + machine + " " + host.data());
+    return protocols::sha256("vis2hap.station " + machine + " " + protocols::computerName());
 }
 
 void writeServerNote(const std::filesystem::path& folder, const ServerNote& note)

@@ -15,6 +15,7 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/open_files.h"
+#include "protocols/process/computer_name.h"
 
 namespace database {
 
@@ -30,9 +31,7 @@ constexpr const char* lettersOfNames = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmn
 /// As the lock file can hold it; empty where it has no name.
 std::string nameOfThisComputer()
 {
-    std::array<char, 256> text{};
-    if (::gethostname(text.data(), text.size() - 1) != 0) return {};
-    const std::string name = text.data();
+    const std::string name = protocols::computerName();
     return name.substr(0, name.find_first_not_of(lettersOfNames));
 }
 

@@ -3,12 +3,13 @@
 #include <signal.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <charconv>
 #include <string>
 #include <system_error>
 #include <vector>
+
+#include "protocols/process/computer_name.h"
 
 namespace protocols {
 
@@ -16,16 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string nameOfComputer()
-{
-    std::array<char, 65> name{};
-    return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
-}
-
-std::string beginningOf(const fs::path& place)
-{
-    return "." + place.filename().string() + ".unfinished-" + nameOfComputer() + "-";
-}
+std::string beginningOf(const fs::path& place) { return "." + place.filename().string() + ".unfinished-" + computerName() + "-"; }
 
 bool isOfADeadProcess(std::string_view digits)
 {

@@ -175,8 +175,8 @@ std::vector<RatedPresentations> ratingsByQuestion(const Examination& one, const 
     return byQuestion;
 }
 
-/// Blank glass, and the image of another fabric, should get lower ratings than the renderings do. The
-/// differences of the questions count in lengths of their scales, each as often as there are such ratings.
+/// Blank glass, and the image of another fabric, should get lower ratings than the renderings do. The differences of the
+/// questions count in lengths of their scales, each as often as there are such ratings.
 void flagRatedHigh(const Examination& one, const std::vector<StudyResponse>& low, FlagKind kind, const std::string& what)
 {
     std::size_t ratings = 0, renderings = 0;

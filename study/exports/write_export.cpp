@@ -1,13 +1,10 @@
 #include "study/exports/write_export.h"
 
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <functional>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <utility>
-#include <variant>
+#include <optional>
 
 #include "database/evidence/acts.h"
 #include "database/preregistrations.h"
@@ -18,9 +15,9 @@
 #include "protocols/files/number_text.h"
 #include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
-#include "protocols/question_ids.h"
 #include "reports/formats/table_formats.h"
 #include "study/exports/codebook.h"
+#include "study/exports/exported_answers.h"
 #include "study/exports/psych_ds.h"
 #include "study/exports/public_files.h"
 #include "study/players/session_script.h"
@@ -28,7 +25,6 @@
 #include "study/records/evidence/exported_log.h"
 #include "study/records/evidence/exported_samples.h"
 #include "study/records/log_heads.h"
-#include "study/records/places_in_time.h"
 #include "study/records/shown_origin.h"
 #include "study/records/stored_study.h"
 
@@ -37,143 +33,15 @@ namespace study::exports {
 namespace {
 
 namespace fs = std::filesystem;
-using database::CurrentAnswer;
 using nlohmann::ordered_json;
 
 struct Export {
     const database::StudyStore& store;
     database::StudyFacts facts;
     protocols::Protocol protocol;
-    const records::Naming* naming;  ///< null while the study is blinded
-    fs::path out;                   ///< a draft, which is synced as a whole
-    bool isPublic = false;
-    records::Places places = {};  ///< empty while the study is blinded
-    std::map<protocols::ParticipantId, database::SlotState> states = {};
-
-    bool hasWithdrawn(const protocols::ParticipantId& participant) const
-    {
-        return states.at(participant) == database::SlotState::Withdrawn;
-    }
+    const ExportedAnswers* answers;  ///< null while the study is blinded
+    fs::path out;                    ///< a draft, which is synced as a whole
 };
-
-std::map<protocols::ParticipantId, database::SlotState> statesIn(const database::StudyStore& store)
-{
-    std::map<protocols::ParticipantId, database::SlotState> states;
-    for (const auto& enrolment : store.enrolments()) states.emplace(enrolment.participant, enrolment.state);
-    return states;
-}
-
-/// Answers that came since the places were read are left out.
-void eachAnswer(const Export& job, const std::function<void(const CurrentAnswer&)>& take)
-{
-    job.store.eachAnswer([&](const CurrentAnswer& answer) {
-        if (job.places.contains(records::presentationOf(answer))) take(answer);
-    });
-}
-
-records::Places placesIn(const database::StudyStore& store)
-{
-    records::PlacesInTime inTime;
-    store.eachAnswer([&](const CurrentAnswer& answer) { inTime.add(answer); });
-    return inTime.places();
-}
-
-constexpr std::size_t bytesAtOnce = std::size_t{1} << 20;
-
-/// A value of an answer; none where it does not exist.
-using ExportedValue = std::variant<std::monostate, std::int64_t, double, std::string, std::vector<std::string>>;
-
-template <class T>
-ExportedValue valueIfThere(const std::optional<T>& value)
-{
-    return value ? ExportedValue(*value) : ExportedValue();
-}
-
-struct NamedValue {
-    const char* name;
-    ExportedValue value;
-};
-
-void addInstruction(std::vector<NamedValue>& row, const records::Naming::Entry& entry, const CurrentAnswer& answer)
-{
-    row.push_back({"instruction", entry.instruction.empty() ? ExportedValue() : ExportedValue(entry.instruction.value)});
-    row.push_back({"deadline_seconds", entry.deadlineMs ? ExportedValue(*entry.deadlineMs / 1000.0) : ExportedValue()});
-    const auto late = isLate(entry, answer);
-    row.push_back({"late", late ? ExportedValue(std::int64_t{*late}) : ExportedValue()});
-}
-
-/// What the presentation is beside those of the list; missing for one of the list.
-NamedValue anchorOf(const records::Naming::Entry& entry)
-{
-    const std::string kind = nameOf(entry.anchor);
-    return {"anchor", kind.empty() ? ExportedValue() : ExportedValue(kind)};
-}
-
-/// One answer of an unblinded study, in the order of export.json.
-std::vector<NamedValue> rowOf(const Export& job, const CurrentAnswer& answer)
-{
-    const auto& record = answer.record;
-    const auto& entry = job.naming->of(answer.participant, record.trial);
-    std::vector<std::string> alternatives;
-    for (const auto& fabric : record.alternatives) alternatives.push_back(fabric.value);
-    const auto* question = questionWith(job.protocol, record.question);
-    const auto right =
-        record.answer && question ? isRight(question->kind, record.alternatives, entry.fabric, *record.answer) : std::nullopt;
-    const auto ifTouched = [&](const std::string& by) { return record.touchedAtNs ? ExportedValue(by) : ExportedValue(); };
-    const auto ifBegun = [&](const std::string& by) { return record.answerBegunAtNs ? ExportedValue(by) : ExportedValue(); };
-    std::vector<NamedValue> row{{"participant", answer.participant.value},
-                                {"trial", std::int64_t{record.trial.value}},
-                                {"question", record.question.value},
-                                {"fabric", entry.fabric.value},
-                                {"condition", entry.condition},
-                                {"alternatives", std::move(alternatives)},
-                                {"answer", valueIfThere(record.answer)},
-                                {"correct", right ? ExportedValue(std::int64_t{*right}) : ExportedValue()},
-                                {"rating", record.rating ? ExportedValue(record.rating->inScaleUnits()) : ExportedValue()},
-                                {"seconds", answer.seconds},
-                                {"response_seconds", valueIfThere(answer.responseSeconds)},
-                                {"ready_at", record.readyAtNs},
-                                {"touched_at", valueIfThere(record.touchedAtNs)},
-                                {"touched_by", ifTouched(record.touchedBy)},
-                                {"touch_ended_at", valueIfThere(record.touchEndedAtNs)},
-                                {"answer_begun_at", valueIfThere(record.answerBegunAtNs)},
-                                {"answer_begun_by", ifBegun(record.answerBegunBy)},
-                                {"answered_at", record.answeredAtNs},
-                                {"stored_at", answer.storedAtNs},
-                                {"corrections", std::int64_t{answer.corrections}},
-                                {"voided", std::int64_t{answer.voided}},
-                                {"wall_time", answer.wallTime},
-                                {"note", record.note},
-                                {"entries", record.entries ? ExportedValue(std::int64_t{*record.entries}) : ExportedValue()},
-                                {"place", std::int64_t{job.places.at(records::presentationOf(answer))}},
-                                {"attempt", std::int64_t{answer.attempt}},
-                                {"sitting", std::int64_t{answer.sitting}},
-                                {"state", nameOf(job.states.at(answer.participant))}};
-    if (hasInstructions(job.protocol)) addInstruction(row, entry, answer);
-    if (hasAnchors(job.protocol)) row.push_back(anchorOf(entry));
-    return row;
-}
-
-ordered_json jsonRowOf(const std::vector<NamedValue>& row)
-{
-    ordered_json json = ordered_json::object();
-    for (const auto& [name, value] : row)
-        std::visit(protocols::Overloaded{[&, key = name](std::monostate) { json[key] = nullptr; },
-                                         [&, key = name](const auto& known) { json[key] = known; }},
-                   value);
-    return json;
-}
-
-/// The text of a CSV cell, not yet quoted. Words of people may begin like a formula.
-std::string cell(const ExportedValue& value)
-{
-    return std::visit(protocols::Overloaded{[](std::monostate) { return std::string(); },
-                                            [](std::int64_t number) { return std::to_string(number); },
-                                            [](double number) { return protocols::shortest(number); },
-                                            [](const std::string& text) { return protocols::safeCell(text); },
-                                            [](const std::vector<std::string>& texts) { return ordered_json(texts).dump(); }},
-                      value);
-}
 
 /// The text of a CSV cell, not yet quoted.
 std::string cell(const ordered_json& value)
@@ -240,36 +108,6 @@ void write(const Export& job, const char* name, const std::string& text)
     protocols::writeWholeFile(job.out / name, text, protocols::Sync::Later);
 }
 
-std::vector<std::string> columnsOf(const Export& job)
-{
-    std::vector<std::string> columns(protocols::answerColumns().begin(), protocols::answerColumns().end());
-    columns.insert(columns.end(), {"place", "attempt", "sitting", "state"});
-    if (hasInstructions(job.protocol)) columns.insert(columns.end(), {"instruction", "deadline_seconds", "late"});
-    if (hasAnchors(job.protocol)) columns.emplace_back("anchor");
-    if (job.isPublic) std::erase_if(columns, isPrivateColumn);
-    return columns;
-}
-
-/// The answers one by one: of a large study only the places of the presentations are held.
-void writeAnswersCsv(const Export& job, const protocols::TakeBytes& take)
-{
-    const std::vector<std::string> columns = columnsOf(job);
-    take(protocols::csvRow(columns));
-    std::vector<std::string> cells(columns.size());
-    std::string rows;
-    eachAnswer(job, [&](const CurrentAnswer& answer) {
-        if (job.isPublic && (isWorded(job.protocol, answer.record.question) || job.hasWithdrawn(answer.participant))) return;
-        for (const auto& [name, value] : rowOf(job, answer))
-            if (const auto column = std::ranges::find(columns, name); column != columns.end())
-                cells[static_cast<std::size_t>(column - columns.begin())] = cell(value);
-        rows += protocols::csvRow(cells);
-        if (rows.size() < bytesAtOnce) return;
-        take(rows);
-        rows.clear();
-    });
-    take(rows);
-}
-
 /// A table of an export; its name has no extension.
 struct ExportedTable {
     std::string name;
@@ -283,7 +121,7 @@ ExportedTable tableOf(const std::string& name, const std::string& csv)
 
 std::vector<ExportedTable> openTables(const Export& job)
 {
-    return {{"answers", [&job](const protocols::TakeBytes& take) { writeAnswersCsv(job, take); }},
+    return {{"answers", [&job](const protocols::TakeBytes& take) { job.answers->writeCsv(take); }},
             tableOf("participants", csvOf(participantRows(job), {"slot", "participant", "kind", "state", "protocol_version"}))};
 }
 
@@ -319,7 +157,7 @@ ordered_json headOf(const Export& job)
     ordered_json head{{"schema", "vis2hap.export/1"},
                       {"study", job.facts.name},
                       {"protocol_sha256", job.facts.protocolSha256},
-                      {"blinded", job.naming == nullptr},
+                      {"blinded", job.answers == nullptr},
                       {"stamps", records::stampsOf(job.store, job.facts)},
                       {"participants", participantRows(job)},
                       {"preregistrations", registrationRows(job)},
@@ -333,21 +171,11 @@ ordered_json headOf(const Export& job)
 /// The text of a whole object with a row for each answer, without holding the rows.
 void writeAnswersJson(const Export& job, const protocols::TakeBytes& take)
 {
-    std::string text = headOf(job).dump(1);
-    text.resize(text.size() - 2);  // the line end and the brace
-    text += ",\n \"answers\": [";
-    bool isFirst = true;
-    eachAnswer(job, [&](const CurrentAnswer& answer) {
-        text += std::exchange(isFirst, false) ? "\n" : ",\n";
-        for (const char c : "  " + jsonRowOf(rowOf(job, answer)).dump(1)) {
-            text += c;
-            if (c == '\n') text += "  ";
-        }
-        if (text.size() < bytesAtOnce) return;
-        take(text);
-        text.clear();
-    });
-    take(text + (isFirst ? "]\n}\n" : "\n ]\n}\n"));
+    std::string head = headOf(job).dump(1);
+    head.resize(head.size() - 2);  // the line end and the brace
+    take(head + ",\n \"answers\": ");
+    job.answers->writeJson(take);
+    take("\n}\n");
 }
 
 void writeJsonExport(const Export& job)
@@ -387,7 +215,7 @@ void writeDataset(const Export& job, const ExportForm& form, const std::vector<E
 void writeOpen(const Export& job, const ExportForm& form)
 {
     if (form.format == "json") return writeJsonExport(job);
-    const auto columns = codebookOf(job.protocol, job.facts.fabrics, columnsOf(job));
+    const auto columns = codebookOf(job.protocol, job.facts.fabrics, job.answers->columns());
     if (form.format == "psych-ds") return writeDataset(job, form, openTables(job), columns);
     writeCsvTables(job, openTables(job));
     write(job, "codebook.csv", codebookCsv(columns));
@@ -454,15 +282,13 @@ std::string writeExport(const database::StudyStore& store, const fs::path& out, 
     if (form.isPublic || isDataset) requireOwnFolder(out, form.isPublic ? "a public export" : "a data set");
     if (form.isPublic) requirePublishable(store, form);
     protocols::FolderDraft draft(out, protocols::Earlier::FilesJoined);
-    Export job{store, facts, protocol, naming ? &*naming : nullptr, draft.path(), form.isPublic};
-    if (naming && form.format != "script") {
-        job.places = placesIn(store);
-        job.states = statesIn(store);
-    }
+    std::optional<ExportedAnswers> answers;
+    if (naming && form.format != "script") answers.emplace(store, protocol, *naming, form.isPublic);
+    const Export job{store, facts, protocol, answers ? &*answers : nullptr, draft.path()};
     std::string whyNoMeans;
     bool isWithoutMeans = false;
     if (form.format == "script")
-        players::writeScripts(job.store, job.naming, job.out);
+        players::writeScripts(job.store, naming ? &*naming : nullptr, job.out);
     else if (blinded) {
         const auto data = form.withMeans ? records::studyData(store, passphrase) : std::nullopt;
         const auto aggregates = records::aggregatesOf(data);

@@ -3,9 +3,8 @@
 #include <pwd.h>
 #include <unistd.h>
 
-#include <array>
-
 #include "protocols/files/id_rule.h"
+#include "protocols/process/computer_name.h"
 
 namespace study::session {
 
@@ -28,17 +27,11 @@ std::string accountName()
     return isGoodName(login) ? login : number;
 }
 
-std::string hostName()
-{
-    std::array<char, 256> name{};
-    return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
-}
-
 }  // namespace
 
 OperatedBy operatedBy(const std::string& name, const std::string& program)
 {
-    return {name.empty() ? accountName() : name, program, hostName(), false, {}};
+    return {name.empty() ? accountName() : name, program, protocols::computerName(), false, {}};
 }
 
 }  // namespace study::session

@@ -8,7 +8,6 @@
 
 #include <QProcess>
 #include <QSysInfo>
-#include <QTemporaryDir>
 #include <QTest>
 #include <cerrno>
 #include <cstring>
@@ -21,8 +20,8 @@
 #include "study/records/study_faults.h"
 #include "tests/support/counting_vfs.h"
 #include "tests/support/error_text.h"
+#include "tests/support/new_studies.h"
 #include "tests/support/played_session.h"
-#include "tests/support/study_builder.h"
 
 using tests::support::errorOf;
 using namespace database;
@@ -335,8 +334,8 @@ private Q_SLOTS:
     void anUpgradeNeedsNoModes()
     {
         const QString kept = VIS2HAP_SOURCE_DIR "/tests/study/kept/studies-0.5.0.tar.gz";
-        QCOMPARE(QProcess::execute("tar", {"xzf", kept, "-C", m_place.path()}), 0);
-        const StudyFolder folder{m_place.filePath("half").toStdString()};
+        QCOMPARE(QProcess::execute("tar", {"xzf", kept, "-C", m_studies.place().path()}), 0);
+        const StudyFolder folder{m_studies.place().filePath("half").toStdString()};
         const auto answers = StudyStore(folder, StudyStore::Access::Read).answers().size();
         disk.refusesModes = true;
         QCOMPARE(StudyStore(folder, StudyStore::Access::Write).answers().size(), answers);
@@ -359,13 +358,8 @@ private Q_SLOTS:
     }
 
 private:
-    StudyFolder newStudy()
-    {
-        const std::string folder = m_place.filePath(QString("study%1").arg(++m_studies)).toStdString();
-        return tests::support::buildStudy(folder, {.keySeed = static_cast<std::uint64_t>(m_studies)});
-    }
-    QTemporaryDir m_place;
-    int m_studies = 0;
+    StudyFolder newStudy() { return m_studies.make(); }
+    tests::support::NewStudies m_studies;
 };
 
 QTEST_GUILESS_MAIN(ForeignDisksTest)

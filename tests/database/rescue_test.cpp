@@ -5,7 +5,6 @@
 #include <sqlite3.h>
 #include <sys/stat.h>
 
-#include <QTemporaryDir>
 #include <QTest>
 #include <filesystem>
 #include <fstream>
@@ -17,9 +16,9 @@
 #include "protocols/files/whole_file.h"
 #include "tests/support/error_text.h"
 #include "tests/support/folder_harm.h"
+#include "tests/support/new_studies.h"
 #include "tests/support/played_session.h"
 #include "tests/support/raw_sqlite.h"
-#include "tests/support/study_builder.h"
 
 using tests::support::errorOf;
 using namespace database;
@@ -429,14 +428,8 @@ private Q_SLOTS:
     }
 
 private:
-    /// Each with keys of its own, because they lie beside each other.
-    StudyFolder newStudy()
-    {
-        const std::string folder = m_place.filePath(QString("study%1").arg(++m_studies)).toStdString();
-        return tests::support::buildStudy(folder, {.keySeed = static_cast<std::uint64_t>(m_studies)});
-    }
-    QTemporaryDir m_place;
-    int m_studies = 0;
+    StudyFolder newStudy() { return m_studies.make(); }
+    tests::support::NewStudies m_studies;
 };
 
 QTEST_GUILESS_MAIN(RescueTest)

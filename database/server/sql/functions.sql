@@ -250,7 +250,7 @@ CREATE OR REPLACE FUNCTION @schema@.server_keep_owed(ended @schema@.server_stati
     SELECT ended.token, coalesce(ended.participant, ''), ended.station, ended.login, ended.queue_length
     WHERE ended.participant IS NOT NULL OR ended.queue_length > 0
     ON CONFLICT (token, participant) DO UPDATE
-        SET station = excluded.station, login = excluded.login, since = excluded.since,
+        SET station = excluded.station, login = excluded.login,
             queue_length = greatest(server_owed.queue_length, excluded.queue_length)
 $$;
 

@@ -153,7 +153,7 @@ CREATE TABLE @schema@.server_stations(
 -- another station stores an entry of the participant. participant: empty where the station had none.
 CREATE TABLE @schema@.server_owed(
     token text NOT NULL, participant text COLLATE "C" NOT NULL, station text COLLATE "C" NOT NULL, login text NOT NULL,
-    queue_length bigint NOT NULL, since timestamptz NOT NULL DEFAULT clock_timestamp(), PRIMARY KEY (token, participant));
+    queue_length bigint NOT NULL, PRIMARY KEY (token, participant));
 
 -- Which entries of stations are stored, so that one that is sent again is not stored again.
 CREATE TABLE @schema@.server_received(

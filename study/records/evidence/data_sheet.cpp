@@ -1,16 +1,15 @@
 #include "study/records/evidence/data_sheet.h"
 
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "database/evidence/acts.h"
 #include "database/evidence/stored_tables.h"
 #include "database/stored_texts.h"
+#include "protocols/process/computer_name.h"
 #include "study/records/display_response_record.h"
 #include "study/records/evidence/data_words.h"
 #include "study/records/log_heads.h"
@@ -22,12 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
-
-std::string thisHost()
-{
-    std::array<char, 256> name{};
-    return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
-}
 
 ordered_json peopleOf(const database::StudyStore& store)
 {
@@ -245,7 +238,7 @@ ordered_json dataSheetOf(const database::StudyStore& store)
                        {"consent", protocol.consent},
                        {"consents_before", consentsBefore(store)},
                        {"display_response", displayResponseSentence(facts)}};
-    sheet["place"] = {{"host", thisHost()},
+    sheet["place"] = {{"host", protocols::computerName()},
                       {"folder", fs::absolute(store.folder().folder).lexically_normal().string()},
                       {"files", fileRows(store.folder().folder)}};
     sheet["protection"] = {

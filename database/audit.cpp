@@ -1,6 +1,9 @@
 #include "database/audit.h"
 
+#include <cstdint>
 #include <future>
+#include <iterator>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -9,6 +12,7 @@
 #include "database/event_chain.h"
 #include "database/preregistrations.h"
 #include "database/response_columns.h"
+#include "database/row_audit.h"
 #include "database/schema.h"
 #include "database/state_audit.h"
 #include "protocols/files/sha256.h"
@@ -16,6 +20,16 @@
 namespace database {
 
 namespace {
+
+/// What is wrong with the study as a whole, and which answers no session writes.
+struct Faults {
+    std::vector<std::string> ofCopy, ofAnswers;
+};
+
+void append(std::vector<std::string>& faults, std::vector<std::string> others)
+{
+    faults.insert(faults.end(), std::make_move_iterator(others.begin()), std::make_move_iterator(others.end()));
+}
 
 /// What an entry stores of the chain.
 struct StoredLinks {
@@ -59,9 +73,9 @@ void readResponses(const SqliteConnection& sqlite, Log& log, std::vector<std::st
         log[order.next(query.value(0).toLongLong())].responses.push_back(rowFrom(query, ResponseColumns::OfTable, 1));
 }
 
-void readRest(const SqliteConnection& sqlite, Log& log, std::vector<std::string>& faults)
+void readRest(const SqliteConnection& sqlite, Log& log, Faults& faults)
 {
-    OrderCheck order("notes", faults);
+    OrderCheck order("notes", faults.ofCopy);
     QSqlQuery row =
         sqlite.run(QStringLiteral("SELECT event, CAST(participant AS BLOB), trial, attempt FROM voids ORDER BY rowid"));
     while (row.next())
@@ -73,19 +87,25 @@ void readRest(const SqliteConnection& sqlite, Log& log, std::vector<std::string>
         log[order.next(row.value(0).toLongLong())].notes.push_back({bytesOf(row.value(1)), row.value(2).toInt(),
                                                                     row.value(3).toInt(), bytesOrNone(row.value(4)),
                                                                     bytesOf(row.value(5)), row.value(6).toInt() != 0});
-    OrderCheck orderOfFingers("finger_samples", faults);
+    OrderCheck orderOfFingers("finger_samples", faults.ofCopy);
     row = sqlite.run(QStringLiteral(
         "SELECT event, CAST(participant AS BLOB), trial, attempt, began_at, count, left_out, CAST(samples AS BLOB) "
         "FROM finger_samples ORDER BY id"));
-    while (row.next())
-        log[orderOfFingers.next(row.value(0).toLongLong())].finger.push_back({bytesOf(row.value(1)),
-                                                                              row.value(2).toInt(),
-                                                                              row.value(3).toInt(),
-                                                                              row.value(4).toLongLong(),
-                                                                              row.value(5).toInt(),
-                                                                              row.value(6).toInt(),
-                                                                              {},
-                                                                              protocols::sha256(bytesOf(row.value(7)))});
+    while (row.next()) {
+        const std::string samples = bytesOf(row.value(7));
+        FingerRow finger{bytesOf(row.value(1)),
+                         row.value(2).toInt(),
+                         row.value(3).toInt(),
+                         row.value(4).toLongLong(),
+                         row.value(5).toInt(),
+                         row.value(6).toInt(),
+                         {},
+                         protocols::sha256(samples)};
+        if (const std::string fault = faultOfFinger(finger, samples); !fault.empty())
+            faults.ofAnswers.push_back(finger.participant + ", trial " + std::to_string(finger.trial) +
+                                       ", finger samples: " + fault);
+        log[orderOfFingers.next(row.value(0).toLongLong())].finger.push_back(std::move(finger));
+    }
     row = sqlite.run(
         QStringLiteral("SELECT event, CAST(who AS BLOB), CAST(why AS BLOB), CAST(wall_time AS BLOB) FROM unblindings"));
     while (row.next())
@@ -188,41 +208,56 @@ std::map<std::string, std::int64_t> recordedErasures(const SqliteConnection& sql
 
 /// Follows the chain from entry to entry.
 class ChainCheck {
+    using Sequences = std::numeric_limits<std::int64_t>;
+
 public:
-    explicit ChainCheck(std::map<std::string, std::int64_t> erasedBefore) : m_erasedBefore(std::move(erasedBefore)) {}
+    ChainCheck(std::map<std::string, std::int64_t> erasedBefore, TellingFields fields)
+        : m_erasedBefore(std::move(erasedBefore)), m_fields(std::move(fields))
+    {
+    }
 
     void check(const std::vector<LinkedEntry>& batch)
     {
         for (const auto& [entry, links] : batch) check(entry, links);
     }
 
-    const std::vector<std::string>& faults() const { return m_faults; }
+    Faults& faults() { return m_faults; }
 
 private:
     void check(const LogEntry& entry, const StoredLinks& links)
     {
         const std::int64_t sequence = entry.event.sequence;
         if (sequence != m_expected)
-            m_faults.push_back("log entries from " + std::to_string(m_expected) + " to " + std::to_string(sequence - 1) +
-                               " are missing");
-        if (links.previous != m_previous) m_faults.push_back(nameOfEntry(entry.event) + ": does not follow the entry before it");
-        if (!isWhole(entry, links, isErased(entry, m_erasedBefore)))
-            m_faults.push_back(nameOfEntry(entry.event) + ": the entry or its rows were altered");
+            m_faults.ofCopy.push_back("log entries from " + std::to_string(m_expected) + " to " +
+                                      std::to_string(before(sequence)) + " are missing");
+        if (links.previous != m_previous)
+            m_faults.ofCopy.push_back(nameOfEntry(entry.event) + ": does not follow the entry before it");
+        const bool erased = isErased(entry, m_erasedBefore);
+        if (!isWhole(entry, links, erased))
+            m_faults.ofCopy.push_back(nameOfEntry(entry.event) + ": the entry or its rows were altered");
+        else if (!erased)
+            for (const std::string& fault : faultsOfEntry(entry, m_fields))
+                m_faults.ofAnswers.push_back(nameOfEntry(entry.event) + ": " + fault);
         m_previous = links.own;
-        m_expected = sequence + 1;
+        m_expected = after(sequence);
     }
 
+    // An altered entry may have the smallest or the largest number that there is.
+    static std::int64_t before(std::int64_t sequence) { return sequence - std::int64_t(sequence > Sequences::min()); }
+    static std::int64_t after(std::int64_t sequence) { return sequence + std::int64_t(sequence < Sequences::max()); }
+
     std::map<std::string, std::int64_t> m_erasedBefore;
+    TellingFields m_fields;
     std::string m_previous;
     std::int64_t m_expected = 1;
-    std::vector<std::string> m_faults;
+    Faults m_faults;
 };
 
 /// Reads the entries, checks the chain, and leaves in the log what later checks need, with the last entry. Another thread hashes
 /// the entries while this one reads the next.
-std::vector<std::string> faultsOfChain(const SqliteConnection& sqlite, Log& log)
+Faults faultsOfChain(const SqliteConnection& sqlite, Log& log)
 {
-    ChainCheck chain(recordedErasures(sqlite));
+    ChainCheck chain(recordedErasures(sqlite), fieldsOfAnswers(sqlite));
     QSqlQuery row = queryOfEvents(sqlite);
     std::future<void> hashed;
     EventRecord last;
@@ -232,11 +267,11 @@ std::vector<std::string> faultsOfChain(const SqliteConnection& sqlite, Log& log)
         hashed = std::async(std::launch::async, [&chain, own = std::move(batch)] { chain.check(own); });
     }
     if (hashed.valid()) hashed.get();
-    std::vector<std::string> faults = chain.faults();
+    Faults faults = std::move(chain.faults());
     if (last.sequence > 0) log[last.sequence].event = last;
     for (const auto& [sequence, entry] : log)
         if (entry.event.sequence == 0)
-            faults.push_back("log entry " + std::to_string(sequence) + " is missing, but its answers or notes are there");
+            faults.ofCopy.push_back("log entry " + std::to_string(sequence) + " is missing, but its answers or notes are there");
     return faults;
 }
 
@@ -317,20 +352,22 @@ void checkPreregistrations(const Log& log, std::vector<std::string>& faults)
     }
 }
 
-std::vector<std::string> faultsOfLog(const SqliteConnection& sqlite)
+Faults faultsOfLog(const SqliteConnection& sqlite)
 {
     Log log;
-    std::vector<std::string> ofOrder;
-    readResponses(sqlite, log, ofOrder);
-    readRest(sqlite, log, ofOrder);
-    std::vector<std::string> faults = faultsOfChain(sqlite, log);
-    faults.insert(faults.end(), ofOrder.begin(), ofOrder.end());
-    checkEnd(sqlite, log, faults);
-    checkUpgrade(log, faults);
-    checkFixedTables(sqlite, log, faults);
-    checkPlaces(sqlite, log, faults);
-    for (std::string& fault : faultsOfStates(sqlite, log)) faults.push_back(std::move(fault));
-    checkPreregistrations(log, faults);
+    Faults ofRows;
+    readResponses(sqlite, log, ofRows.ofCopy);
+    readRest(sqlite, log, ofRows);
+    Faults faults = faultsOfChain(sqlite, log);
+    append(faults.ofCopy, std::move(ofRows.ofCopy));
+    append(faults.ofAnswers, std::move(ofRows.ofAnswers));
+    checkEnd(sqlite, log, faults.ofCopy);
+    checkUpgrade(log, faults.ofCopy);
+    checkFixedTables(sqlite, log, faults.ofCopy);
+    checkPlaces(sqlite, log, faults.ofCopy);
+    append(faults.ofCopy, faultsOfStates(sqlite, log));
+    checkPreregistrations(log, faults.ofCopy);
+    append(faults.ofAnswers, faultsOfAnswers(sqlite));
     return faults;
 }
 
@@ -352,18 +389,30 @@ std::vector<std::string> faultsOfFile(const std::filesystem::path& file)
     return faults;
 }
 
+Faults allFaults(const SqliteConnection& sqlite)
+{
+    requireTables(sqlite);
+    auto ofFile = std::async(std::launch::async, faultsOfFile, sqlite.file());
+    // One snapshot for the whole chain, because a writer may add entries meanwhile.
+    const ReadSnapshot snapshot(sqlite);
+    std::vector<std::string> ofSchema = faultsOfSchema(sqlite);
+    Faults faults = faultsOfLog(sqlite);
+    std::vector<std::string> first = ofFile.get();
+    append(first, std::move(ofSchema));
+    append(first, std::move(faults.ofCopy));
+    faults.ofCopy = std::move(first);
+    return faults;
+}
+
 }  // namespace
 
 std::vector<std::string> faultsOfDatabase(const SqliteConnection& sqlite)
 {
-    auto ofFile = std::async(std::launch::async, faultsOfFile, sqlite.file());
-    // One snapshot for the whole chain, because a writer may add entries meanwhile.
-    const ReadSnapshot snapshot(sqlite);
-    std::vector<std::string> ofLog = faultsOfSchema(sqlite);
-    for (std::string& fault : faultsOfLog(sqlite)) ofLog.push_back(std::move(fault));
-    std::vector<std::string> faults = ofFile.get();
-    faults.insert(faults.end(), ofLog.begin(), ofLog.end());
-    return faults;
+    Faults faults = allFaults(sqlite);
+    append(faults.ofCopy, std::move(faults.ofAnswers));
+    return std::move(faults.ofCopy);
 }
+
+std::vector<std::string> faultsOfCopy(const SqliteConnection& sqlite) { return allFaults(sqlite).ofCopy; }
 
 }  // namespace database

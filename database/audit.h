@@ -9,7 +9,11 @@
 
 namespace database {
 
-/// One line for each fault; empty where there is none.
+/// One line for each fault; empty where there is none. Throws as requireTables() (schema.h), before any row is read.
 std::vector<std::string> faultsOfDatabase(const SqliteConnection& sqlite);
+
+/// The faults by which a copy of a study is not whole. Answers that no session writes are none of them: a login of a server may
+/// have stored them, and the log that holds them can still be moved and rescued. Throws as faultsOfDatabase().
+std::vector<std::string> faultsOfCopy(const SqliteConnection& sqlite);
 
 }  // namespace database

@@ -173,6 +173,20 @@ dev_t deviceOf(const std::filesystem::path& folder)
     return ::stat(folder.c_str(), &status) == 0 ? status.st_dev : dev_t{};
 }
 
+/// Files outside of the study folder whose bytes may hold what was erased. Those of other accounts are searched up to a size,
+/// because anybody may put a file there that has no end.
+std::vector<std::filesystem::path> rescueFilesAround(const StudyFolder& study)
+{
+    constexpr std::uintmax_t largestOfOthers = 4ULL << 30;
+    std::vector<std::filesystem::path> files = rescueFilesOutside(study);
+    for (const auto& file : rescueFilesOfOthers(study)) {
+        std::error_code unknown;
+        const auto size = std::filesystem::file_size(file, unknown);
+        if (!unknown && size <= largestOfOthers && ::access(file.c_str(), R_OK) == 0) files.push_back(file);
+    }
+    return files;
+}
+
 /// What the steps after the removal need: a temporary copy and a write-ahead log with every page, and the certificate. The
 /// removal cannot be taken back, and what was removed can no longer be searched for later.
 void requireRoom(const std::filesystem::path& database)
@@ -231,13 +245,13 @@ ErasureRecord eraseFrom(const SqliteConnection& sqlite, const Erasure& erasure)
         throw protocols::environmentFault({"the data are removed, but another program keeps an older state of the study", folder,
                                            "no open monitor, report or database browser",
                                            "close it and run the command again, which completes the erasure"});
-    const protocols::ByteSearch search = protocols::searchFiles(sqlite.file().parent_path(), {texts.begin(), texts.end()},
-                                                                rescueFilesOutside({sqlite.file().parent_path()}));
+    const StudyFolder study{sqlite.file().parent_path()};
+    const protocols::ByteSearch search =
+        protocols::searchFiles(study.folder, {texts.begin(), texts.end()}, rescueFilesAround(study));
     record.searchedFiles = search.files;
     record.searchedTexts = texts.size();
     record.found = search.found;
     // Numbers and times are too short for the search, so that copies of the database count as found by their rows.
-    const StudyFolder study{sqlite.file().parent_path()};
     auto copies = copiesBeforeUpgradeOf(erasure.participant.value, study);
     const bool answersToo = erasure.answersToo || !record.interrupted.empty();
     std::ranges::copy(databasesAbout(erasure.participant.value, answersToo, study), std::back_inserter(copies));

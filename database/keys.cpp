@@ -188,7 +188,7 @@ KeyFindings findingsOfKeys(const StudyStore& store, const Passphrase& passphrase
             findings.faults.push_back(fault.what());
         }
     };
-    check([&] { (void)readStationKey(store); });
+    check([&] { (void)readStationKey(store.folder(), store.facts().stationKeySha256); });
     check([&] {
         if (!readKey(store, {}) && store.unblinding()) throw notLaidOpen(store);
     });

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "database/station_key.h"
+#include "database/disk/station_key.h"
 #include "database/study_store.h"
 #include "protocols/orders/allocation.h"
 

@@ -1,6 +1,8 @@
 #include "database/preregistrations.h"
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "database/event_chain.h"
 #include "database/sqlite_connection.h"
@@ -69,7 +71,9 @@ bool isPreregistration(const nlohmann::json& payload)
     for (const char* text : {"who", "text_sha256", "json_sha256", "text", "json"})
         if (!payload.contains(text) || !payload[text].is_string()) return false;
     for (const char* count : {"number", "answers_before"})
-        if (!payload.contains(count) || !payload[count].is_number_unsigned()) return false;
+        if (!payload.contains(count) || !payload[count].is_number_unsigned() ||
+            !std::in_range<int>(payload[count].get<std::uint64_t>()))
+            return false;
     return payload.contains("after_unblinding") && payload["after_unblinding"].is_boolean();
 }
 

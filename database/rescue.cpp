@@ -65,7 +65,7 @@ bool wroteCopy(const SqliteConnection& sqlite, const PageCopy* copy, const fs::p
 void requireSound(const SqliteConnection& rescued)
 {
     checkedVersion(rescued);
-    const auto faults = faultsOfDatabase(rescued);
+    const auto faults = faultsOfCopy(rescued);
     if (!faults.empty())
         throw protocols::badInput({"the rescue file has a fault: " + faults.front(), rescued.file().string(),
                                    "a file that the program kept aside", "choose another rescue file; nothing was changed"});
@@ -244,6 +244,7 @@ bool holdsAllOf(const PageCopy& copy, const std::filesystem::path& database, Fac
 {
     try {
         const SqliteConnection present(database, SqliteConnection::Mode::Read);
+        requireTables(present);
         if (!attached(present, copy, "kept")) return false;
         const ReadSnapshot snapshot(present);
         if (fromQt(present.value(QStringLiteral("PRAGMA main.quick_check(1)"))) != "ok") return false;

@@ -42,10 +42,27 @@ bool isRegular(const fs::path& file)
     return fs::symlink_status(file, unknown).type() == fs::file_type::regular;
 }
 
-bool isOwn(const fs::path& file)
+enum class Owner {
+    This,     ///< this account
+    Another,  ///< another account
+    None,     ///< it is no regular file
+};
+
+bool hidesTables(const SqliteConnection& sqlite)
+{
+    try {
+        requireTables(sqlite);
+        return false;
+    } catch (const protocols::Error&) {
+        return true;
+    }
+}
+
+Owner ownerOf(const fs::path& file)
 {
     struct stat status {};
-    return ::lstat(file.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == ::geteuid();
+    if (::lstat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return Owner::None;
+    return status.st_uid == ::geteuid() ? Owner::This : Owner::Another;
 }
 
 /// Empty where the file cannot be read as the database of a study.
@@ -79,7 +96,19 @@ void addFrom(const fs::path& where, const std::string& prefix, const StudyFolder
         if (!name.ends_with(".db") || std::ranges::find(files, entry.path()) != files.end()) continue;
         const bool isNamed = name.starts_with(prefix);
         const bool isLike = name.find(std::string("-") + rescueWord) != std::string::npos;
-        if (isNamed || (isLike && isOwn(entry.path()) && originOf(entry.path(), folder) == Origin::ThisStudy))
+        if ((!isNamed && !isLike) || ownerOf(entry.path()) != Owner::This) continue;
+        if (isNamed || originOf(entry.path(), folder) == Origin::ThisStudy) files.push_back(entry.path());
+    }
+}
+
+/// Files with the prefix that another account owns.
+void addOfOthers(const fs::path& where, const std::string& prefix, std::vector<fs::path>& files)
+{
+    std::error_code unreadable;
+    for (const auto& entry : fs::directory_iterator(where, unreadable)) {
+        const std::string name = entry.path().filename().string();
+        if (name.starts_with(prefix) && name.ends_with(".db") && ownerOf(entry.path()) == Owner::Another &&
+            std::ranges::find(files, entry.path()) == files.end())
             files.push_back(entry.path());
     }
 }
@@ -105,6 +134,7 @@ bool isAbout(const fs::path& file, const std::string& participant, bool answersT
 {
     try {
         const SqliteConnection kept(file, SqliteConnection::Mode::Kept);
+        if (hidesTables(kept)) return true;  // Its other tables may hold what was erased, and are not read.
         checkedVersion(kept);
         return originOf(kept, folder) != Origin::AnotherStudy && hasRowsAbout(kept, participant, answersToo);
     } catch (const protocols::Error&) {
@@ -153,6 +183,19 @@ std::vector<fs::path> rescueFilesOutside(const StudyFolder& folder)
         if (!none) addFrom(temporary, prefixBeside(study), folder, files);
     }
     std::erase_if(files, [](const fs::path& file) { return !isRegular(file) || ::access(file.c_str(), R_OK) != 0; });
+    return files;
+}
+
+std::vector<fs::path> rescueFilesOfOthers(const StudyFolder& folder)
+{
+    std::vector<fs::path> files;
+    std::error_code none;
+    const fs::path temporary = fs::canonical(fs::temp_directory_path(none), none);
+    for (const fs::path& study : namesOf(folder)) {
+        addOfOthers(study.parent_path(), prefixBeside(study), files);
+        if (!none) addOfOthers(temporary, prefixBeside(study), files);
+    }
+    std::ranges::sort(files);
     return files;
 }
 

@@ -17,16 +17,21 @@ std::filesystem::path freeName(const std::filesystem::path& where, const std::st
 /// The places for a new rescue file, the best first.
 std::vector<std::filesystem::path> placesForRescue(const StudyFolder& folder);
 
-/// The rescue files in the study folder and beside it, oldest first, without those of another study.
+/// The rescue files in the study folder and beside it, oldest first, without those of another study. Beside the folder only files
+/// of this account count.
 std::vector<std::filesystem::path> rescueFiles(const StudyFolder& folder);
 
 /// Whether the file lies in the study folder, or beside it under its present name. A rescue file of another name may be that of
 /// the study from which this one was copied.
 bool isLeftBy(const std::filesystem::path& rescue, const StudyFolder& folder);
 
-/// Files outside of the study folder, and those in the folder for temporary files, that can be read. Those that bear the name of
-/// the study may be of another study of this name; those of other names are of this study.
+/// Files of this account outside of the study folder, and those in the folder for temporary files, that can be read. Those that
+/// bear the name of the study may be of another study of this name; those of other names are of this study.
 std::vector<std::filesystem::path> rescueFilesOutside(const StudyFolder& folder);
+
+/// Files of other accounts in these places that bear the name of the study, sorted. They are not opened as databases: anybody may
+/// put files there. They may be rescue files all the same, where several accounts use one study; an erasure searches their bytes.
+std::vector<std::filesystem::path> rescueFilesOfOthers(const StudyFolder& folder);
 
 /// Whose database it is, by the station key in the folder.
 enum class Origin {

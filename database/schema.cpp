@@ -1,5 +1,6 @@
 #include "database/schema.h"
 
+#include <QStringList>
 #include <map>
 #include <string>
 
@@ -145,6 +146,17 @@ constexpr const char* firstAndLatest =
       JOIN events begun ON begun.sequence = first.event
       WHERE first.is_correction = 0)";
 
+constexpr const char* changingTables[] = {"participants", "participant_facts"};
+
+/// "'study', 'fabrics', ...": the names of all tables, for a query.
+QString quotedTableNames()
+{
+    QStringList names;
+    for (const char* table : appendOnlyTables) names << QStringLiteral("'%1'").arg(QLatin1String(table));
+    for (const char* table : changingTables) names << QStringLiteral("'%1'").arg(QLatin1String(table));
+    return names.join(QStringLiteral(", "));
+}
+
 int versionOf(const SqliteConnection& connection) { return connection.value(QStringLiteral("PRAGMA user_version")).toInt(); }
 
 }  // namespace
@@ -257,6 +269,18 @@ std::vector<std::string> faultsOfIntegers(const SqliteConnection& sqlite)
     return faults;
 }
 
+void requireTables(const SqliteConnection& connection)
+{
+    // SQLite compares names without their case. A virtual table has no page of its own.
+    const auto others = QStringLiteral(
+        "SELECT name FROM sqlite_master WHERE (type = 'view' OR (type = 'table' AND rootpage = 0)) AND lower(name) IN (%1)");
+    QSqlQuery row = connection.run(others.arg(quotedTableNames()));
+    if (row.next())
+        throw protocols::workFailed({"a view or a virtual table stands in the place of the table " + fromQt(row.value(0)),
+                                     connection.file().string(), "the tables that this program makes",
+                                     "somebody altered the file; restore it from a backup"});
+}
+
 int checkedVersion(const SqliteConnection& connection)
 {
     const int version = versionOf(connection);
@@ -267,6 +291,7 @@ int checkedVersion(const SqliteConnection& connection)
         throw protocols::badInput({"a newer version of this program made the study (schema " + std::to_string(version) + ")",
                                    connection.file().string(), "schema " + std::to_string(schemaVersion) + " or older",
                                    "update this program"});
+    requireTables(connection);
     const auto newest = QStringLiteral(
         "SELECT (SELECT COUNT(*) FROM pragma_table_info('responses') WHERE name = 'answer_begun_at') + "
         "(SELECT COUNT(*) FROM pragma_table_info('trials') WHERE name = 'deadline_ms') + "

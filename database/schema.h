@@ -32,7 +32,10 @@ std::vector<std::string> faultsOfSchema(const SqliteConnection& connection);
 /// would see other numbers.
 std::vector<std::string> faultsOfIntegers(const SqliteConnection& connection);
 
-/// The file's schema version. Throws badInput for a database that is no study's or has a newer schema.
+/// Throws workFailed where a view or a virtual table stands in the place of a table of the study. A query of it may never end.
+void requireTables(const SqliteConnection& connection);
+
+/// The file's schema version. Throws badInput for a database that is no study's or has a newer schema, and as requireTables().
 int checkedVersion(const SqliteConnection& connection);
 
 }  // namespace database

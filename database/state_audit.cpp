@@ -269,25 +269,42 @@ QString impossibleFor(const protocols::AnswerKind& kind)
         kind);
 }
 
-/// By question: what no version of the protocol allows. Empty where a version cannot be read, which is a fault of its own.
-std::map<std::string, QString> impossibleAnswers(const SqliteConnection& sqlite)
+/// The field of a payload that tells an answer of this kind (study/session).
+const char* fieldOfKind(const protocols::AnswerKind& kind)
 {
-    std::map<std::string, QString> impossible;
+    return std::visit(protocols::Overloaded{[](const protocols::ForcedChoice&) { return "fabric"; },
+                                            [](const protocols::Rating&) { return "tenths"; },
+                                            [](const protocols::SameDifferent&) { return "same"; },
+                                            [](const protocols::FreeText&) { return "words"; }},
+                      kind);
+}
+
+/// The questions of every version of the protocol, phase by phase. Empty where a version cannot be read, which is a fault of its
+/// own.
+std::vector<protocols::Question> questionsEver(const SqliteConnection& sqlite)
+{
+    std::vector<protocols::Question> questions;
     try {
         QSqlQuery row =
             sqlite.run(QStringLiteral("SELECT protocol_json, program_version FROM study UNION ALL "
                                       "SELECT json, program_version FROM protocol_versions, study"));
-        while (row.next()) {
-            const auto protocol =
-                protocols::keptProtocolFromJson(fromQt(row.value(0)), "the study's protocol", fromQt(row.value(1)));
-            for (const protocols::Phase& phase : protocol.phases)
-                for (const protocols::Question& question : phase.questions) {
-                    QString& rule = impossible[question.id.value];
-                    rule += (rule.isEmpty() ? QString() : QStringLiteral(" AND ")) + impossibleFor(question.kind);
-                }
-        }
+        while (row.next())
+            for (const protocols::Phase& phase :
+                 protocols::keptProtocolFromJson(fromQt(row.value(0)), "the study's protocol", fromQt(row.value(1))).phases)
+                questions.insert(questions.end(), phase.questions.begin(), phase.questions.end());
     } catch (const protocols::Error&) {
         return {};
+    }
+    return questions;
+}
+
+/// By question: what no version of the protocol allows.
+std::map<std::string, QString> impossibleAnswers(const SqliteConnection& sqlite)
+{
+    std::map<std::string, QString> impossible;
+    for (const protocols::Question& question : questionsEver(sqlite)) {
+        QString& rule = impossible[question.id.value];
+        rule += (rule.isEmpty() ? QString() : QStringLiteral(" AND ")) + impossibleFor(question.kind);
     }
     return impossible;
 }
@@ -304,6 +321,19 @@ void checkAnswers(const SqliteConnection& sqlite, std::vector<std::string>& faul
             faults.push_back(fromQt(row.value(0)) + ", trial " + std::to_string(row.value(1).toInt()) + ": the answer to " +
                              question + " is none that the question can have");
     }
+}
+
+/// A presentation has the code of its list; one that is presented again after a void draws another of the same letters.
+void checkPresentationCodes(const SqliteConnection& sqlite, std::vector<std::string>& faults)
+{
+    QSqlQuery row = sqlite.run(
+        QStringLiteral("SELECT r.participant, r.trial, r.question FROM responses r JOIN participants p ON p.id = r.participant "
+                       "JOIN trials t ON t.slot = p.slot AND t.number = r.trial WHERE CASE r.attempt WHEN 1 "
+                       "THEN r.presentation_code <> t.presentation_code "
+                       "ELSE r.presentation_code = '' OR r.presentation_code GLOB '*[^A-Z0-9]*' END ORDER BY r.id LIMIT 20"));
+    while (row.next())
+        faults.push_back(fromQt(row.value(0)) + ", trial " + std::to_string(row.value(1).toInt()) + ": the answer to " +
+                         fromQt(row.value(2)) + " stands under a code that the presentation does not have");
 }
 
 /// The questions of each phase. Amendments change none. Empty where the protocol cannot be read, which is a fault of its own.
@@ -361,7 +391,26 @@ std::vector<std::string> faultsOfStates(const SqliteConnection& sqlite, const Lo
     checkProtocols(sqlite, log, faults);
     checkUpgradeSteps(log, faults);
     checkNamedActs(sqlite, log, faults);
+    return faults;
+}
+
+TellingFields fieldsOfAnswers(const SqliteConnection& sqlite)
+{
+    TellingFields fields;
+    std::set<std::string> ambiguous;
+    for (const protocols::Question& question : questionsEver(sqlite)) {
+        const char* field = fieldOfKind(question.kind);
+        if (fields.emplace(question.id.value, field).first->second != field) ambiguous.insert(question.id.value);
+    }
+    for (const std::string& question : ambiguous) fields.erase(question);
+    return fields;
+}
+
+std::vector<std::string> faultsOfAnswers(const SqliteConnection& sqlite)
+{
+    std::vector<std::string> faults;
     checkAnswers(sqlite, faults);
+    checkPresentationCodes(sqlite, faults);
     checkFinished(sqlite, faults);
     return faults;
 }

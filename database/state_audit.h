@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "database/event_chain.h"
+#include "database/row_audit.h"
 #include "database/sqlite_connection.h"
 
 namespace database {
@@ -14,5 +15,12 @@ using Log = std::map<std::int64_t, LogEntry>;  ///< by sequence number
 
 /// One line for each difference.
 std::vector<std::string> faultsOfStates(const SqliteConnection& sqlite, const Log& log);
+
+/// By question, from all versions of the protocol. Lacks a question that has two kinds, and is empty where a version cannot be
+/// read.
+TellingFields fieldsOfAnswers(const SqliteConnection& sqlite);
+
+/// Answers that their questions and presentations cannot have, and sessions that ended without some.
+std::vector<std::string> faultsOfAnswers(const SqliteConnection& sqlite);
 
 }  // namespace database

@@ -1,6 +1,7 @@
 #include "database/study_rows.h"
 
 #include <charconv>
+#include <limits>
 
 #include "database/response_columns.h"
 #include "database/schema.h"
@@ -83,6 +84,14 @@ AnswerRecord answerRecordOf(const ResponseRow& row, std::vector<protocols::Fabri
     return record;
 }
 
+double secondsBetween(std::int64_t fromNs, std::int64_t toNs)
+{
+    using Limits = std::numeric_limits<std::int64_t>;
+    std::int64_t ns = 0;
+    if (__builtin_sub_overflow(toNs, fromNs, &ns)) ns = toNs < fromNs ? Limits::min() : Limits::max();
+    return static_cast<double>(ns) / 1e9;
+}
+
 std::optional<double> responseSecondsOf(const ResponseRow& row) { return responseSecondsOf(answerRecordOf(row, {})); }
 
 std::optional<double> responseSecondsOf(const AnswerRecord& record)
@@ -92,12 +101,12 @@ std::optional<double> responseSecondsOf(const AnswerRecord& record)
     const std::int64_t from = record.touchedAtNs.value_or(record.readyAtNs);
     // An operator who stamps the touch late, after the first key, has not measured this time.
     if (*record.answerBegunAtNs < from) return std::nullopt;
-    return static_cast<double>(*record.answerBegunAtNs - from) / 1e9;
+    return secondsBetween(from, *record.answerBegunAtNs);
 }
 
 double secondsOf(const AnswerRecord& record)
 {
-    return static_cast<double>(record.answeredAtNs - record.touchedAtNs.value_or(record.readyAtNs)) / 1e9;
+    return secondsBetween(record.touchedAtNs.value_or(record.readyAtNs), record.answeredAtNs);
 }
 
 StudyFacts factsIn(const SqliteConnection& sqlite)

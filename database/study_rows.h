@@ -1,6 +1,7 @@
 // Reads what study.db holds, each kind of row as its value.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
@@ -30,6 +31,8 @@ std::vector<StudyStore::Flag> flagsIn(const SqliteConnection& sqlite);
 std::optional<UnblindingRecord> unblindingIn(const SqliteConnection& sqlite);
 /// The answer of a row; its note is empty. `alternatives`: those of the row, read.
 AnswerRecord answerRecordOf(const ResponseRow& row, std::vector<protocols::FabricId> alternatives);
+/// s. Of stamps that are further apart than 64 bits can count, in an altered study, the largest difference that they can.
+double secondsBetween(std::int64_t fromNs, std::int64_t toNs);
 /// From the touch to the beginning of the answer, s; none where a stamp is missing. A script states one time, so without a touch
 /// its time runs from the question.
 std::optional<double> responseSecondsOf(const ResponseRow& row);

@@ -14,6 +14,7 @@
 #include "protocols/files/disk_sync.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
@@ -218,17 +219,28 @@ void keepToOwner(const fs::path& place)
     fs::permissions(place, isFolder ? fs::perms::owner_all : fs::perms::owner_read | fs::perms::owner_write, refused);
 }
 
-/// Copies the database as one consistent file and every file beside it but the lock.
+/// Copies the database as one consistent file and every file beside it but the lock. A link would bring a file from elsewhere,
+/// and so it is left out; the study keeps it, and `verify` names it.
 void copyTopFiles(const StudyFolder& folder, const fs::path& to)
 {
     SqliteConnection(folder.database(), SqliteConnection::Mode::Read)
         .run(QStringLiteral("VACUUM INTO ?"), {toQt((to / "study.db").string())});
     for (const auto& entry : fs::directory_iterator(folder.folder)) {
         const std::string name = entry.path().filename().string();
-        if (!entry.is_regular_file() || name == ".lock" || name.starts_with("study.db")) continue;
+        if (entry.symlink_status().type() != fs::file_type::regular || name == ".lock" || name.starts_with("study.db")) continue;
         protocols::copyBytes(entry.path(), to / name);
     }
     for (const auto& entry : fs::directory_iterator(to)) keepToOwner(entry.path());
+}
+
+/// A sentence that names what the copy before an upgrade lacks for that reason; empty where it lacks nothing.
+std::string namesOfLinks(const StudyFolder& folder)
+{
+    std::string names;
+    for (const auto& entry : fs::directory_iterator(folder.folder))
+        if (entry.is_symlink() && entry.path().filename() != "stimuli")
+            names += (names.empty() ? "" : ", ") + protocols::printable(entry.path().filename().string());
+    return names.empty() ? "" : " It lacks the links of the study: " + names + ".";
 }
 
 /// The stimuli need no room of their own: the copy has other names of the same files.
@@ -380,6 +392,18 @@ void finish(const StudyFolder& folder, const UpgradeStep& reached)
     protocols::syncFolder(folder.folder);
 }
 
+/// Whether a copy of an older study names the participant. One that cannot be read counts, because nobody knows what it holds.
+bool isAbout(const fs::path& database, const std::string& participant)
+{
+    try {
+        const SqliteConnection older(database, SqliteConnection::Mode::Read);
+        checkedVersion(older);
+        return older.value(QStringLiteral("SELECT COUNT(*) FROM participants WHERE id = ?"), {toQt(participant)}).toInt() > 0;
+    } catch (const protocols::Error&) {
+        return true;
+    }
+}
+
 /// The copy before an upgrade is not sealed, so a failed upgrade leaves none: the older study still lies in its place.
 void replaceOrRemove(const StudyFolder& folder, const fs::path& copy)
 {
@@ -420,7 +444,8 @@ std::string upgrade(const StudyFolder& folder, const UpgradeStep& step)
                "lies in " +
                copy.string() +
                ". That copy is not sealed: it names the condition of every trial, and answers erased "
-               "before can be guessed from it. Delete it when the upgraded study works.";
+               "before can be guessed from it. Delete it when the upgraded study works." +
+               namesOfLinks(folder);
     });
 }
 
@@ -430,12 +455,11 @@ std::unique_ptr<protocols::TemporaryFolder> upgradedCopy(const StudyFolder& fold
     const StudyFolder copied{copy->path()};
     return onFiles(copied, [&] {
         copyTopFiles(folder, copied.folder);
-        if (fs::exists(folder.upgrade())) fs::copy(folder.upgrade(), copied.upgrade(), fs::copy_options::recursive);
+        constexpr auto withLinksAsTheyAre = fs::copy_options::recursive | fs::copy_options::copy_symlinks;
+        if (fs::exists(folder.upgrade())) fs::copy(folder.upgrade(), copied.upgrade(), withLinksAsTheyAre);
         if (fs::is_directory(folder.stimuli())) linkStimuli(folder.stimuli(), copied.stimuli());
         for (const char* name : {"erasures", "prompts"})
-            if (fs::is_directory(folder.folder / name))
-                fs::copy(folder.folder / name, copied.folder / name,
-                         fs::copy_options::recursive | fs::copy_options::copy_symlinks);
+            if (fs::is_directory(folder.folder / name)) fs::copy(folder.folder / name, copied.folder / name, withLinksAsTheyAre);
         if (isOlder(copied)) {
             prepareAnew(copied);
             replaceDatabase(copied);
@@ -452,9 +476,7 @@ std::vector<std::string> copiesBeforeUpgradeOf(const std::string& participant, c
     for (const auto& entry : fs::directory_iterator(folder.folder)) {
         const fs::path copy = entry.path() / "study.db";
         if (!entry.path().filename().string().starts_with(first) || !fs::exists(copy)) continue;
-        const SqliteConnection older(copy, SqliteConnection::Mode::Read);
-        if (older.value(QStringLiteral("SELECT COUNT(*) FROM participants WHERE id = ?"), {toQt(participant)}).toInt() > 0)
-            copies.push_back((entry.path().filename() / "study.db").string());
+        if (isAbout(copy, participant)) copies.push_back((entry.path().filename() / "study.db").string());
     }
     return copies;
 }

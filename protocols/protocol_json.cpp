@@ -256,11 +256,20 @@ Protocol readFrom(const JsonDocument& document, ProtocolEdition edition, Protoco
     return protocol;
 }
 
-Protocol readBy(ProtocolEdition edition, std::string_view text, const std::string& where)
+/// The name stands in titles, certificates and on terminals. A study that was made with another one still opens.
+Protocol readNewFrom(const JsonDocument& document, ProtocolFaults& faults)
+{
+    Protocol protocol = readFrom(document, ProtocolEdition::Current, faults);
+    if (const std::string why = faultOfLine(protocol.name, longestReason); !why.empty() && !protocol.name.empty())
+        faults.add("name: " + why + ", expected " + lineRule(longestReason));
+    return protocol;
+}
+
+Protocol readBy(const std::optional<ProtocolEdition>& kept, std::string_view text, const std::string& where)
 {
     const JsonDocument document(text, where);
     ProtocolFaults faults({});
-    Protocol protocol = readFrom(document, edition, faults);
+    Protocol protocol = kept ? readFrom(document, *kept, faults) : readNewFrom(document, faults);
     if (!faults.all().empty()) refuse(faults, document);
     return protocol;
 }
@@ -281,7 +290,7 @@ CheckedProtocol checkedProtocol(std::string_view text, const std::string& where)
     }
     const JsonDocument document(text, where);
     ProtocolFaults faults({});
-    checked.protocol = readFrom(document, ProtocolEdition::Current, faults);
+    checked.protocol = readNewFrom(document, faults);
     checked.faults = placed(faults, document);
     if (!checked.faults.empty()) checked.protocol.reset();
     return checked;
@@ -290,7 +299,7 @@ CheckedProtocol checkedProtocol(std::string_view text, const std::string& where)
 Protocol protocolFromJson(std::string_view text, const std::string& where)
 {
     if (text.size() > largestProtocol) throw badInput({sizeFaultOf(text), where, "", "check the path"});
-    return readBy(ProtocolEdition::Current, text, where);
+    return readBy(std::nullopt, text, where);
 }
 
 Protocol keptProtocolFromJson(std::string_view text, const std::string& where, std::string_view madeBy)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <string_view>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
@@ -83,12 +84,12 @@ std::string inBrief(const json& value)
     return value.is_object() ? "an object" : inShort(value.dump(), longestShown);
 }
 
-/// The key between the last quotes of valijson's sentence.
-std::string quotedKey(const std::string& sentence)
+/// The key at the end of valijson's sentence, behind `before`. The key may hold quotes itself.
+std::string quotedKey(const std::string& sentence, std::string_view before)
 {
-    const std::size_t end = sentence.rfind('\'');
-    const std::size_t begin = end == std::string::npos || end == 0 ? end : sentence.rfind('\'', end - 1);
-    return begin == std::string::npos ? "" : sentence.substr(begin + 1, end - begin - 1);
+    const std::size_t begin = sentence.find(before), end = sentence.rfind('\'');
+    const std::size_t from = begin + before.size();
+    return begin == std::string::npos || end == std::string::npos || end < from ? "" : sentence.substr(from, end - from);
 }
 
 SchemaFault inOurWords(const valijson::ValidationResults::Error& error, const json& schema, const json& document)
@@ -98,7 +99,7 @@ SchemaFault inOurWords(const valijson::ValidationResults::Error& error, const js
     const std::string whole = path.empty() ? "the protocol: " : path + ": ";
     const bool isMissing = error.description.starts_with("Missing required property");
     if (isMissing || error.description.starts_with("Object contains a property")) {
-        const std::string key = quotedKey(error.description);
+        const std::string key = quotedKey(error.description, isMissing ? "property '" : "constraints: '");
         steps.push_back(key);
         return {pathOf(steps), whole + (isMissing ? "'" + key + "' is missing" : "unknown key '" + key + "'")};
     }

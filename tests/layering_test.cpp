@@ -21,7 +21,9 @@ struct Room {
 const QList<Room>& rooms()
 {
     static const QList<Room> table{
-        {"protocols/process/", "the whole process: who may open new files, how memory is kept, the name of its computer", {}},
+        {"protocols/process/",
+         "the whole process: who may open new files, how memory is kept, which files it opens, the name of its computer",
+         {}},
         {"protocols/files/",
          "the ground floor: errors, whole files, CSV, strict and stored JSON, SHA-256",
          {"protocols/process/"}},
@@ -47,7 +49,9 @@ const QList<Room>& rooms()
          "power, simulated studies, measured sizes",
          {"stats/kernels/", "stats/tests/", "stats/models/", "stats/claims/"}},
         {"rendering/images/", "image and height-map files", {"protocols/files/"}},
-        {"rendering/cache/", "results that later runs use again, by the hash of their inputs", {"protocols/files/"}},
+        {"rendering/cache/",
+         "results that later runs use again, by the hash of their inputs",
+         {"protocols/files/", "protocols/json_count.h"}},
         {"rendering/fabrics/", "data sets: reader, checker, splits", {"rendering/images/", "protocols/"}},
         {"rendering/fabrics/procedural/",
          "procedural fabrics, simulated sensor and friction rig",
@@ -102,8 +106,8 @@ const QList<Room>& rooms()
         {"database/disk/",
          "names of a study's files; the lock of its folder; whether open files are in place, and a copy of what they held; texts "
          "that "
-         "may be altered; the note of a study on a server",
-         {"protocols/finger_sample.h", "protocols/files/", "protocols/process/"}},
+         "may be altered; the station key; the note of a study on a server",
+         {"protocols/finger_sample.h", "protocols/files/", "protocols/process/", "protocols/secrets/"}},
         {"database/",
          "`study.db`, the append-only log, rescue files, keys and unblinding",
          {"database/disk/", "database/disk/server_note.h", "database/server/study_move.h", "protocols/"},
@@ -150,7 +154,7 @@ const QList<Room>& rooms()
         {"reports/", "the files of a report", {"reports/", "stats/", "protocols/"}, true},
         {"study/session/",
          "the session as a pure state machine, and its driver",
-         {"database/session_store.h", "database/study_store.h", "database/station_key.h", "database/server/station_store.h",
+         {"database/session_store.h", "database/study_store.h", "database/disk/station_key.h", "database/server/station_store.h",
           "rendering/display/display.h", "rendering/display/stimulus_bank.h", "protocols/"},
          true},
         {"study/participant/", "what the participant sees on a screen of their own, and who may see it", {"protocols/"}},

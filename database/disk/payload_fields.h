@@ -1,8 +1,11 @@
-// Fields of the payloads of the log, which somebody may have altered. A field that is missing or of another kind has a default.
+// Fields of the payloads of the log, which somebody may have altered. A field that is missing or of another kind, or a
+// number that no int holds, has a default.
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 #include "protocols/files/strict_json.h"
 
@@ -30,7 +33,10 @@ inline bool yesIn(const nlohmann::json& payload, const char* field)
 inline int numberIn(const nlohmann::json& payload, const char* field, int otherwise)
 {
     const auto value = payload.find(field);
-    return value != payload.end() && value->is_number_integer() ? value->get<int>() : otherwise;
+    if (value == payload.end() || !value->is_number_integer()) return otherwise;
+    const bool isInt = value->is_number_unsigned() ? std::in_range<int>(value->get<std::uint64_t>())
+                                                   : std::in_range<int>(value->get<std::int64_t>());
+    return isInt ? value->get<int>() : otherwise;
 }
 
 }  // namespace database

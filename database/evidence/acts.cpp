@@ -7,6 +7,7 @@
 #include "protocols/files/canonical_bytes.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/strict_json.h"
+#include "protocols/json_count.h"
 
 namespace database {
 
@@ -40,7 +41,7 @@ std::optional<Act> actOf(const ChainedAct& row)
                    details.at("program").get<std::string>(),
                    details.at("host").get<std::string>(),
                    details.at("path").get<std::string>(),
-                   {details.at("entry").get<std::int64_t>(), details.at("hash").get<std::string>()},
+                   {protocols::wholeOf<std::int64_t>(details.at("entry")), details.at("hash").get<std::string>()},
                    row.wallTime,
                    details.value("note", "")};
     } catch (const nlohmann::json::exception&) {

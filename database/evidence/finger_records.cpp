@@ -1,8 +1,11 @@
 #include "database/evidence/finger_records.h"
 
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
 #include "database/disk/finger_text.h"
 #include "database/sqlite_connection.h"
-#include "protocols/files/errors.h"
 
 namespace database {
 
@@ -14,14 +17,15 @@ bool isSamePresentation(const FingerRecord& a, const FingerRecord& b)
 }
 
 /// Adds the row to the record. A clock that went back between two rows must not make the samples go back.
-void addRow(FingerRecord& record, const QSqlQuery& row, const StudyStore& store)
+void addRow(FingerRecord& record, const QSqlQuery& row)
 {
     const auto samples = fingerSamplesFrom(fromQt(row.value(6)), row.value(4).toLongLong());
-    if (!samples)
-        throw protocols::workFailed({"stored samples of the finger cannot be read",
-                                     store.folder().database().string() + ", table finger_samples, row " + fromQt(row.value(7)),
-                                     "numbers in the form that this program writes", "run vis2hap verify on the study"});
-    record.leftOut += row.value(5).toInt();
+    if (!samples) {
+        ++record.unreadable;
+        return;
+    }
+    constexpr std::int64_t most = std::numeric_limits<int>::max();
+    record.leftOut = static_cast<int>(std::clamp<std::int64_t>(std::int64_t{record.leftOut} + row.value(5).toInt(), 0, most));
     for (const protocols::FingerSample& sample : *samples)
         if (record.samples.empty() || sample.atNs > record.samples.back().atNs) record.samples.push_back(sample);
 }
@@ -36,7 +40,7 @@ void eachFingerRecord(const StudyStore& store, const protocols::ParticipantId& p
     QSqlQuery row = sqlite.run(
         QStringLiteral(
             "SELECT participant, trial, attempt, EXISTS (SELECT 1 FROM voids v WHERE v.participant = f.participant AND "
-            "v.trial = f.trial AND v.attempt = f.attempt), began_at, left_out, samples, id FROM finger_samples f "
+            "v.trial = f.trial AND v.attempt = f.attempt), began_at, left_out, samples FROM finger_samples f "
             "WHERE participant = ? OR ? = '' ORDER BY participant, trial, attempt, id"),
         {toQt(participant.value), toQt(participant.value)});
     std::optional<FingerRecord> current;
@@ -52,7 +56,7 @@ void eachFingerRecord(const StudyStore& store, const protocols::ParticipantId& p
             current.reset();
         }
         if (!current) current = std::move(next);
-        addRow(*current, row, store);
+        addRow(*current, row);
     }
     if (current) take(*current);
 }

@@ -17,10 +17,11 @@ struct FingerRecord {
     bool voided = false;
     std::vector<protocols::FingerSample> samples;  ///< in the order of time
     int leftOut = 0;                               ///< samples that were too many or too close to each other
+    int unreadable = 0;                            ///< stored stretches that are damaged, whose samples are missing here
 };
 
 /// Calls `take` with each presentation that has samples, by participant, trial and attempt. `participant`: only theirs; empty:
-/// everybody's. Throws workFailed where stored samples cannot be read.
+/// everybody's.
 void eachFingerRecord(const StudyStore& store, const protocols::ParticipantId& participant,
                       const std::function<void(const FingerRecord&)>& take);
 

@@ -1,9 +1,13 @@
 #include "database/server/server_replies.h"
 
 #include <QDateTime>
+#include <algorithm>
 #include <charconv>
+#include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
 
 #include "database/stored_texts.h"
 #include "protocols/files/errors.h"
@@ -31,6 +35,8 @@ auto reading(const std::string& where, const Read& read)
         return read();
     } catch (const Json::exception& fault) {
         throw unreadable(fault.what(), where);
+    } catch (const std::out_of_range& fault) {
+        throw unreadable(fault.what(), where);
     }
 }
 
@@ -46,22 +52,38 @@ std::vector<std::string> replyTexts(const Json& object, const char* field)
     return list.is_string() ? textsOf(list.get<std::string>()) : list.get<std::vector<std::string>>();
 }
 
+/// A whole number of a reply. Throws std::out_of_range where it does not fit: the library would take 4294967297 for 1.
+template <class Whole>
+Whole replyNumber(const Json& object, const char* field)
+{
+    const Json& value = object.at(field);
+    const bool isUnsigned = value.is_number_unsigned();
+    const bool fits = isUnsigned ? std::in_range<Whole>(value.get<std::uint64_t>())
+                                 : value.is_number_integer() && std::in_range<Whole>(value.get<std::int64_t>());
+    if (!fits) throw std::out_of_range(std::string(field) + " is no whole number that fits");
+    return value.get<Whole>();
+}
+
+int replyInt(const Json& object, const char* field) { return replyNumber<int>(object, field); }
+std::int64_t replyInt64(const Json& object, const char* field) { return replyNumber<std::int64_t>(object, field); }
+
 LogHead headIn(const Json& reply)
 {
     const Json& head = reply.at("head");
-    return {head.at("sequence").get<std::int64_t>(), head.at("hash").get<std::string>()};
+    return {replyInt64(head, "sequence"), head.at("hash").get<std::string>()};
 }
 
 protocols::BlindedTrial trialIn(const Json& json)
 {
     protocols::BlindedTrial trial;
-    trial.number = {json.at("number").get<int>()};
-    trial.phase = json.at("phase").get<int>();
+    trial.number = {replyInt(json, "number")};
+    trial.phase = replyInt(json, "phase");
+    if (trial.phase < 0) throw std::out_of_range("phase is negative");
     trial.presentationCode = protocols::PresentationCode(json.at("presentation_code").get<std::string>());
     trial.instruction = protocols::InstructionId(replyText(json, "instruction"));
     trial.aim = protocols::speedAimNamed(replyText(json, "aim"));
     if (const auto deadline = json.find("deadline_ms"); deadline != json.end() && deadline->is_number())
-        trial.deadlineMs = deadline->get<int>();
+        trial.deadlineMs = replyInt(json, "deadline_ms");
     if (json.contains("alternatives")) trial.alternatives = fabricsOf(replyText(json, "alternatives"));
     trial.sealedCode = protocols::SealedCode(replyText(json, "sealed_code"));
     return trial;
@@ -71,11 +93,11 @@ std::vector<PlaceSeen> placesIn(const Json& reply)
 {
     std::vector<PlaceSeen> places;
     for (const Json& one : reply.at("places")) {
-        PlaceSeen place{one.at("slot").get<int>(),
+        PlaceSeen place{replyInt(one, "slot"),
                         stateNamed(one.at("state").get<std::string>()),
                         {},
                         ParticipantKind::Human,
-                        one.at("answers").get<int>()};
+                        replyInt(one, "answers")};
         if (place.state != SlotState::Free) {
             place.participant = one.at("participant").get<std::string>();
             place.kind = kindNamed(one.at("kind").get<std::string>());
@@ -150,8 +172,8 @@ StudyReply studyReplyFrom(const Json& reply, const std::string& where)
         }
         for (const Json& item : reply.at("familiarisation"))
             facts.familiarisation.push_back(
-                {item.at("name").get<std::string>(), familiarisationCode(item.at("position").get<int>())});
-        joined.protocol = {reply.at("protocol_version").get<int>(), facts.protocolJson, facts.protocolSha256, {}, {}, {}};
+                {item.at("name").get<std::string>(), familiarisationCode(replyInt(item, "position"))});
+        joined.protocol = {replyInt(reply, "protocol_version"), facts.protocolJson, facts.protocolSha256, {}, {}, {}};
         joined.head = headIn(reply);
         joined.givesTickets = reply.at("images_to") == "display";
         return joined;
@@ -162,12 +184,12 @@ ClaimReply claimReplyFrom(const Json& reply, const std::string& where, const std
 {
     return reading(where, [&] {
         ClaimReply place;
-        place.slot = reply.at("slot").get<int>();
+        place.slot = replyInt(reply, "slot");
         if (place.slot < 1 || place.slot > mostSlots)
             throw protocols::workFailed({"the server gave slot " + std::to_string(place.slot), where, "a slot of the study",
                                          "ask the owner of the study to run vis2hap verify"});
         place.state = stateNamed(replyText(reply, "state"));
-        place.protocolVersion = reply.at("protocol_version").get<int>();
+        place.protocolVersion = replyInt(reply, "protocol_version");
         place.olderProtocol = replyText(reply, "protocol_json");
         for (const auto& [fabric, code] : reply.at("swatches").get<std::map<std::string, std::string>>())
             place.swatches[protocols::FabricId(fabric)] = code;
@@ -177,9 +199,9 @@ ClaimReply claimReplyFrom(const Json& reply, const std::string& where, const std
                 throw unreadable("trial " + std::to_string(number) + " at place " + std::to_string(place.trials.size()), where);
         }
         for (const Json& event : reply.at("events"))
-            place.events.push_back({event.at("sequence").get<std::int64_t>(), protocols::ParticipantId(participant),
-                                    event.at("sitting").get<int>(), event.at("kind").get<std::string>(),
-                                    event.at("payload").get<std::string>(), event.at("at_ns").get<std::int64_t>(),
+            place.events.push_back({replyInt64(event, "sequence"), protocols::ParticipantId(participant),
+                                    replyInt(event, "sitting"), event.at("kind").get<std::string>(),
+                                    event.at("payload").get<std::string>(), replyInt64(event, "at_ns"),
                                     event.at("wall_time").get<std::string>()});
         place.head = headIn(reply);
         return place;
@@ -200,7 +222,7 @@ LogHead headFrom(const Json& reply, const std::string& where)
 
 std::int64_t entryNumberFrom(const Json& reply, const std::string& where)
 {
-    return reading(where, [&] { return reply.at("event").get<std::int64_t>(); });
+    return reading(where, [&] { return replyInt64(reply, "event"); });
 }
 
 std::vector<PlaceSeen> placesFrom(const Json& reply, const std::string& where)
@@ -219,14 +241,13 @@ ServerProgress progressFrom(const Json& reply, const std::string& where)
         progress.answers = static_cast<int>(answers);
         for (const Json& one : reply.at("stations"))
             progress.stations.push_back({one.at("station").get<std::string>(), one.at("login").get<std::string>(),
-                                         replyText(one, "participant"), one.at("live").get<bool>(),
-                                         one.at("queue_length").get<int>(), one.at("last_seen_seconds").get<int>(),
-                                         replyText(one, "program")});
+                                         replyText(one, "participant"), one.at("live").get<bool>(), replyInt(one, "queue_length"),
+                                         replyInt(one, "last_seen_seconds"), replyText(one, "program")});
         // A study that an earlier version moved there does not give it.
         if (const auto owed = reply.find("owed"); owed != reply.end())
             for (const Json& one : *owed)
                 progress.owed.push_back(
-                    {one.at("station").get<std::string>(), replyText(one, "participant"), one.at("queue_length").get<int>()});
+                    {one.at("station").get<std::string>(), replyText(one, "participant"), replyInt(one, "queue_length")});
         progress.head = textOf(headIn(reply));
         return progress;
     });
@@ -239,7 +260,10 @@ std::chrono::seconds clockAheadOf(const Json& sign, std::chrono::system_clock::t
     if (now == sign.end() || !now->is_string()) return {};
     const QDateTime time = QDateTime::fromString(QString::fromStdString(now->get<std::string>()), Qt::ISODateWithMs);
     if (!time.isValid()) return {};
-    const std::chrono::system_clock::time_point server{std::chrono::milliseconds(time.toMSecsSinceEpoch())};
+    // The year 2255: a later time does not fit into a 64-bit number of nanoseconds.
+    constexpr qint64 latestMs = 9'000'000'000'000;
+    const std::chrono::system_clock::time_point server{
+        std::chrono::milliseconds(std::clamp<qint64>(time.toMSecsSinceEpoch(), 0, latestMs))};
     const auto ahead = server < asked ? asked - server : server > answered ? answered - server : answered - answered;
     return std::chrono::duration_cast<std::chrono::seconds>(ahead);
 }

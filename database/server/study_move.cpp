@@ -6,11 +6,11 @@
 
 #include "database/audit.h"
 #include "database/disk/server_note.h"
+#include "database/disk/station_key.h"
 #include "database/disk/write_lock.h"
 #include "database/server/server_connection.h"
 #include "database/server/server_scripts.h"
 #include "database/server/table_rows.h"
-#include "database/station_key.h"
 #include "database/stored_texts.h"
 #include "database/study_creation.h"
 #include "database/study_rows.h"
@@ -148,7 +148,7 @@ void sendOrder(const StudyStore& store, const ServerConnection& server, const pr
 
 void sendWhole(const StudyStore& store, const ServerConnection& server)
 {
-    const auto stationKey = readStationKey(store);
+    const auto stationKey = readStationKey(store.folder(), store.facts().stationKeySha256);
     ServerTransaction transaction(server);
     for (const char* script : {"tables", "functions"}) server.runScript(serverScript(script));
     sendRows(SqliteConnection(store.folder().database(), SqliteConnection::Mode::Read), server);
@@ -220,7 +220,7 @@ void bringBack(const ServerConnection& server, const StudyFolder& folder, const 
     try {
         fetchInto(server, folder);
         const SqliteConnection file(folder.database(), SqliteConnection::Mode::Read);
-        const auto faults = faultsOfDatabase(file);
+        const auto faults = faultsOfCopy(file);
         if (!faults.empty() || headIn(file) != headOf(server))
             throw protocols::workFailed({"the study did not arrive whole: " + (faults.empty() ? "another head" : faults.front()),
                                          folder.folder.string(), "", "the study is still on the server; see vis2hap verify"});

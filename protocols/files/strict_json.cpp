@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "protocols/files/json_in_order.h"
 #include "protocols/files/utf8.h"
 
 namespace protocols {
@@ -226,77 +227,9 @@ void requireSingleKeys(std::string_view text, const std::string& where)
                     .nextStep = "remove one of the two"});
 }
 
-/// Takes a text with the keys in their order. The library's own reader of such texts compares each key with all before it, so
-/// its time grows with the square of their number.
-class ReaderInOrder final : public nlohmann::ordered_json::json_sax_t {
-public:
-    using Json = nlohmann::ordered_json;
-
-    Json takeRoot() { return std::move(m_root); }
-
-    bool null() override { return put(nullptr); }
-    bool boolean(bool value) override { return put(value); }
-    bool number_integer(number_integer_t value) override { return put(value); }
-    bool number_unsigned(number_unsigned_t value) override { return put(value); }
-    bool number_float(number_float_t value, const string_t&) override { return put(value); }
-    bool string(string_t& value) override { return put(std::move(value)); }
-    bool binary(binary_t&) override { return false; }
-    bool start_object(std::size_t) override { return open(Json::object()); }
-    bool start_array(std::size_t) override { return open(Json::array()); }
-    bool end_object() override { return close(); }
-    bool end_array() override { return close(); }
-    bool key(string_t& name) override
-    {
-        m_key = std::move(name);
-        return true;
-    }
-    bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception& fault) override
-    {
-        if (const auto* malformed = dynamic_cast<const Json::parse_error*>(&fault)) throw Json::parse_error(*malformed);
-        if (const auto* tooLarge = dynamic_cast<const Json::out_of_range*>(&fault)) throw Json::out_of_range(*tooLarge);
-        throw fault;
-    }
-
-private:
-    bool put(Json value)
-    {
-        place(std::move(value));
-        return true;
-    }
-
-    /// Where the value stands from now on.
-    Json* place(Json value)
-    {
-        if (m_open.empty()) return &(m_root = std::move(value));
-        if (m_open.back()->is_array()) return &m_open.back()->get_ref<Json::array_t&>().emplace_back(std::move(value));
-        return &m_open.back()->get_ref<Json::object_t&>().emplace_back(std::move(m_key), std::move(value)).second;
-    }
-
-    bool open(Json empty)
-    {
-        m_open.push_back(place(std::move(empty)));
-        return true;
-    }
-
-    bool close()
-    {
-        m_open.pop_back();
-        return true;
-    }
-
-    Json m_root;
-    std::string m_key;          // of the next member
-    std::vector<Json*> m_open;  // none of them moves: only the innermost one grows
-};
-
 nlohmann::json readBytes(std::string_view text, const nlohmann::json*) { return nlohmann::json::parse(text.begin(), text.end()); }
 
-nlohmann::ordered_json readBytes(std::string_view text, const nlohmann::ordered_json*)
-{
-    ReaderInOrder reader;
-    nlohmann::ordered_json::sax_parse(text.begin(), text.end(), &reader);
-    return reader.takeRoot();
-}
+nlohmann::ordered_json readBytes(std::string_view text, const nlohmann::ordered_json*) { return jsonInOrder(text); }
 
 /// The first byte at which more than `deepestJson` objects and arrays are open. The text need not be well-formed.
 std::optional<std::size_t> firstByteTooDeep(std::string_view text)
@@ -380,12 +313,7 @@ Json parsed(std::string_view text, const std::string& where)
     return root;
 }
 
-template <class Json>
-Json storedValue(std::string_view text)
-{
-    if (text.size() > largestJson || firstByteTooDeep(text)) return Json(Json::value_t::discarded);
-    return Json::parse(text.begin(), text.end(), nullptr, false);
-}
+bool isReadableStored(std::string_view text) { return text.size() <= largestJson && !firstByteTooDeep(text); }
 
 }  // namespace
 
@@ -396,9 +324,17 @@ nlohmann::ordered_json parseStrictOrderedJson(std::string_view text, const std::
     return parsed<nlohmann::ordered_json>(text, where);
 }
 
-nlohmann::json storedJson(std::string_view text) { return storedValue<nlohmann::json>(text); }
+nlohmann::json storedJson(std::string_view text)
+{
+    if (!isReadableStored(text)) return nlohmann::json(nlohmann::json::value_t::discarded);
+    return nlohmann::json::parse(text.begin(), text.end(), nullptr, false);
+}
 
-nlohmann::ordered_json storedOrderedJson(std::string_view text) { return storedValue<nlohmann::ordered_json>(text); }
+nlohmann::ordered_json storedOrderedJson(std::string_view text)
+{
+    if (!isReadableStored(text)) return nlohmann::ordered_json(nlohmann::ordered_json::value_t::discarded);
+    return storedJsonInOrder(text);
+}
 
 JsonDocument::JsonDocument(std::string_view text, std::string where)
     : m_text(withoutByteOrderMark(notTooLarge(text, where))),

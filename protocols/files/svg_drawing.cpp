@@ -1,5 +1,8 @@
 #include "protocols/files/svg_drawing.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "protocols/files/markup_text.h"
 #include "protocols/files/number_text.h"
 
@@ -110,6 +113,19 @@ std::string SvgDrawing::finished() const
            "\" width=\"" + length(m_width) + "\" height=\"" + length(m_height) +
            "\" font-family=\"'Source Sans 3','Segoe UI','Helvetica Neue','Liberation Sans',Arial,sans-serif\">\n<title>" +
            escapedMarkup(m_title) + "</title>\n<desc>" + escapedMarkup(m_description) + "</desc>\n" + m_content + "</svg>\n";
+}
+
+std::vector<double> multiplesBetween(double low, double high, double step)
+{
+    // Larger multiples have no next whole number, so a loop over them would not end.
+    constexpr double largestMultiple = 1e15;
+    const double first = std::ceil(low / step - 1e-9), last = std::floor(high / step + 1e-9);
+    const bool isCountable = std::abs(first) <= largestMultiple && std::abs(last) <= largestMultiple;
+    if (!std::isfinite(step) || !(step > 0) || !isCountable) return {};
+    const int count = static_cast<int>(std::clamp(last - first + 1, 0.0, double(mostTicks)));
+    std::vector<double> multiples;
+    for (int i = 0; i < count; ++i) multiples.push_back((first + i) * step + 0.0);  // 0.0 removes the sign of a zero
+    return multiples;
 }
 
 }  // namespace protocols

@@ -1,4 +1,4 @@
-// Scalable drawings (SVG) as text. Writing a figure needs neither a screen nor a font engine.
+// Scalable drawings (SVG) as text. Writing a figure needs neither a screen nor a font engine. Also the ticks of axes.
 #pragma once
 
 #include <string>
@@ -49,5 +49,12 @@ private:
     std::string m_title;
     std::string m_description;
 };
+
+/// Largest number of ticks of an axis. The steps of all axes ask for far fewer.
+inline constexpr int mostTicks = 100;
+
+/// Multiples of `step` from `low` to `high`, rising. A multiple that misses a bound by a billionth of a step is included. At
+/// most `mostTicks`; none where `step` is not above 0, or so small beside the bounds that rounding would join two ticks.
+std::vector<double> multiplesBetween(double low, double high, double step);
 
 }  // namespace protocols

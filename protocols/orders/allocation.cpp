@@ -30,11 +30,13 @@ std::string drawCode(std::string_view letters, int length, Random& random)
     return code;
 }
 
+/// The code is longer where those of this length seem to be used up. Only a short code in an altered study leads there.
 std::string drawUnusedCode(std::string_view letters, int length, std::set<std::string>& used, Random& random)
 {
-    std::string code = drawCode(letters, length, random);
-    while (!used.insert(code).second) code = drawCode(letters, length, random);
-    return code;
+    constexpr int mostDraws = 10'000;
+    for (;; ++length)
+        for (int draw = 0; draw < mostDraws; ++draw)
+            if (std::string code = drawCode(letters, length, random); used.insert(code).second) return code;
 }
 
 /// Each purpose has a seed of its own, so that the draws that a session shows tell nothing about the others.
@@ -237,6 +239,9 @@ PresentationCode codeOfAttempt(const std::vector<BlindedTrial>& list, std::size_
 {
     const std::string& own = list.at(index).presentationCode.value;
     if (attempt <= 1) return list[index].presentationCode;
+    if (own.empty())
+        throw workFailed({"trial " + std::to_string(list[index].number.value) + " has no presentation code", "the list of trials",
+                          "letters and digits", "see `vis2hap verify`; restore the study from a backup"});
     std::set<std::string> used;
     for (const BlindedTrial& trial : list) used.insert(trial.presentationCode.value);
     Random random = Random::stream(static_cast<std::uint64_t>(attempt), "presentation again/" + own);

@@ -17,7 +17,7 @@ class AnchorFinder {
 public:
     explicit AnchorFinder(const Protocol& protocol) : m_protocol(protocol) {}
 
-    /// `shown`: what the key says of the presentation.
+    /// `shown`: what the key says of the presentation. Throws workFailed where the protocol has no such phase.
     AnchorKind next(const BlindedTrial& trial, const AllocationKey::Entry& shown);
 
 private:

@@ -7,6 +7,7 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/strict_json.h"
+#include "protocols/json_count.h"
 
 namespace rendering::cache {
 
@@ -18,7 +19,8 @@ constexpr int mostTypes = CV_MAKETYPE(CV_16F, CV_CN_MAX);
 /// Throws nlohmann's exceptions for other fields.
 std::optional<cv::Mat> arrayFrom(const nlohmann::json& shape, std::string_view& bytes)
 {
-    const int rows = shape.at(0).get<int>(), columns = shape.at(1).get<int>(), type = shape.at(2).get<int>();
+    using protocols::wholeOf;
+    const int rows = wholeOf<int>(shape.at(0)), columns = wholeOf<int>(shape.at(1)), type = wholeOf<int>(shape.at(2));
     if (rows == 0 || columns == 0) return cv::Mat();
     if (rows < 0 || columns < 0 || rows > largestSide || columns > largestSide || type < 0 || type > mostTypes)
         return std::nullopt;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "protocols/files/strict_json.h"
 #include "rendering/cache/cache_key.h"
@@ -81,7 +82,8 @@ std::optional<KeptRange> KeptRanges::find(const protocols::FabricId& fabric, con
     if (!result) return std::nullopt;
     try {
         const auto facts = json::parse(result->factsJson);
-        return KeptRange{facts.at("min").get<double>(), facts.at("max").get<double>(), facts.at("quantity").get<std::string>()};
+        KeptRange range{facts.at("min").get<double>(), facts.at("max").get<double>(), facts.at("quantity").get<std::string>()};
+        return range.min <= range.max ? std::optional(std::move(range)) : std::nullopt;
     } catch (const json::exception&) {  // of another layout
         return std::nullopt;
     }

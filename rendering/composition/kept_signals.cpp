@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
+#include <utility>
 
 #include "rendering/cache/cache_key.h"
 #include "rendering/cache/packed_result.h"
@@ -14,10 +15,15 @@ using cache::CacheKey;
 using fabrics::Modality;
 using nlohmann::json;
 
-std::optional<cache::PackedResult> keptResult(cache::ResultCache& cache, const std::string& key)
+/// A kept result with one map, CV_32FC1. Of an array of another type the values would be read beyond its end, so that it counts
+/// as not kept.
+std::optional<cache::PackedResult> keptMap(cache::ResultCache& cache, const std::string& key)
 {
     const auto bytes = cache.find(key);
-    return bytes ? cache::unpacked(*bytes) : std::nullopt;
+    auto result = bytes ? cache::unpacked(*bytes) : std::nullopt;
+    const bool isMap =
+        result && result->arrays.size() == 1 && !result->arrays.front().empty() && result->arrays.front().type() == CV_32FC1;
+    return isMap ? std::move(result) : std::nullopt;
 }
 
 double millisecondsOf(const FabricSignals& signals, Signal signal)
@@ -38,10 +44,14 @@ json reliefFacts(const FabricSignals& signals)
 /// Throws nlohmann's exceptions for other fields.
 void takeReliefFacts(const json& facts, FabricSignals& signals)
 {
-    signals.light = signals::Light{facts.at("azimuth_deg").get<double>(), facts.at("coherence").get<double>()};
-    signals.colourVariation = facts.at("colour_variation").get<double>();
-    if (const auto& leftOut = facts.at("left_out"); !leftOut.is_null()) signals.shapeLeftOut = leftOut.get<double>();
-    signals.milliseconds[Signal::ShapeFromShading] = facts.at("ms").get<double>();
+    // All are read before the first is kept: the fields of a result that is computed again must not be mixed with these.
+    const signals::Light light{facts.at("azimuth_deg").get<double>(), facts.at("coherence").get<double>()};
+    const double colourVariation = facts.at("colour_variation").get<double>(), taken = facts.at("ms").get<double>();
+    const auto& leftOut = facts.at("left_out");
+    if (!leftOut.is_null()) signals.shapeLeftOut = leftOut.get<double>();
+    signals.light = light;
+    signals.colourVariation = colourVariation;
+    signals.milliseconds[Signal::ShapeFromShading] = taken;
 }
 
 }  // namespace
@@ -56,7 +66,7 @@ cv::Mat KeptSignals::height(const protocols::FabricId& fabric, int index, models
                                 .addFile("calibration", m_dataset.folder / m_dataset.tactileCalibration)
                                 .add("fast", quality == models::Quality::Fast)
                                 .hex();
-    if (const auto kept = keptResult(*m_cache, key); kept && kept->arrays.size() == 1) try {
+    if (const auto kept = keptMap(*m_cache, key)) try {
             result.milliseconds[Signal::PhotometricHeight] = json::parse(kept->factsJson).at("ms").get<double>();
             return kept->arrays.front();
         } catch (const json::exception&) {
@@ -83,7 +93,7 @@ cv::Mat KeptSignals::relief(const protocols::FabricId& fabric, int index, const 
                                 .add("shown_width", shown.width)
                                 .add("shown_height", shown.height)
                                 .hex();
-    if (const auto kept = keptResult(*m_cache, key); kept && kept->arrays.size() == 1) try {
+    if (const auto kept = keptMap(*m_cache, key)) try {
             takeReliefFacts(json::parse(kept->factsJson), result);
             return kept->arrays.front();
         } catch (const json::exception&) {

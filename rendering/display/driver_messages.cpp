@@ -7,6 +7,7 @@ namespace rendering {
 
 namespace {
 
+using nlohmann::json;
 using nlohmann::ordered_json;
 
 struct KindRow {
@@ -18,7 +19,7 @@ constexpr KindRow kinds[] = {{MessageKind::Hello, "hello"},     {MessageKind::Sh
                              {MessageKind::Touched, "touched"}, {MessageKind::Released, "released"},
                              {MessageKind::Finger, "finger"},   {MessageKind::Failed, "failed"}};
 
-std::optional<MessageKind> kindNamed(const ordered_json& name)
+std::optional<MessageKind> kindNamed(const json& name)
 {
     for (const KindRow& row : kinds)
         if (name == row.name) return row.kind;
@@ -27,7 +28,7 @@ std::optional<MessageKind> kindNamed(const ordered_json& name)
 
 /// Reads a field into `target`. A missing or null field leaves it; a field of the wrong type makes the message invalid.
 template <class Value>
-bool take(const ordered_json& message, const char* field, bool (ordered_json::*isRight)() const noexcept, Value& target)
+bool take(const json& message, const char* field, bool (json::*isRight)() const noexcept, Value& target)
 {
     const auto found = message.find(field);
     if (found == message.end() || found->is_null()) return true;
@@ -37,11 +38,11 @@ bool take(const ordered_json& message, const char* field, bool (ordered_json::*i
 }
 
 /// Reads a whole number. Drivers in languages without integers write 7.0.
-bool takeCount(const ordered_json& message, const char* field, std::optional<std::int64_t>& target)
+bool takeCount(const json& message, const char* field, std::optional<std::int64_t>& target)
 {
     constexpr double most = 9e15;
     double value = -1;
-    if (!take(message, field, &ordered_json::is_number, value)) return false;
+    if (!take(message, field, &json::is_number, value)) return false;
     const bool isThere = message.contains(field) && !message.at(field).is_null();
     if (!isThere) return true;
     if (!(value >= 0 && value <= most) || value != std::floor(value)) return false;
@@ -50,35 +51,33 @@ bool takeCount(const ordered_json& message, const char* field, std::optional<std
 }
 
 /// Reads a measured value. One beyond `most` in size comes from no sensor and makes the message invalid.
-bool takeMeasured(const ordered_json& message, const char* field, double most, std::optional<double>& target)
+bool takeMeasured(const json& message, const char* field, double most, std::optional<double>& target)
 {
     const auto found = message.find(field);
     if (found == message.end() || found->is_null()) return true;
     double value = 0;
-    if (!take(message, field, &ordered_json::is_number, value) || !(std::abs(value) <= most)) return false;
+    if (!take(message, field, &json::is_number, value) || !(std::abs(value) <= most)) return false;
     target = value;
     return true;
 }
 
-bool takeFinger(const ordered_json& message, DriverMessage& result)
+bool takeFinger(const json& message, DriverMessage& result)
 {
     constexpr double mostMm = 1e4, mostN = 1e3;
     return takeMeasured(message, "x_mm", mostMm, result.xMm) && takeMeasured(message, "y_mm", mostMm, result.yMm) &&
            takeMeasured(message, "force_n", mostN, result.forceN);
 }
 
-bool takeFields(const ordered_json& message, DriverMessage& result)
+bool takeFields(const json& message, DriverMessage& result)
 {
     std::optional<std::int64_t> id, width, height;
     double deviceS = std::nan("");
-    const bool isWhole = takeCount(message, "id", id) && takeCount(message, "width", width) &&
-                         takeCount(message, "height", height) && takeCount(message, "showing", result.showing) &&
-                         take(message, "at_s", &ordered_json::is_number, deviceS) &&
-                         take(message, "schema", &ordered_json::is_string, result.schema) &&
-                         take(message, "name", &ordered_json::is_string, result.name) &&
-                         take(message, "why", &ordered_json::is_string, result.why) &&
-                         take(message, "touches", &ordered_json::is_boolean, result.touches) &&
-                         take(message, "fetches", &ordered_json::is_boolean, result.fetches);
+    const bool isWhole =
+        takeCount(message, "id", id) && takeCount(message, "width", width) && takeCount(message, "height", height) &&
+        takeCount(message, "showing", result.showing) && take(message, "at_s", &json::is_number, deviceS) &&
+        take(message, "schema", &json::is_string, result.schema) && take(message, "name", &json::is_string, result.name) &&
+        take(message, "why", &json::is_string, result.why) && take(message, "touches", &json::is_boolean, result.touches) &&
+        take(message, "fetches", &json::is_boolean, result.fetches);
     if (!isWhole || !id) return false;
     result.id = *id;
     constexpr std::int64_t widest = 1 << 14;
@@ -102,7 +101,8 @@ const char* nameOf(MessageKind kind)
 
 std::optional<DriverMessage> driverMessageFrom(std::string_view line)
 {
-    const ordered_json message = ordered_json::parse(line, nullptr, false);
+    // Not in the order of the text: that reader compares each key with all before it, and a driver may send thousands.
+    const json message = json::parse(line, nullptr, false);
     if (!message.is_object() || !message.contains("type")) return std::nullopt;
     const auto kind = kindNamed(message.at("type"));
     DriverMessage result;

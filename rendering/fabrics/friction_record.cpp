@@ -1,5 +1,7 @@
 #include "rendering/fabrics/friction_record.h"
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "protocols/files/csv_table.h"
@@ -47,7 +49,43 @@ double coefficientIn(const protocols::CsvReader& reader, std::size_t normal, std
     return coefficient;
 }
 
+/// The number with at most four digits: "0.01", "3600".
+std::string fourDigitsOf(double value)
+{
+    char text[40];
+    const auto [end, problem] = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 4);
+    return std::string(text, problem == std::errc{} ? end : text);
+}
+
+/// A jump of the clock spoils the rate, so that this is asked first.
+void requireOneStroke(const std::vector<double>& timeS, const std::string& where)
+{
+    std::vector<double> steps;
+    steps.reserve(timeS.size());
+    for (std::size_t i = 1; i < timeS.size(); ++i) steps.push_back(timeS[i] - timeS[i - 1]);
+    const auto longest = std::max_element(steps.begin(), steps.end());
+    const double gapS = *longest;
+    const auto row = longest - steps.begin() + 2;
+    const auto middle = steps.begin() + std::ptrdiff_t(steps.size() / 2);
+    std::nth_element(steps.begin(), middle, steps.end());
+    const double mostS = std::max(longestGapSteps * *middle, longestGapShare * (timeS.back() - timeS.front()));
+    if (gapS > mostS)
+        throw protocols::badInput({"has a gap in time of " + fourDigitsOf(gapS) + " s", where + ", row " + std::to_string(row),
+                                   "steps of at most " + fourDigitsOf(mostS) + " s, as in one stroke",
+                                   "cut the record to the stroke or correct its clock, or use `vis2hap import friction-csv`"});
+}
+
 }  // namespace
+
+double meanRateHz(const std::vector<double>& timeS, const std::string& where)
+{
+    requireOneStroke(timeS, where);
+    const double rateHz = double(timeS.size() - 1) / (timeS.back() - timeS.front());
+    if (!(rateHz >= leastRecordHz && rateHz <= mostRecordHz))
+        throw protocols::badInput({"the time stamps give a sample rate of " + fourDigitsOf(rateHz) + " Hz", where,
+                                   "a rate from 0.001 to 1e9 Hz", "check that the column t_s is in seconds"});
+    return rateHz;
+}
 
 FrictionRecord readFriction(const Dataset& dataset, const protocols::FabricId& fabric, int index)
 {
@@ -73,7 +111,7 @@ FrictionRecord readFriction(const Dataset& dataset, const protocols::FabricId& f
     if (record.values.size() < 2)
         throw protocols::badInput({"has " + std::to_string(record.values.size()) + " rows", reader.where(), "at least 2 rows",
                                    "check that the record is complete"});
-    record.sampleRateHz = double(record.timeS.size() - 1) / (record.timeS.back() - record.timeS.front());
+    record.sampleRateHz = meanRateHz(record.timeS, file.string());
     record.speedMmPerS = dataset.friction.speedMmPerS;
     return record;
 }

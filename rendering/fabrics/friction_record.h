@@ -21,8 +21,19 @@ struct FrictionRecord {
 /// N; below it the ratio of the forces is noise.
 inline constexpr double leastNormalN = 0.05;
 
+/// Longest step in time of one stroke, in median steps. A longer one is a jump of the clock, or rows are missing. Loggers write
+/// bursts and pause, so that in a data set's record only a gap of more than a share of its duration counts.
+inline constexpr double longestGapSteps = 10, longestGapShare = 0.01;
+
+/// Sample rates of a record, Hz. Others come from time stamps in a wrong unit.
+inline constexpr double leastRecordHz = 1e-3, mostRecordHz = 1e9;
+
+/// Mean sample rate of the time stamps in Hz; at least two, rising. Throws badInput for a rate outside the limits above, and
+/// for a gap longer than both `longestGapSteps` and `longestGapShare`. `where` names the record.
+double meanRateHz(const std::vector<double>& timeS, const std::string& where);
+
 /// Reads CSV with the columns t_s,normal_n,tangential_n, or t_s,mu, or t_s,<quantity>. Throws badInput, also where a row
-/// has a normal force of at most `leastNormalN`.
+/// has a normal force of at most `leastNormalN`, and where `meanRateHz` does.
 FrictionRecord readFriction(const Dataset& dataset, const protocols::FabricId& fabric, int index);
 
 }  // namespace rendering::fabrics

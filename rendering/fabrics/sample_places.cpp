@@ -126,6 +126,7 @@ std::vector<SamplePlace> readSamplePlaces(const Dataset& dataset)
     const std::size_t fabric = column("fabric"), signal = column("signal"), index = column("index"), x = column("x_mm"),
                       y = column("y_mm"), rotation = column("rotation_deg"), group = column("group");
     std::vector<SamplePlace> places;
+    std::map<std::tuple<protocols::FabricId, Modality, int>, std::size_t> listed;
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
         const auto optional = [&](std::size_t at) {
             return table.rows[row][at].empty() ? std::nullopt : std::optional(protocols::numberAt(table, row, at));
@@ -138,6 +139,11 @@ std::vector<SamplePlace> readSamplePlaces(const Dataset& dataset)
                           optional(rotation),
                           table.rows[row][group]};
         readExtra(table, row, place);
+        const auto [first, isNew] = listed.emplace(std::tuple(place.fabric, place.modality, place.index), row);
+        if (!isNew)
+            throw protocols::badInput({ownGroup(place.fabric, place.modality, place.index) + " is listed twice",
+                                       protocols::rowName(table, first->second) + " and " + protocols::rowName(table, row),
+                                       "one row for each sample", "remove one of the two rows"});
         if (place.group.empty()) place.group = ownGroup(place.fabric, place.modality, place.index);
         places.push_back(std::move(place));
     }

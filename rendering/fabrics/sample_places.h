@@ -23,7 +23,8 @@ struct SamplePlace {
     std::string light = {};  ///< how this photograph was lit: "one_lamp", "four_lamps", "colour", …; empty where unknown
     std::optional<double> lightDeg = {};  ///< side of a single lamp: 0 right, 90 top, anticlockwise
 };
-std::vector<SamplePlace> readSamplePlaces(const Dataset& dataset);  ///< empty where there is no samples.csv
+/// Empty where there is no samples.csv. Throws badInput, naming both rows, where a sample is listed twice.
+std::vector<SamplePlace> readSamplePlaces(const Dataset& dataset);
 /// Writes the columns mm_per_pixel, light and light_deg only where a place has them.
 void writeSamplePlaces(const Dataset& dataset, const std::vector<SamplePlace>& places);
 

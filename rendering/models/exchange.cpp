@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
 #include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/images/image_io.h"
@@ -48,10 +49,14 @@ cv::Mat readBack(const fs::path& folder, const nlohmann::json& name, int type)
     return array;
 }
 
-double positive(const nlohmann::json& object, const char* name)
+constexpr double largestScale = 1e9;     // as in samples.csv
+constexpr double largestFriction = 1e3;  // a coefficient
+
+double positive(const nlohmann::json& object, const char* name, double below = largestScale)
 {
     const double value = object.at(name).get<double>();
-    if (!(value > 0)) throw std::invalid_argument(std::string(name) + " is not positive");
+    if (!(value > 0 && value < below))
+        throw std::invalid_argument(std::string(name) + " is no number above 0 and below " + protocols::shortest(below));
     return value;
 }
 
@@ -81,7 +86,7 @@ std::optional<FrictionInterval> intervalIn(const nlohmann::json& item)
 {
     if (item.is_null()) return std::nullopt;
     const FrictionInterval interval{item.at(0).get<double>(), item.at(1).get<double>()};
-    if (!(interval.low > 0 && interval.low <= interval.high && interval.high < 1e3))
+    if (!(interval.low > 0 && interval.low <= interval.high && interval.high < largestFriction))
         throw std::invalid_argument("mean_friction_interval is no interval of coefficients");
     return interval;
 }
@@ -96,7 +101,7 @@ GeneratedSignals answerIn(const fs::path& folder, const nlohmann::json& item)
     if (!trace.empty()) {
         answer.trace.assign(trace.ptr<double>(), trace.ptr<double>() + trace.total());
         answer.traceMmPerSample = positive(item, "trace_mm_per_sample");
-        answer.meanFriction = item.at("mean_friction").get<double>();
+        answer.meanFriction = positive(item, "mean_friction", largestFriction);
         answer.photograph.meanFriction = intervalIn(item.at("mean_friction_interval"));
     }
     answer.heightMilliseconds = item.value("height_ms", 0.0);

@@ -2,10 +2,12 @@
 
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 
 #include "protocols/files/sha256.h"
+#include "protocols/json_count.h"
 #include "rendering/cache/cache_key.h"
 #include "rendering/cache/packed_result.h"
 #include "rendering/models/exchange.h"
@@ -79,13 +81,30 @@ void takePhotographFacts(GeneratedSignals& signals, const json& facts)
     signals.photograph.assumedMmPerPixel = numberFrom(facts.at("assumed_mm_per_pixel"));
 }
 
-/// Throws nlohmann's exceptions, as takeFriction() does, for other fields.
+/// The array that a result holds at the place. Throws std::exception where it has another type: its values would be read beyond
+/// its end.
+const cv::Mat& keptArray(const cache::PackedResult& result, std::size_t place, int type)
+{
+    const cv::Mat& array = result.arrays.at(place);
+    if (array.empty() || array.type() != type) throw std::invalid_argument("a kept array is empty or has another type");
+    return array;
+}
+
+/// Throws std::exception where it is not.
+double positive(const json& value)
+{
+    const double number = value.get<double>();
+    if (!(number > 0)) throw std::invalid_argument("a kept length is not positive");
+    return number;
+}
+
+/// Throws std::exception, as takeFriction() does, for other fields and arrays.
 void takeHeight(GeneratedSignals& signals, const cache::PackedResult& result)
 {
     const json facts = json::parse(result.factsJson);
     takePhotographFacts(signals, facts);
-    signals.heightMm = result.arrays.at(0);
-    signals.heightMmPerPixel = facts.at("mm_per_pixel").get<double>();
+    signals.heightMm = keptArray(result, 0, CV_32FC1);
+    signals.heightMmPerPixel = positive(facts.at("mm_per_pixel"));
     signals.heightMilliseconds = facts.at("ms").get<double>();
 }
 
@@ -93,17 +112,17 @@ void takeFriction(GeneratedSignals& signals, const cache::PackedResult& result)
 {
     const json facts = json::parse(result.factsJson);
     takePhotographFacts(signals, facts);
-    signals.spectrogram = result.arrays.at(0);
-    const cv::Mat& trace = result.arrays.at(1);
+    signals.spectrogram = keptArray(result, 0, CV_32FC1);
+    const cv::Mat& trace = keptArray(result, 1, CV_64FC1);
     signals.trace.assign(trace.begin<double>(), trace.end<double>());
-    signals.traceMmPerSample = facts.at("mm_per_sample").get<double>();
+    signals.traceMmPerSample = positive(facts.at("mm_per_sample"));
     signals.frictionMilliseconds = facts.at("ms").get<double>();
     signals.meanFriction = facts.at("mean").get<double>();
     if (const auto& interval = facts.at("interval"); !interval.is_null())
         signals.photograph.meanFriction = FrictionInterval{interval.at(0).get<double>(), interval.at(1).get<double>()};
     const auto& parameters = facts.at("spectrogram");
-    signals.spectrogramParameters = {parameters.at(0).get<int>(), parameters.at(1).get<int>(), parameters.at(2).get<int>(),
-                                     parameters.at(3).get<double>()};
+    signals.spectrogramParameters = {protocols::wholeOf<int>(parameters.at(0)), protocols::wholeOf<int>(parameters.at(1)),
+                                     protocols::wholeOf<int>(parameters.at(2)), parameters.at(3).get<double>()};
 }
 
 /// False where the cache does not have this part.

@@ -3,17 +3,21 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
+#include "protocols/json_count.h"
 
 namespace rendering::models {
 
 namespace {
 
 using nlohmann::ordered_json;
+using protocols::countIn;
+using protocols::seedIn;
 
 constexpr const char* schema = "vis2hap.model/2";
 /// Changes whenever networks.cpp or the meaning of the networks' inputs and outputs changes.
@@ -72,10 +76,10 @@ Architecture architectureFrom(const ordered_json& json)
 {
     Architecture a;
     a.sees = json.at("kind").get<std::string>() == seeingKind;
-    a.baseChannels = json.at("base_channels").get<int>();
-    a.crop = json.at("crop").get<int>();
+    a.baseChannels = countIn(json, "base_channels");
+    a.crop = countIn(json, "crop");
     if (a.sees) {
-        a.frictionChannels = json.at("friction_channels").get<int>();
+        a.frictionChannels = countIn(json, "friction_channels");
         a.imposesSpectrum = false;
         a.intervalFactor = json.value("interval_factor", 1.0);
         if (json.contains("fibres")) a.fibres = fibresFrom(json.at("fibres"));
@@ -91,11 +95,11 @@ Architecture architectureFrom(const ordered_json& json)
         a.meanFrictionScale = json.at("mean_friction_scale").get<double>();
     }
     const ordered_json& spectrogram = json.at("spectrogram");
-    a.window = spectrogram.at("window").get<int>();
-    a.hop = spectrogram.at("hop").get<int>();
-    a.traceSamples = spectrogram.at("samples").get<int>();
-    a.rows = spectrogram.at("rows").get<int>();
-    a.frames = spectrogram.at("frames").get<int>();
+    a.window = countIn(spectrogram, "window");
+    a.hop = countIn(spectrogram, "hop");
+    a.traceSamples = countIn(spectrogram, "samples");
+    a.rows = countIn(spectrogram, "rows");
+    a.frames = countIn(spectrogram, "frames");
     a.traceMmPerSample = spectrogram.at("mm_per_sample").get<double>();
     return a;
 }
@@ -187,10 +191,10 @@ ModelCardFields readModelCardFields(const std::filesystem::path& model)
         }
         card.objective = json.at("losses").get<std::string>();
         card.split = json.at("split").get<std::string>();
-        card.bestStep = json.at("best_step").get<int>();
-        card.seed = json.at("seed").get<std::uint64_t>();
-        card.splitSeed = json.at("split_seed").get<std::uint64_t>();
-        card.steps = json.at("steps").get<int>();
+        card.bestStep = countIn(json, "best_step");
+        card.seed = seedIn(json, "seed");
+        card.splitSeed = seedIn(json, "split_seed");
+        card.steps = countIn(json, "steps");
         card.trainingMinutes = json.at("training_minutes").get<double>();
         card.heldOut = json.at("held_out").get<std::vector<std::string>>();
         const auto kind = json.at("architecture").at("kind").get<std::string>();
@@ -199,6 +203,8 @@ ModelCardFields readModelCardFields(const std::filesystem::path& model)
         card.architecture = architectureFrom(json.at("architecture"));
         card.validationJson = json.at("validation").dump();
     } catch (const ordered_json::exception& fault) {
+        throw notUsable(file, fault.what());
+    } catch (const std::out_of_range& fault) {
         throw notUsable(file, fault.what());
     }
     if (!sensible(card.architecture)) throw notUsable(file, "its architecture has sizes out of range");

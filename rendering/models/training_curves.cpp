@@ -22,6 +22,9 @@ constexpr int panelWidth = 440, panelHeight = 190, left = 62, right = 16, top = 
 constexpr std::size_t mostMarked = 40;  ///< longer curves have no marks at their points
 constexpr const char* curveColour = "#0b4f8a";
 constexpr double logarithmicFrom = 30;  ///< ratio of the greatest to the least value
+constexpr double constantBelow = 1e-9;  ///< share of the greatest size of a value; a smaller range is drawn as a constant
+constexpr double leastRange = 1e-300;   ///< smaller ranges have no digits left
+constexpr double mostDecades = 12;      ///< labelled decades of a logarithmic axis
 
 struct CurvePoint {
     double step = 0, mean = 0, low = 0, high = 0;
@@ -32,9 +35,9 @@ std::vector<CurvePoint> pointsOf(const TrainingTable& table, const std::string& 
 {
     const std::vector<double> values = table.column(name);
     std::vector<std::pair<int, double>> there;
-    for (auto row = table.rows.begin(); row != table.rows.end(); ++row)
-        if (const double value = values[static_cast<std::size_t>(std::distance(table.rows.begin(), row))]; std::isfinite(value))
-            there.emplace_back(row->first, value);
+    std::size_t next = 0;
+    for (const auto& [step, row] : table.rows)
+        if (const double value = values[next++]; std::isfinite(value)) there.emplace_back(step, value);
     const std::size_t together = (there.size() + mostPoints - 1) / mostPoints;
     std::vector<CurvePoint> points;
     for (std::size_t from = 0; from < there.size(); from += together) {
@@ -65,7 +68,8 @@ struct CurveScale {
     bool logarithmic = false;
     double placed(double value) const
     {
-        const auto of = [this](double x) { return logarithmic ? std::log10(x) : x; };
+        // Halves, because the difference of two large numbers may exceed the range of double.
+        const auto of = [this](double x) { return logarithmic ? std::log10(x) : x / 2; };
         return (of(value) - of(low)) / (of(high) - of(low));
     }
 };
@@ -78,8 +82,9 @@ CurveScale scaleFor(const std::vector<CurvePoint>& points)
         scale.high = std::max(scale.high, point.high);
     }
     scale.logarithmic = scale.low > 0 && scale.high > logarithmicFrom * scale.low;
-    if (!(scale.high > scale.low)) {
-        const double room = scale.low == 0 ? 1 : std::abs(scale.low) / 10;
+    const double greatest = std::max(std::abs(scale.low), std::abs(scale.high));
+    if (!(scale.high - scale.low > std::max(constantBelow * greatest, leastRange))) {
+        const double room = greatest == 0 ? 1 : std::max(greatest / 10, leastRange);
         scale = {scale.low - room, scale.high + room, false};
     }
     return scale;
@@ -88,18 +93,16 @@ CurveScale scaleFor(const std::vector<CurvePoint>& points)
 /// Round steps on a linear axis; powers of ten, or the two ends, on a logarithmic one.
 std::vector<double> ticksOf(const CurveScale& scale)
 {
-    std::vector<double> ticks;
     if (scale.logarithmic) {
-        for (double power = std::ceil(std::log10(scale.low)); power <= std::log10(scale.high); ++power)
-            ticks.push_back(std::pow(10, power));
+        const double from = std::log10(scale.low), to = std::log10(scale.high);
+        std::vector<double> ticks = protocols::multiplesBetween(from, to, std::max(1.0, std::ceil((to - from) / mostDecades)));
+        for (double& tick : ticks) tick = std::pow(10, tick);
         if (ticks.size() < 2) ticks = {scale.low, scale.high};
         return ticks;
     }
-    const double least = (scale.high - scale.low) / 5, power = std::pow(10, std::floor(std::log10(least)));
+    const double least = (scale.high / 2 - scale.low / 2) / 2.5, power = std::pow(10, std::floor(std::log10(least)));
     const double step = least / power <= 2 ? 2 * power : least / power <= 5 ? 5 * power : 10 * power;
-    for (double number = std::ceil(scale.low / step); number * step <= scale.high; ++number)
-        ticks.push_back(number == 0 ? 0 : number * step);
-    return ticks;
+    return protocols::multiplesBetween(scale.low, scale.high, step);
 }
 
 SvgText tickStyle(SvgAnchor anchor) { return {.size = 11, .anchor = anchor, .colour = "#555"}; }

@@ -5,6 +5,8 @@
 
 namespace rendering {
 
+bool DisplayResponse::isFlat() const { return !(range() > flatShare * (friction.front() + friction.back()) / 2); }
+
 LevelsOfFriction::LevelsOfFriction(const DisplayResponse& response)
 {
     for (std::size_t i = 0; i < response.friction.size(); ++i) {

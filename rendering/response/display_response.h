@@ -45,10 +45,15 @@ struct DisplayResponse {
     int lowestLevel() const { return measured.front().level; }
     int highestLevel() const { return measured.back().level; }
     double range() const { return friction.back() - friction.front(); }
+    /// True where the friction rises by at most `flatShare` of its mean.
+    bool isFlat() const;
     bool operator==(const DisplayResponse&) const = default;
 };
 
 inline constexpr std::size_t fewestLevels = 5;
+
+/// A curve that rises by at most this share of its mean is flat: such a change is rounding, not friction.
+inline constexpr double flatShare = 1e-6;
 
 /// A wanted friction counts as reached within this share of the display's range of friction.
 inline constexpr double reachTolerance = 0.02;

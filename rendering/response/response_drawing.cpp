@@ -79,8 +79,8 @@ private:
     void axes()
     {
         const double step = tickStep(m_high - m_low);
-        const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
-        for (double value = std::ceil(m_low / step) * step; value <= m_high; value += step) {
+        const auto decimals = static_cast<int>(std::clamp(std::ceil(-std::log10(step) - 1e-9), 0.0, 300.0));
+        for (const double value : protocols::multiplesBetween(m_low, m_high, step)) {
             m_drawing.line({left, y(value)}, {width - right, y(value)}, faint, 1);
             m_drawing.text({left - 8, y(value) + 5}, protocols::fixed(value, decimals), {.anchor = SvgAnchor::End});
         }

@@ -133,8 +133,10 @@ void requireCurve(const DisplayResponse& response, const ResponseFields& fields)
         throw fields.fault("measured", "rising levels");
     const auto levels = static_cast<std::size_t>(response.highestLevel() - response.lowestLevel() + 1);
     if (response.friction.size() != levels || !std::is_sorted(response.friction.begin(), response.friction.end()) ||
-        !(response.range() > 0))
-        throw fields.fault("friction", std::to_string(levels) + " values that never fall, the last above the first");
+        response.isFlat())
+        throw fields.fault("friction", std::to_string(levels) +
+                                           " values that never fall, the last above the first by more "
+                                           "than a millionth of their mean");
 }
 
 }  // namespace

@@ -150,14 +150,14 @@ void refuseFalling(const Grouped& data, const std::string& where)
 void refuseFlat(const Grouped& data, const std::string& where)
 {
     const auto &first = data.levels.front(), &last = data.levels.back();
-    const double change = last.fitted - first.fitted,
-                 needed = data.noise ? stats::studentQuantile(falseRefusals, data.df) * errorOfDifference(data, first, last)
+    const double change = last.fitted - first.fitted, least = flatShare * (first.fitted + last.fitted) / 2;
+    const double needed = data.noise ? stats::studentQuantile(falseRefusals, data.df) * errorOfDifference(data, first, last)
                                      : ordinaryScatter * std::abs(first.mean);
-    if (change > needed) return;
+    if (change > needed && change > least) return;
     throw protocols::badInput(
         {"friction does not change with the grey level: " + protocols::fixed(first.fitted, 4) + " at level " +
              std::to_string(first.level) + ", " + protocols::fixed(last.fitted, 4) + " at level " + std::to_string(last.level),
-         where, "a difference above " + protocols::fixed(needed, 4),
+         where, "a difference above " + (needed > least ? protocols::fixed(needed, 4) : "a millionth of the mean friction"),
          "check that the display was on, that the finger was earthed, and that the columns are the right ones"});
 }
 

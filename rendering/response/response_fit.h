@@ -19,7 +19,7 @@ struct FrictionAtLevel {
 
 /// The response without setting and source. `where` names the measurements in errors. Throws badInput: fewer than `fewestLevels`
 /// levels; friction that falls with the level, or does not change, beyond what repeats scatter (without repeats: by more, or
-/// less, than a tenth of the range, or of the mean).
+/// less, than a tenth of the range, or of the mean). A change of at most `flatShare` of the mean is always refused.
 DisplayResponse fitResponse(const std::vector<FrictionAtLevel>& measurements, const std::string& where);
 
 /// What a laboratory should know before it uses the response: one sentence each.

@@ -87,8 +87,8 @@ FrictionTrace frictionTrace(const fabrics::FrictionRecord& record, const std::st
     requireUsable(record, where);
     FrictionTrace trace{.values = record.values, .quantity = record.quantity, .sampleRateHz = record.sampleRateHz};
     const auto& t = record.timeS;
+    const double ownRateHz = t.empty() ? record.sampleRateHz : fabrics::meanRateHz(t, where);
     if (!t.empty() && !evenlySampled(t, record.sampleRateHz)) {
-        const double ownRateHz = static_cast<double>(t.size() - 1) / (t.back() - t.front());
         trace.sampleRateHz = std::min(record.sampleRateHz, ownRateHz);
         trace.values = resampled(record, trace.sampleRateHz, ownRateHz);
         if (trace.values.size() < static_cast<std::size_t>(shortestTrace))

@@ -21,7 +21,8 @@ inline constexpr int shortestTrace = 8;
 
 /// Trace at the record's sample rate, or at its mean rate where that is lower. Uneven time stamps are interpolated
 /// linearly; denser ones are averaged over each period. `where` names the record in errors. Throws badInput for fewer
-/// than shortestTrace samples, a value that is not finite, or time stamps that do not increase.
+/// than shortestTrace samples, a value that is not finite, time stamps that do not increase, and where
+/// fabrics::meanRateHz() does.
 FrictionTrace frictionTrace(const fabrics::FrictionRecord& record, const std::string& where);
 
 }  // namespace rendering::signals

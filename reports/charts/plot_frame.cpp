@@ -77,7 +77,7 @@ void PlotFrame::drawFrame(const std::string& axisTitle)
 {
     drawBands();
     const double step = niceStep(m_high - m_low);
-    for (double value = std::ceil(m_low / step) * step; value <= m_high + step * 1e-9; value += step) {
+    for (const double value : protocols::multiplesBetween(m_low, m_high, step)) {
         const bool isBottom = value == m_low;
         m_drawing.line({left(), y(value)}, {rightEdge(), y(value)}, isBottom ? ChartColours::ink : ChartColours::faint,
                        isBottom ? 1.5 : 1);

@@ -6,6 +6,7 @@
 
 #include "protocols/files/markup_text.h"
 #include "protocols/files/number_text.h"
+#include "protocols/files/svg_drawing.h"
 #include "reports/charts/chart_colours.h"
 
 namespace reports {
@@ -103,9 +104,9 @@ private:
             m_drawing.text({plotLeft - 10, y(share) + 5}, protocols::shortest(share), {.anchor = SvgAnchor::End});
         }
         const double step = stepOfSeconds(m_longest);
-        for (int tick = 0; tick * step <= m_longest * 1.0001; ++tick) {
-            m_drawing.line({x(tick * step), bottom}, {x(tick * step), bottom + 5}, ChartColours::ink, 1.5);
-            m_drawing.text({x(tick * step), bottom + 24}, protocols::shortest(std::round(tick * step * 1e6) / 1e6), {.size = 14});
+        for (const double tick : protocols::multiplesBetween(0, m_longest * 1.0001, step)) {
+            m_drawing.line({x(tick), bottom}, {x(tick), bottom + 5}, ChartColours::ink, 1.5);
+            m_drawing.text({x(tick), bottom + 24}, protocols::shortest(std::round(tick * 1e6) / 1e6), {.size = 14});
         }
         m_drawing.line({plotLeft, bottom}, {right, bottom}, ChartColours::ink, 1.5);
         m_drawing.line({plotLeft, plotTop}, {plotLeft, bottom}, ChartColours::ink, 1.5);

@@ -1,6 +1,7 @@
 #include "reports/data/answer_columns.h"
 
 #include <algorithm>
+#include <map>
 #include <string_view>
 #include <utility>
 
@@ -85,23 +86,22 @@ private:
     /// The question of a column; its kind is settled by its first column with answers.
     QuestionColumns& question(const std::string& id)
     {
-        for (QuestionColumns& known : m_columns.questions)
-            if (known.info.id == id) return known;
+        if (const auto known = m_places.find(id); known != m_places.end()) return m_columns.questions[known->second];
         requireGoodId(id);
+        m_places.emplace(id, m_columns.questions.size());
         const protocols::Question* asked = inProtocol(id);
         m_columns.questions.push_back({{id, asked != nullptr ? asked->text : std::string(), {}}});
         m_columns.questions.back().info.instructions = instructionsInProtocol(id);
         return m_columns.questions.back();
     }
 
-    void requireGoodId(const std::string& id) const
+    void requireGoodId(const std::string& id)
     {
         if (!protocols::isQuestionId(id))
             fail("the question \"" + id + "\" has a name that files cannot carry", m_place,
                  "a letter, then letters, digits and underscores, at most 40 characters");
-        for (const QuestionColumns& known : m_columns.questions)
-            if (lowerCase(known.info.id) == lowerCase(id))
-                fail("the questions " + known.info.id + " and " + id + " differ in case only", m_place, "different names");
+        if (const auto [known, isNew] = m_inLowerCase.emplace(lowerCase(id), id); !isNew)
+            fail("the questions " + known->second + " and " + id + " differ in case only", m_place, "different names");
     }
 
     /// A column whose question is known already, whatever it is called.
@@ -200,6 +200,8 @@ private:
     const AnswersCsvOptions& m_options;
     std::string m_place;
     AnswerColumns m_columns;
+    std::map<std::string, std::size_t> m_places;       ///< of the questions by their ids
+    std::map<std::string, std::string> m_inLowerCase;  ///< their ids
 };
 
 }  // namespace

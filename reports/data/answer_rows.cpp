@@ -60,6 +60,13 @@ bool isExport(const CsvTable& table)
            table.column("touched_by") && table.column("corrections");
 }
 
+/// Different questions that a long table of another lab may have. More are the sign of a column that holds something else.
+constexpr std::size_t mostQuestions = 200;
+/// Those of an own export are the questions of its protocol.
+constexpr std::size_t mostOwnQuestions = 10'000;
+/// Cells of the wide table. Each takes 32 bytes, and a small file can ask for very many.
+constexpr std::size_t mostWideCells = 20'000'000;
+
 constexpr const char* anchorColumn = "anchor";
 constexpr const char* repetitionColumn = "repetition";
 
@@ -132,6 +139,7 @@ public:
         rows.times = m_times;
         findQuestions(rows);
         writeHeader(rows);
+        findPlaces(rows);
         for (std::size_t row = 0; row < m_table.rows.size(); ++row) addAnswer(rows, row);
         for (const std::string& column : m_table.columns)
             if (std::ranges::find(m_keys, column) == m_keys.end() &&
@@ -185,7 +193,7 @@ private:
             if (protocols::isMissing(id))
                 throw protocols::badInput(
                     {"the question is empty", protocols::rowName(m_table, row), "the name of a question", ""});
-            if (!m_questions.contains(id)) m_order.push_back(id);
+            if (!m_questions.contains(id)) addQuestion(id, row);
             Columns& columns = m_questions[id];
             if (has(row, "correct"))
                 columns.kind = Kind::Choice;
@@ -194,6 +202,18 @@ private:
         }
         if (m_isOwn) countAlternatives(rows);
         for (const std::string& id : m_order) rows.kinds.emplace(id, answerKindOf(m_questions[id]));
+    }
+
+    void addQuestion(const std::string& id, std::size_t row)
+    {
+        const std::size_t most = m_isOwn ? mostOwnQuestions : mostQuestions;
+        if (m_order.size() == most)
+            throw protocols::badInput({"the column \"question\" has more than " + std::to_string(most) +
+                                           " different values, so it probably does not name the question",
+                                       protocols::rowName(m_table, row),
+                                       "at most " + std::to_string(most) + " questions, each in many rows",
+                                       "name the right column by --map question=COLUMN"});
+        m_order.push_back(id);
     }
 
     /// The tray of a choice holds its alternatives; that of same/different one piece.
@@ -247,19 +267,16 @@ private:
         }
     }
 
-    void addAnswer(AnswerRows& rows, std::size_t row)
+    bool isOfWithdrawn(std::size_t row) const { return m_isOwn && cell(row, "state") == "withdrawn"; }
+    bool isVoided(std::size_t row) const
     {
-        if (m_isOwn && cell(row, "state") == "withdrawn") {
-            ++rows.ofWithdrawn;
-            return;
-        }
-        if (const std::string voided = cell(row, "voided"); !protocols::isMissing(voided) && voided != "0") {
-            // An own export names the presentation, which may have several answers.
-            const bool isNew =
-                !m_isOwn || m_voided.insert({cell(row, "participant"), cell(row, "trial"), cell(row, "attempt")}).second;
-            rows.voided += isNew ? 1 : 0;
-            return;
-        }
+        const std::string voided = cell(row, "voided");
+        return !protocols::isMissing(voided) && voided != "0";
+    }
+
+    /// What the answers in one row of the wide table have in common.
+    std::vector<std::string> keyOf(std::size_t row) const
+    {
         std::vector<std::string> key;
         for (const std::string_view column : m_keys)
             if (const auto index = m_table.column(column)) key.push_back(m_table.rows[row][*index]);
@@ -267,8 +284,38 @@ private:
             key.back() += " " + m_table.rows[row][*m_trial];
         // Blank glass may come several times beside one fabric.
         if (m_namesCatches) key.push_back(cell(row, "condition") == protocols::catchTrialId().value ? cell(row, "trial") : "");
-        const auto [place, isNew] = m_places.emplace(key, rows.table.rows.size());
-        if (isNew) {
+        return key;
+    }
+
+    /// Numbers the rows of the wide table before they take memory. Throws badInput where they would take too much.
+    void findPlaces(const AnswerRows& rows)
+    {
+        for (std::size_t row = 0; row < m_table.rows.size(); ++row)
+            if (!isOfWithdrawn(row) && !isVoided(row)) m_places.emplace(keyOf(row), m_places.size());
+        const std::size_t columns = std::max<std::size_t>(rows.table.columns.size(), 1);  // a file may have no questions
+        if (m_places.size() <= mostWideCells / columns) return;
+        throw protocols::badInput({"the answers make a table of " + std::to_string(m_places.size()) + " rows and " +
+                                       std::to_string(columns) + " columns (questions: " + std::to_string(m_order.size()) + ")",
+                                   m_table.where, "at most " + std::to_string(mostWideCells) + " cells",
+                                   "check the columns that --map names, or leave questions out of the file"});
+    }
+
+    void addAnswer(AnswerRows& rows, std::size_t row)
+    {
+        if (isOfWithdrawn(row)) {
+            ++rows.ofWithdrawn;
+            return;
+        }
+        if (isVoided(row)) {
+            // An own export names the presentation, which may have several answers.
+            const bool isNew =
+                !m_isOwn || m_voided.insert({cell(row, "participant"), cell(row, "trial"), cell(row, "attempt")}).second;
+            rows.voided += isNew ? 1 : 0;
+            return;
+        }
+        const std::vector<std::string> key = keyOf(row);
+        const auto place = m_places.find(key);
+        if (place->second == rows.table.rows.size()) {
             rows.table.rows.push_back(key);
             rows.table.rows.back().resize(rows.table.columns.size());
             rows.table.lines.push_back(m_table.lines[row]);

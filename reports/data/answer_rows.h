@@ -49,7 +49,8 @@ struct AnswerRows {
 /// values are mismatched, repeated or missing marks answers to anchors; in a long table their trial stands behind the word, so
 /// that two mismatches with one image stay two. A table of one question needs no column `question`: it is called Q1. TRUE and
 /// FALSE, also in German and French, are read as 1 and 0 in columns of right and wrong answers. Throws badInput as
-/// readForeignTable() does, for an unknown column of `names`, and for a doubled answer.
+/// readForeignTable() does, for an unknown column of `names`, for a doubled answer, for more than 200 questions (10,000 in an own
+/// export), and where the wide table would have more than 20 million cells.
 AnswerRows readAnswerRows(const std::filesystem::path& file, const AnswerRowsOptions& options, int alternatives);
 
 /// The words that columns of right and wrong answers may hold instead of 1 and 0: "true/false, wahr/falsch, ...".

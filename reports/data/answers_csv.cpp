@@ -37,6 +37,8 @@ public:
         readProtocol();
         readStatedOptions();
         m_columns = answerColumnsOf(m_rows, m_options, m_where);
+        for (const QuestionColumns& columns : m_columns.questions)
+            for (const InstructionInfo& given : columns.info.instructions) m_instructions[columns.info.id].insert(given.id);
         for (std::size_t row = 0; row < m_table.rows.size(); ++row) readRow(row);
         for (QuestionColumns& known : m_columns.questions) {
             if (!m_columns.instruction) known.info.instructions.clear();
@@ -156,9 +158,10 @@ private:
         }
     }
 
-    static void remember(std::vector<std::string>& names, const std::string& name)
+    /// Adds a new name. A file may have one in each row, so no list is searched.
+    static void remember(std::vector<std::string>& names, std::set<std::string>& known, const std::string& name)
     {
-        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+        if (known.insert(name).second) names.push_back(name);
     }
 
     std::string named(std::size_t row, const char* column) const
@@ -222,14 +225,14 @@ private:
     /// The question knows the instruction of its answer: the protocol's, or one that the file names first here.
     void learnInstruction(QuestionColumns& columns, const std::string& given)
     {
-        if (given.empty()) return;
-        auto& known = columns.info.instructions;
-        if (std::ranges::find(known, given, &InstructionInfo::id) == known.end()) known.push_back({given});
+        if (given.empty() || !m_instructions[columns.info.id].insert(given).second) return;
+        columns.info.instructions.push_back({given});
     }
 
     /// Whether the answer came after the deadline of its instruction, where both times are known.
-    static std::optional<bool> isLate(const QuestionInfo& question, const std::string& instruction, std::optional<double> taken)
+    std::optional<bool> isLate(const QuestionInfo& question, const std::string& instruction, std::optional<double> taken) const
     {
+        if (!m_options.protocol) return std::nullopt;  // no deadline is known, and instructions of a file may be many
         const auto given = std::ranges::find(question.instructions, instruction, &InstructionInfo::id);
         if (given == question.instructions.end() || !given->deadlineSeconds || !taken) return std::nullopt;
         return *taken > *given->deadlineSeconds;
@@ -266,11 +269,11 @@ private:
                  nameOf(row),
                  "one row a participant, fabric and condition, or a column `repetition`, `session` or `instruction`");
         readGroup(row, participant);
-        remember(m_data.participants, participant);
+        remember(m_data.participants, m_participants, participant);
         const bool isCatch = m_rows.isOwnExport && condition == protocols::catchTrialId().value;
         if (!isCatch && anchor.empty()) {
-            remember(m_data.fabrics, fabric);
-            remember(m_data.conditions, condition);
+            remember(m_data.fabrics, m_fabrics, fabric);
+            remember(m_data.conditions, m_conditions, condition);
         }
         const std::optional<int> session = sessionIn(row, participant);
         const std::string instruction = instructionOf(row);
@@ -298,9 +301,8 @@ private:
     {
         const auto column = m_table.column("session");
         if (!column || protocols::isMissing(cell(row, *column))) return std::nullopt;
-        std::vector<std::string>& sessions = m_sessions[participant];
-        remember(sessions, cell(row, *column));
-        return static_cast<int>(std::ranges::find(sessions, cell(row, *column)) - sessions.begin()) + 1;
+        std::map<std::string, int>& sessions = m_sessions[participant];
+        return sessions.emplace(cell(row, *column), static_cast<int>(sessions.size()) + 1).first->second;
     }
 
     /// A whole number from 1; none where there is no such column or the cell is missing.
@@ -374,7 +376,9 @@ private:
     StudyData m_data;
     bool m_hasOtherScale = false;  ///< ratings of an export are outside the scale that nobody named
     AnswerColumns m_columns;
-    std::map<std::string, std::vector<std::string>> m_sessions;  ///< of each participant, in the order of the rows
+    std::set<std::string> m_participants, m_fabrics, m_conditions;  ///< names so far
+    std::map<std::string, std::set<std::string>> m_instructions;    ///< of each question, so far
+    std::map<std::string, std::map<std::string, int>> m_sessions;   ///< of each participant, with their numbers from 1
     /// Cells with their repetitions and anchors.
     std::set<std::tuple<std::string, std::string, std::string, std::string, std::string>> m_seen;
 };

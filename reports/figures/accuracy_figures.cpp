@@ -76,10 +76,9 @@ private:
             m_drawing.text({left - 10, y(share) + 5}, protocols::shortest(share), {.anchor = SvgAnchor::End});
         }
         const double step = secondsStep(m_longest);
-        for (int tick = 0; tick * step <= m_longest * 1.0001; ++tick) {
-            m_drawing.line({x(tick * step), m_bottom}, {x(tick * step), m_bottom + 5}, ChartColours::ink, 1.5);
-            m_drawing.text({x(tick * step), m_bottom + 24}, protocols::shortest(std::round(tick * step * 1e6) / 1e6),
-                           {.size = 14});
+        for (const double tick : protocols::multiplesBetween(0, m_longest * 1.0001, step)) {
+            m_drawing.line({x(tick), m_bottom}, {x(tick), m_bottom + 5}, ChartColours::ink, 1.5);
+            m_drawing.text({x(tick), m_bottom + 24}, protocols::shortest(std::round(tick * 1e6) / 1e6), {.size = 14});
         }
         m_drawing.line({left, m_bottom}, {m_right, m_bottom}, ChartColours::ink, 1.5);
         m_drawing.line({left, m_top}, {left, m_bottom}, ChartColours::ink, 1.5);

@@ -196,10 +196,7 @@ private:
         for (const double factor : {5.0, 2.0, 1.0})
             if (raw <= factor * power * 1.0001) step = factor * power;
         if (panel.isLogarithmic) step = std::max(1.0, std::round(step));
-        std::vector<double> ticks;
-        const double first = std::ceil(panel.low / step - 1e-9) * step;
-        for (int k = 0; first + k * step <= panel.high + 1e-9 * length; ++k) ticks.push_back(first + k * step);
-        return ticks;
+        return protocols::multiplesBetween(panel.low, panel.high, step);
     }
 
     static std::string tickText(const ChainPanel& panel, double tick)

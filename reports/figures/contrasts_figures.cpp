@@ -117,9 +117,9 @@ private:
     {
         const double bottom = m_size.top + m_height;
         const double step = tickStep(m_reach);
-        for (double tick = -std::floor(m_reach / step) * step; tick <= m_reach * 1.0001; tick += step) {
+        for (const double tick : protocols::multiplesBetween(-m_reach, m_reach, step)) {
             m_drawing.line({x(tick), m_size.top}, {x(tick), bottom}, ChartColours::faint, 1);
-            m_drawing.text({x(tick), bottom + 18}, typeset(protocols::shortest(std::round(tick / step) * step)),
+            m_drawing.text({x(tick), bottom + 18}, typeset(protocols::shortest(std::round(tick * 1e9) / 1e9)),
                            {.size = 13, .colour = ChartColours::grey});
         }
         m_drawing.line({x(0), m_size.top}, {x(0), bottom}, ChartColours::ink, 1.2);

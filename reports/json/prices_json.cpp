@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
+#include "protocols/json_count.h"
 #include "reports/json/json_fields.h"
 
 namespace reports {
@@ -34,7 +35,7 @@ RenderingPrice storedPrice(const Json& object)
                          object.at("quality").get<std::string>(),
                          object.value("settings", Json::object()).dump(),
                          object.at("usual_quality").get<bool>(),
-                         object.at("fabrics").get<std::size_t>(),
+                         protocols::wholeOf<std::size_t>(object.at("fabrics")),
                          {}};
     for (const PriceMeasureRow& row : priceMeasureRows) price[row.measure] = storedFact(object, row);
     return price;

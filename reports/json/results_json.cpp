@@ -1,6 +1,7 @@
 #include "reports/json/results_json.h"
 
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
@@ -328,7 +329,10 @@ void writeResults(const StudyAnalysis& analysis, const ReportOrigin& origin, con
 
 bool isResultsFile(const std::filesystem::path& file)
 {
-    const Json results = Json::parse(protocols::readIfPossible(file).value_or(""), nullptr, false);
+    std::error_code unknown;
+    // Anything may lie at this place. A pipe has no size and is not opened.
+    if (std::filesystem::file_size(file, unknown) > protocols::largestJson) return false;
+    const nlohmann::json results = protocols::storedJson(protocols::readIfPossible(file).value_or(""));
     return results.is_object() && results.contains("schema") && results["schema"].is_string() &&
            results["schema"].get<std::string>().starts_with(schemaName);
 }

@@ -4,6 +4,7 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/strict_json.h"
+#include "protocols/json_count.h"
 #include "reports/json/json_fields.h"
 
 namespace reports {
@@ -96,14 +97,14 @@ SignalValues measuresOf(const Json& object)
 
 SignalDifference differenceOf(const Json& object)
 {
-    return {object.value("n", std::size_t{0}), valueOf(object, "mean_difference"), intervalOf(object, "ci95"),
+    return {protocols::wholeIn(object, "n", std::size_t{0}), valueOf(object, "mean_difference"), intervalOf(object, "ci95"),
             valueOf(object, "p"), valueOf(object, "p_holm")};
 }
 
 SignalSource sourceOf(const std::string& id, const Json& object)
 {
     SignalSource source{id, object.value("name", id), {}, object.value("not_a_fair_control", ""), measuresOf(object), {}, {}};
-    if (object.contains("steps")) source.steps = object["steps"].get<int>();
+    if (object.contains("steps")) source.steps = protocols::wholeOf<int>(object["steps"]);
     const Json differences = object.value("difference", Json::object());
     for (const SignalMeasureRow& row : signalMeasureRows)
         if (differences.contains(row.field)) source.differences[row.measure] = differenceOf(differences[row.field]);

@@ -13,7 +13,8 @@ std::vector<Rejections> countsOf(const CalibrationFamily& family, const Simulati
                                  const CalibrationOptions& options)
 {
     if (options.counted)
-        if (std::vector<Rejections> counts = options.counted(family.truth); counts.size() == family.tests.size()) {
+        if (std::vector<Rejections> counts = options.counted(family.truth, simulation.ownStudies());
+            counts.size() == family.tests.size()) {
             if (simulation.done) simulation.done(simulation.ownStudies());
             return counts;
         }

@@ -39,8 +39,9 @@ struct CalibrationOptions {
     ChoiceTruth choices;
     SimulationOptions simulation;  ///< alpha stays 0.05
     std::size_t mixedModelStudies = 10000;
-    /// Counts of an earlier run that was interrupted, one for each test; empty where this truth was not counted.
-    std::function<std::vector<Rejections>(const std::string& truth)> counted = {};
+    /// Counts of an earlier run that was interrupted, one for each test and of `studies` studies each; empty
+    /// where this truth was not counted.
+    std::function<std::vector<Rejections>(const std::string& truth, std::size_t studies)> counted = {};
     /// Gets the counts of a truth as soon as they are finished.
     std::function<void(const std::string& truth, const std::vector<Rejections>& counts)> finished = {};
 };

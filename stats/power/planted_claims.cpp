@@ -281,7 +281,7 @@ std::vector<PlantedCell> plantedCells(const PlantedOptions& options)
     std::vector<PlantedCell> cells;
     for (const PlantedTruth& truth : plantedTruthsOf(options)) {
         if (options.counted)
-            if (std::vector<PlantedRow> rows = options.counted(truth.text()); !rows.empty()) {
+            if (std::vector<PlantedRow> rows = options.counted(truth.text(), options.simulation.ownStudies()); !rows.empty()) {
                 cells.push_back({truth, std::move(rows)});
                 if (options.simulation.done) options.simulation.done(options.simulation.ownStudies());
                 continue;

@@ -64,8 +64,8 @@ struct PlantedOptions {
     bool hasRatings = true;
     bool hasChoices = true;
     SimulationOptions simulation;
-    /// Rows of an earlier run that was interrupted; empty where this truth was not counted.
-    std::function<std::vector<PlantedRow>(const std::string& truth)> counted = {};
+    /// Rows of an earlier run that was interrupted, of `studies` studies each; empty where this truth was not counted.
+    std::function<std::vector<PlantedRow>(const std::string& truth, std::size_t studies)> counted = {};
     /// Gets the rows of a truth as soon as they are finished.
     std::function<void(const std::string& truth, const std::vector<PlantedRow>& rows)> finished = {};
 };

@@ -48,7 +48,8 @@ std::vector<Rejections> simulatedRejections(const PowerGroup& group, double effe
 {
     const std::string studies = studiesOf(group, effect);
     if (options.counted)
-        if (std::vector<Rejections> counts = options.counted(studies); counts.size() == group.tests.size()) {
+        if (std::vector<Rejections> counts = options.counted(studies, options.simulation.ownStudies());
+            counts.size() == group.tests.size()) {
             if (options.simulation.done) options.simulation.done(options.simulation.ownStudies());
             return counts;
         }

@@ -18,8 +18,9 @@ struct PowerOptions {
     bool hasChoices = true;
     std::pair<double, double> equivalenceBounds{-0.5, 0.5};
     SimulationOptions simulation{.studies = 1000};
-    /// Counts that other processes made, one for each test; empty where these studies were not counted.
-    std::function<std::vector<Rejections>(const std::string& studies)> counted = {};
+    /// Counts that other processes made, one for each test and of `count` studies each; empty where these
+    /// studies were not counted.
+    std::function<std::vector<Rejections>(const std::string& studies, std::size_t count)> counted = {};
     /// Gets the counts as soon as they are finished.
     std::function<void(const std::string& studies, const std::vector<Rejections>& counts)> finished = {};
 };

@@ -11,6 +11,7 @@
 #include "study/analyse/analyse_inputs.h"
 #include "study/analyse/analyse_means.h"
 #include "study/analyse/analyse_models.h"
+#include "study/analyse/analyse_recipe.h"
 #include "study/analyse/analyse_samples.h"
 #include "study/analyse/analyse_signals.h"
 #include "study/analyse/analyse_tables.h"
@@ -83,10 +84,37 @@ void checkFields(const json& object, const std::string& kind, std::string_view l
         throw RequestFault("unknown name \"" + unknown + "\" in the " + kind + "; expected: " + withCommas(list));
 }
 
+/// Adds the cost of the object's recipe, if it has one. A recipe with a fault adds nothing; reading it names the fault.
+void addRecipe(RecipeCost& sum, const json& object)
+{
+    if (!object.is_object() || !object.contains("recipe") || !object.at("recipe").is_string()) return;
+    try {
+        const RecipeCost cost = costOfRecipe(object.at("recipe").get<std::string>(), constantsIn(object));
+        sum.entries += cost.entries;
+        sum.work += cost.work;
+    } catch (const RequestFault&) {
+    }
+}
+
+/// Throws RequestFault where the recipes of the inputs together, also those of single rows, cost too much.
+void checkRecipes(const json& inputs)
+{
+    RecipeCost sum;
+    addRecipe(sum, inputs);
+    for (const json& field : inputs) {
+        addRecipe(sum, field);
+        if (field.is_array())
+            for (const json& row : field) addRecipe(sum, row);
+    }
+    checkSize("entries of all recipes", sum.entries, mostRecipeEntries);
+    checkSize("entries x characters of all recipes", sum.work, mostRecipeWork);
+}
+
 void checkRequest(const NamedAnalysis& analysis, const AnalysisRequest& request)
 {
     if (!request.inputs.contains("recipe")) checkFields(request.inputs, "inputs", analysis.inputs, Remarks::BesideAllKnown);
     checkFields(request.options, "options", analysis.options, Remarks::Refused);
+    checkRecipes(request.inputs);
 }
 
 const NamedAnalysis& analysisOf(const json& request)

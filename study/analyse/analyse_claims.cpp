@@ -16,8 +16,8 @@ namespace {
 using nlohmann::ordered_json;
 using stats::Generalisation;
 
-constexpr double mostCells = 2e7;        // of participants x fabrics x conditions: 160 MB
-constexpr std::size_t mostFits = 50000;  // of claims with one participant or fabric left out
+constexpr double mostContrastCells = 2e8;  // contrasts x participants x fabrics: some seconds
+constexpr std::size_t mostFits = 50000;    // of claims with one participant or fabric left out
 
 constexpr NamedChoice<Generalisation> generalisations[] = {{"these_fabrics", Generalisation::TheseFabrics},
                                                            {"fabrics_like_these", Generalisation::FabricsLikeThese}};
@@ -237,6 +237,8 @@ ordered_json claims(const AnalysisRequest& request)
     checkCells(sizeOf(rows.participant), sizeOf(rows.fabric), sizeOf(rows.condition));
     const stats::AnswerCube cube = cubeOf(rows, kindOf(rows.values));
     const ClaimFamily family{cube, rows, contrastsOf(request.options, rows.condition.levels), boundsOf(request.options)};
+    checkSize("contrasts x participants x fabrics",
+              static_cast<double>(family.contrasts.size()) * sizeOf(rows.participant) * sizeOf(rows.fabric), mostContrastCells);
     const bool leaveOneOut = truthOr(request.options, "leave_one_out", false);
     const double chance = numberOr(request.options, "chance", std::numeric_limits<double>::quiet_NaN());
     if (leaveOneOut && family.contrasts.size() * (cube.participants() + cube.fabrics()) > mostFits)

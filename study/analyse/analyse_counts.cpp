@@ -67,12 +67,16 @@ void putEstimate(AnswerFields& answer, const std::string& name, const stats::Psy
     answer.put(name, of.estimate).put("se_" + name, of.se).put(name + "_wald", of.wald).put(name + "_profile", of.profile);
 }
 
+constexpr double mostStimulusLevels = 1e5;  // a fit passes over them some hundred times
+constexpr double mostAdjusted = 1e6;        // p values: about 200 bytes each
+
 ordered_json psychometric(const AnalysisRequest& request)
 {
     const auto levels = numbersAt(request.inputs, "level"), correct = numbersAt(request.inputs, "k"),
                trials = numbersAt(request.inputs, "n");
     if (levels.size() != correct.size() || levels.size() != trials.size())
         throw RequestFault("level, k and n differ in length; expected one of each for every level");
+    checkSize("levels", static_cast<double>(levels.size()), mostStimulusLevels);
     std::vector<stats::LevelCounts> counts;
     for (std::size_t i = 0; i < levels.size(); ++i) counts.push_back({levels[i], correct[i], trials[i]});
     stats::PsychometricOptions options;
@@ -107,8 +111,10 @@ ordered_json mcnemar(const AnalysisRequest& request)
 ordered_json pAdjust(const AnalysisRequest& request)
 {
     const auto method = choiceOr(request.options, "method", adjustments, "holm");
+    const auto values = numbersAt(request.inputs, "p");
+    checkSize("p values", static_cast<double>(values.size()), mostAdjusted);
     std::vector<stats::Value> p;
-    for (const double value : numbersAt(request.inputs, "p")) {
+    for (const double value : values) {
         if (value < 0 || value > 1) throw RequestFault("value " + std::to_string(p.size() + 1) + " of p lies outside 0 to 1");
         p.push_back(std::isnan(value) ? stats::Value::undefined("missing") : stats::Value(value));
     }

@@ -18,6 +18,9 @@ enum class Design { Between, Within, Mixed };
 constexpr NamedChoice<Design> designs[] = {{"between", Design::Between}, {"within", Design::Within}, {"mixed", Design::Mixed}};
 constexpr NamedChoice<SumsOfSquares> types[] = {{"II", SumsOfSquares::TypeII}, {"III", SumsOfSquares::TypeIII}};
 
+constexpr double mostMeasures = 1000;
+constexpr double mostMeasureWork = 5e7;  // measures x measures x participants: some seconds
+
 stats::TwoWayAnova anovaOf(const AnalysisRequest& request, Design design, SumsOfSquares type)
 {
     const auto values = numbersAt(request.inputs, "value");
@@ -26,6 +29,12 @@ stats::TwoWayAnova anovaOf(const AnalysisRequest& request, Design design, SumsOf
         design == Design::Between ? stats::Factor{"participant", {}, a.of} : factorAt(request.inputs, "participant");
     for (const stats::Factor* factor : {&a, &b, &participant})
         if (factor->of.size() != values.size()) throw RequestFault(factor->name + " and value differ in length");
+    if (design != Design::Between) {  // the covariances of the repeated measures are a square matrix
+        const auto levelsOf = [](const stats::Factor& factor) { return static_cast<double>(factor.levels.size()); };
+        const double measures = levelsOf(b) * (design == Design::Within ? levelsOf(a) : 1);
+        checkSize("measures of a participant", measures, mostMeasures);
+        checkSize("measures x measures x participants", measures * measures * levelsOf(participant), mostMeasureWork);
+    }
     switch (design) {
         case Design::Between:
             return stats::twoWayBetween(values, a, b, type);

@@ -8,6 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "protocols/files/number_text.h"
 #include "study/analyse/analyse_recipe.h"
 
 namespace study::analyse {
@@ -68,10 +69,7 @@ bool has(const json& object, const std::string& field)
 std::vector<double> madeByRecipe(const json& object, const std::string& field, bool onlyByName)
 {
     if (!object.at("recipe").is_string()) throw RequestFault("the recipe of " + field + " is not a string");
-    std::map<std::string, double> constants;
-    for (const auto& [name, value] : object.items())
-        if (value.is_number()) constants[name] = value.get<double>();
-    RecipeArrays made = arraysOfRecipe(object.at("recipe").get<std::string>(), constants);
+    RecipeArrays made = arraysOfRecipe(object.at("recipe").get<std::string>(), constantsIn(object));
     if (const auto found = made.arrays.find(field); found != made.arrays.end()) return std::move(found->second);
     if (onlyByName) throw RequestFault("the recipe does not define " + field);
     return std::move(made.arrays.at(made.last));
@@ -128,6 +126,14 @@ std::string textOr(const json& object, const std::string& field, const std::stri
     return object.at(field).get<std::string>();
 }
 
+std::map<std::string, double> constantsIn(const json& object)
+{
+    std::map<std::string, double> constants;
+    for (const auto& [name, value] : object.items())
+        if (value.is_number()) constants[name] = value.get<double>();
+    return constants;
+}
+
 std::vector<double> numbersAt(const json& inputs, const std::string& field)
 {
     if (!has(inputs, field) && has(inputs, "recipe")) return madeByRecipe(inputs, field, true);
@@ -163,6 +169,13 @@ stats::Factor factorAt(const json& inputs, const std::string& field)
     return stats::factorOf(field, labels);
 }
 
+void checkSize(const std::string& what, double size, double most)
+{
+    if (size > most)
+        throw RequestFault(protocols::fixed(size, 0) + " " + what + "; expected smaller inputs, at most " +
+                           protocols::fixed(most, 0));
+}
+
 stats::CrossedStudy crossedRowsAt(const json& inputs, const std::string& value)
 {
     stats::CrossedStudy rows{factorAt(inputs, "participant"), {}, factorAt(inputs, "condition"), numbersAt(inputs, value)};
@@ -173,6 +186,9 @@ stats::CrossedStudy crossedRowsAt(const json& inputs, const std::string& value)
         if (factor->of.size() != n)
             throw RequestFault(factor->name + " has " + std::to_string(factor->of.size()) + " values and " + value + " has " +
                                std::to_string(n) + "; expected one in each row");
+    checkSize("conditions", static_cast<double>(rows.condition.levels.size()), mostConditions);
+    // The models have a column for each condition.
+    checkSize("rows x conditions", static_cast<double>(n) * static_cast<double>(rows.condition.levels.size()), mostCells);
     return rows;
 }
 
@@ -188,12 +204,15 @@ std::vector<std::pair<std::size_t, std::size_t>> contrastsOf(const json& options
 {
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
     if (!has(options, "contrasts")) {
+        const auto count = static_cast<double>(conditions.size());
+        checkSize("contrasts", count * (count - 1) / 2, mostContrasts);
         for (std::size_t a = 0; a < conditions.size(); ++a)
             for (std::size_t b = a + 1; b < conditions.size(); ++b) pairs.emplace_back(a, b);
         return pairs;
     }
     const json& list = options.at("contrasts");
     if (!list.is_array() || list.empty()) throw RequestFault("contrasts must be an array of pairs [a, b] of conditions");
+    checkSize("contrasts", static_cast<double>(list.size()), mostContrasts);
     for (const json& pair : list) {
         if (!pair.is_array() || pair.size() != 2) throw RequestFault("contrasts must hold pairs [a, b] of conditions");
         std::array<std::size_t, 2> places{};

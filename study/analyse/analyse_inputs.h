@@ -2,6 +2,7 @@
 // ("1/3", "sqrt(2)/2"), arrays, tables, and recipes of long arrays.
 #pragma once
 
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <stdexcept>
@@ -32,6 +33,9 @@ long long wholeOr(const nlohmann::json& object, const std::string& field, long l
 
 std::string textOr(const nlohmann::json& object, const std::string& field, const std::string& otherwise);
 
+/// The numbers of an object, which its recipe may name.
+std::map<std::string, double> constantsIn(const nlohmann::json& object);
+
 /// The array of a field: written out, made by its own recipe, or made by the common recipe of all inputs.
 std::vector<double> numbersAt(const nlohmann::json& inputs, const std::string& field);
 /// Empty where the field is absent.
@@ -42,14 +46,26 @@ std::vector<std::vector<double>> rowsAt(const nlohmann::json& inputs, const std:
 /// The labels of the rows, such as participants: texts, numbers or truth values; levels in the order of first appearance.
 stats::Factor factorAt(const nlohmann::json& inputs, const std::string& field);
 
+/// Throws RequestFault where `size`, the number of `what`, is above `most`: before memory or time is spent on it.
+void checkSize(const std::string& what, double size, double most);
+
+/// The most cells of participants x fabrics x conditions: 160 MB of numbers.
+inline constexpr double mostCells = 2e7;
+
+/// The most conditions of a request, with 4,950 pairs; and the most pairs that it compares. A pair takes up to a millisecond.
+inline constexpr double mostConditions = 100;
+inline constexpr double mostContrasts = 5000;
+
 /// Long rows: the number `value` of each row with its "condition", "participant" and "fabric", all of one length. Without
-/// fabrics all rows have one.
+/// fabrics all rows have one. Throws RequestFault for more than mostConditions,
+/// and for too many rows x conditions.
 stats::CrossedStudy crossedRowsAt(const nlohmann::json& inputs, const std::string& value);
 
 /// [low, high] of the option "bounds", low < high; none where it is absent.
 std::optional<std::pair<double, double>> boundsOf(const nlohmann::json& options);
 
-/// The pairs of the option "contrasts", [["a", "b"], ...], as places in `conditions`; all pairs where it is absent.
+/// The pairs of the option "contrasts", [["a", "b"], ...], as places in `conditions`; all pairs where it is absent. At most
+/// mostContrasts.
 std::vector<std::pair<std::size_t, std::size_t>> contrastsOf(const nlohmann::json& options,
                                                              const std::vector<std::string>& conditions);
 

@@ -110,6 +110,9 @@ ordered_json signFlip(const AnalysisRequest& request)
     return answer.putProbability("p", test.p, test.logP).put("log_p", test.logP).json();
 }
 
+constexpr double mostResamples = 1e7;  // 80 MB
+constexpr double mostDraws = 1e9;      // resamples x values: some seconds
+
 ordered_json bca(const AnalysisRequest& request)
 {
     if (const std::string statistic = textOr(request.options, "statistic", "mean"); statistic != "mean")
@@ -121,7 +124,10 @@ ordered_json bca(const AnalysisRequest& request)
     options.confidence = confidenceLevelOf(request.options);
     options.seed = static_cast<std::uint64_t>(wholeOr(request.options, "seed", 1));
     options.threads = static_cast<unsigned>(std::max(0LL, wholeOr(request.options, "threads", 0)));
-    const auto b = stats::bcaBootstrapOfMean(numbersAt(request.inputs, "x"), options);
+    const auto x = numbersAt(request.inputs, "x");
+    checkSize("resamples", static_cast<double>(options.resamples), mostResamples);
+    checkSize("resamples x values", static_cast<double>(options.resamples) * static_cast<double>(x.size()), mostDraws);
+    const auto b = stats::bcaBootstrapOfMean(x, options);
     if (!b.why.empty()) return degenerate(b.why);
     AnswerFields answer;
     answer.putCount("n", b.n).put("estimate", b.estimate).put("se", b.standardError).put("z0", b.bias);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "protocols/files/number_text.h"
 #include "study/analyse/analyse_formula.h"
 #include "study/analyse/analyse_inputs.h"
 
@@ -13,8 +14,6 @@ namespace study::analyse {
 
 namespace {
 
-constexpr double mostEntries = 2e8;            // of all arrays of a recipe: 1.6 GB
-constexpr double mostWork = 2e10;              // entries of each array x characters of the recipe: about a minute
 constexpr double largestIndex = 9e15;          // whole in double
 constexpr std::size_t longestRecipe = 10'000;  // formulas are recursive
 
@@ -144,8 +143,9 @@ std::size_t sideOf(std::string_view digits)
 {
     std::size_t side = 0;
     const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), side);
-    if (read.ec != std::errc{} || static_cast<double>(side) > mostEntries)
-        throw RequestFault("the recipe's shape has a side of " + std::string(digits) + "; expected at most 200000000");
+    if (read.ec != std::errc{} || static_cast<double>(side) > mostRecipeEntries)
+        throw RequestFault("the recipe's shape has a side of " + std::string(digits) + "; expected at most " +
+                           protocols::fixed(mostRecipeEntries, 0));
     return side;
 }
 
@@ -238,14 +238,15 @@ struct IndexRange {
 /// The number of entries, which is a constant.
 long long entriesIn(double n)
 {
-    if (!(n >= 0 && n <= mostEntries)) throw RequestFault("the recipe's n is outside 0 to 200000000");
+    if (!(n >= 0 && n <= mostRecipeEntries))
+        throw RequestFault("the recipe's n is outside 0 to " + protocols::fixed(mostRecipeEntries, 0));
     return static_cast<long long>(n);
 }
 
 IndexRange rangeOf(const Recipe& recipe, const FormulaScope& scope, const std::map<std::string, double>& constants)
 {
     IndexRange range{wholeEndOf(recipe.first, scope), 0};
-    // Both sides are at most 2e8, so that their product fits.
+    // Both sides are at most mostRecipeEntries, so that their product fits.
     const auto ofShape = static_cast<long long>(recipe.rows * recipe.columns);
     if (!recipe.last.empty())
         range.count = wholeEndOf(recipe.last, scope) - range.first + 1;
@@ -256,30 +257,50 @@ IndexRange rangeOf(const Recipe& recipe, const FormulaScope& scope, const std::m
     else
         throw RequestFault("the recipe does not state how many entries there are");
     const auto entries = static_cast<double>(range.count);
-    if (range.count < 0 || entries * static_cast<double>(recipe.definitions.size()) > mostEntries)
+    if (range.count < 0 || entries * static_cast<double>(recipe.definitions.size()) > mostRecipeEntries)
         throw RequestFault("the recipe asks for " + std::to_string(range.count) + " entries of " +
                            std::to_string(recipe.definitions.size()) + (recipe.definitions.size() == 1 ? " array" : " arrays") +
-                           "; expected 0 to 200000000 in all");
+                           "; expected 0 to " + protocols::fixed(mostRecipeEntries, 0) + " in all");
     if (recipe.rows > 0 && range.count != ofShape)
         throw RequestFault("the recipe's range has " + std::to_string(range.count) + " entries, but its shape " +
                            std::to_string(ofShape));
     return range;
 }
 
-}  // namespace
+/// A recipe that can be carried out within the limits.
+struct PreparedRecipe {
+    Recipe recipe;
+    FormulaScope scope;
+    IndexRange range;
+};
 
-RecipeArrays arraysOfRecipe(const std::string& text, const std::map<std::string, double>& constants)
+PreparedRecipe preparedRecipe(const std::string& text, const std::map<std::string, double>& constants)
 {
     if (text.size() > longestRecipe)
         throw RequestFault("the recipe has " + std::to_string(text.size()) + " characters; expected at most " +
                            std::to_string(longestRecipe));
-    const Recipe recipe = readRecipe(text);
-    FormulaScope scope;
-    for (const auto& [name, value] : constants) scope.add(name, constant(value));
-    const IndexRange range = rangeOf(recipe, scope, constants);
-    if (static_cast<double>(range.count) * static_cast<double>(text.size()) > mostWork)
+    PreparedRecipe prepared{readRecipe(text), {}, {}};
+    for (const auto& [name, value] : constants) prepared.scope.add(name, constant(value));
+    prepared.range = rangeOf(prepared.recipe, prepared.scope, constants);
+    if (static_cast<double>(prepared.range.count) * static_cast<double>(text.size()) > mostRecipeWork)
         throw RequestFault("the recipe of " + std::to_string(text.size()) + " characters is too long for " +
-                           std::to_string(range.count) + " entries; expected a product of at most 20000000000");
+                           std::to_string(prepared.range.count) + " entries; expected a product of at most " +
+                           protocols::fixed(mostRecipeWork, 0));
+    return prepared;
+}
+
+}  // namespace
+
+RecipeCost costOfRecipe(const std::string& text, const std::map<std::string, double>& constants)
+{
+    const PreparedRecipe prepared = preparedRecipe(text, constants);
+    const auto count = static_cast<double>(prepared.range.count);
+    return {count * static_cast<double>(prepared.recipe.definitions.size()), count * static_cast<double>(text.size())};
+}
+
+RecipeArrays arraysOfRecipe(const std::string& text, const std::map<std::string, double>& constants)
+{
+    auto [recipe, scope, range] = preparedRecipe(text, constants);
     const std::size_t index = scope.add(recipe.index.empty() ? "i" : recipe.index, FormulaNumber::ofWhole(0));
     std::vector<Formula> formulas;
     std::vector<std::size_t> places;

@@ -18,6 +18,18 @@ struct RecipeArrays {
     std::size_t columns = 0;
 };
 
+/// The most entries of all arrays that the recipes of one request make, 80 MB; and the most entries of an array x characters of
+/// its recipe, which take some seconds.
+inline constexpr double mostRecipeEntries = 1e7, mostRecipeWork = 1e9;
+
+/// What a recipe makes: the entries of all its arrays, and its entries x characters.
+struct RecipeCost {
+    double entries = 0, work = 0;
+};
+
+/// The cost of arraysOfRecipe(), without making the arrays. Throws RequestFault as it does.
+RecipeCost costOfRecipe(const std::string& recipe, const std::map<std::string, double>& constants);
+
 /// `constants` are the numbers that the formulas may name, for instance n and offset. Throws RequestFault.
 RecipeArrays arraysOfRecipe(const std::string& recipe, const std::map<std::string, double>& constants);
 

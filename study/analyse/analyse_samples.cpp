@@ -81,7 +81,9 @@ ordered_json speedAccuracy(const AnalysisRequest& request)
 
 ordered_json balancedIntegration(const AnalysisRequest& request)
 {
-    const auto scores = stats::balancedIntegrationScores(numbersAt(request.inputs, "pc"), numbersAt(request.inputs, "rt"));
+    const auto correct = numbersAt(request.inputs, "pc"), seconds = numbersAt(request.inputs, "rt");
+    checkSize("cells", static_cast<double>(correct.size()), 1e6);  // about 200 bytes each
+    const auto scores = stats::balancedIntegrationScores(correct, seconds);
     if (scores.empty()) return degenerate("there are no cells");
     if (!scores.front().exists()) return degenerate(scores.front().why());
     return AnswerFields().put("bis", scores).json();
@@ -148,6 +150,9 @@ ordered_json rateJson(const stats::ConditionSpeedCells& cells, const std::vector
     return row.put("bis_ci", mean.why.empty() ? mean.ci : stats::Interval{none, none}).json();
 }
 
+constexpr double mostSpeedCells = 2e6;      // conditions x participants: each holds lists and measures, about 300 bytes
+constexpr double mostContrastPeople = 1e8;  // contrasts x participants: some seconds
+
 ordered_json speedContrasts(const AnalysisRequest& request)
 {
     const int alternatives = alternativesOf(request);
@@ -155,6 +160,9 @@ ordered_json speedContrasts(const AnalysisRequest& request)
     const std::vector<std::string>& names = choices.rows.condition.levels;
     if (names.size() < 2) return degenerate("there is one condition only: nothing to compare");
     const auto pairs = contrastsOf(request.options, names);
+    const auto participants = static_cast<double>(choices.rows.participant.levels.size());
+    checkSize("conditions x participants", static_cast<double>(names.size()) * participants, mostSpeedCells);
+    checkSize("contrasts x participants", static_cast<double>(pairs.size()) * participants, mostContrastPeople);
     const auto cells = speedCellsOf(choices);
     const auto scores = stats::scoresOf(cells);
     const auto tests = stats::speedContrasts(cells, scores, pairs, alternatives);

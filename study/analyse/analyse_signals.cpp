@@ -20,6 +20,9 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
+constexpr double mostSpectrumWork = 2e9;  // values x segment: some seconds
+constexpr double mostShiftWork = 2e9;     // pixels x shifts: some seconds
+
 ordered_json traceError(const AnalysisRequest& request)
 {
     const auto e = stats::traceError(numbersAt(request.inputs, "generated"), numbersAt(request.inputs, "truth"));
@@ -33,8 +36,10 @@ ordered_json spectrumDistance(const AnalysisRequest& request)
 {
     const long long segment = wholeOr(request.options, "segment", 64);
     if (segment < 4 || segment > 65536) throw RequestFault("segment must lie between 4 and 65536 values");
-    const auto d = stats::spectrumDistance(numbersAt(request.inputs, "generated"), numbersAt(request.inputs, "truth"),
-                                           static_cast<std::size_t>(segment));
+    const auto generated = numbersAt(request.inputs, "generated"), truth = numbersAt(request.inputs, "truth");
+    checkSize("values x segment", static_cast<double>(generated.size() + truth.size()) * static_cast<double>(segment),
+              mostSpectrumWork);
+    const auto d = stats::spectrumDistance(generated, truth, static_cast<std::size_t>(segment));
     if (!d.why.empty()) return degenerate(d.why);
     return AnswerFields().put("decibels", d.decibels).put("bias_decibels", d.bias).putCount("frequencies", d.frequencies).json();
 }
@@ -81,10 +86,7 @@ NumberImage imageOfRows(const json& inputs, const std::string& field)
 std::pair<NumberImage, NumberImage> imagesOfRecipe(const json& inputs)
 {
     if (!inputs.at("recipe").is_string()) throw RequestFault("the recipe is not a string");
-    std::map<std::string, double> constants;
-    for (const auto& [name, value] : inputs.items())
-        if (value.is_number()) constants[name] = value.get<double>();
-    RecipeArrays made = arraysOfRecipe(inputs.at("recipe").get<std::string>(), constants);
+    RecipeArrays made = arraysOfRecipe(inputs.at("recipe").get<std::string>(), constantsIn(inputs));
     if (made.arrays.count("a") == 0 || made.arrays.count("b") == 0)
         throw RequestFault("the recipe does not define the images a and b");
     if (made.rows == 0) throw RequestFault("the recipe states no shape; expected for instance \"800 rows x 1280 cols\"");
@@ -137,6 +139,8 @@ ordered_json registeredSsim(const AnalysisRequest& request)
     const auto [a, b] = imagesOf(request);
     const long long most = wholeOr(request.options, "most_shift", 8);
     if (most < 0 || most > 1000) throw RequestFault("most_shift must lie between 0 and 1000 pixels");
+    const auto shifts = static_cast<double>(2 * most + 1);
+    checkSize("pixels x shifts", static_cast<double>(a.pixels.size()) * shifts * shifts, mostShiftWork);
     const auto r = stats::registeredSsim(a.view(), b.view(), numberAt(request.options, "data_range"), static_cast<int>(most),
                                          ssimOptionsOf(request));
     if (!r.why.empty()) return degenerate(r.why);

@@ -1,6 +1,7 @@
 #include "study/analyse/analyse_tables.h"
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "stats/tests/friedman_exact.h"
@@ -23,6 +24,9 @@ stats::BlockTable tableOf(const AnalysisRequest& request)
     if (!result.fault.empty()) throw RequestFault(result.fault);
     return std::move(result.table);
 }
+
+constexpr double mostTableColumns = 1000;   // their covariances are a square matrix
+constexpr double mostCovarianceWork = 5e7;  // columns x columns x rows: some seconds
 
 ordered_json friedman(const AnalysisRequest& request)
 {
@@ -47,7 +51,11 @@ ordered_json cochran(const AnalysisRequest& request)
 
 ordered_json repeatedMeasures(const AnalysisRequest& request)
 {
-    const auto a = stats::repeatedMeasuresAnova(tableOf(request));
+    const auto table = tableOf(request);
+    const auto columns = static_cast<double>(table.conditions), rows = static_cast<double>(table.blocks);
+    checkSize("conditions", columns, mostTableColumns);
+    checkSize("conditions x conditions x rows", columns * columns * rows, mostCovarianceWork);
+    const auto a = stats::repeatedMeasuresAnova(table);
     if (!a.why.empty()) return degenerate(a.why);
     AnswerFields answer;
     answer.put("ss_condition", a.ssCondition).put("ss_subject", a.ssSubject).put("ss_error", a.ssError);
@@ -81,14 +89,12 @@ std::vector<std::vector<double>> groupsOf(const AnalysisRequest& request)
     const auto y = numbersAt(request.inputs, "y");
     if (!request.inputs.contains("group") || !request.inputs["group"].is_array() || request.inputs["group"].size() != y.size())
         throw RequestFault("group must be an array as long as y");
-    std::vector<nlohmann::json> names;
+    std::map<nlohmann::json, std::size_t> places;
     std::vector<std::vector<double>> groups;
     for (std::size_t i = 0; i < y.size(); ++i) {
-        const auto& name = request.inputs["group"][i];
-        const auto found = std::find(names.begin(), names.end(), name);
-        if (found == names.end()) groups.emplace_back();
-        groups[static_cast<std::size_t>(found - names.begin())].push_back(y[i]);
-        if (found == names.end()) names.push_back(name);
+        const auto [place, isNew] = places.emplace(request.inputs["group"][i], groups.size());
+        if (isNew) groups.emplace_back();
+        groups[place->second].push_back(y[i]);
     }
     return groups;
 }

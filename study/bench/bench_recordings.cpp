@@ -297,7 +297,7 @@ void addGrain(RecordingsBench& bench, const fs::path& folder, const Decode& deco
     const auto files = filesIn(folder / "gelsight_wear_surfaces", "S\\d+.*normalmap");
     if (files.empty())
         bench.skipped.push_back((folder / "gelsight_wear_surfaces").string() + ": no normal map of abrasive paper");
-    std::vector<std::pair<int, double>> byGrit;
+    std::vector<std::pair<double, double>> byGrit;
     for (const auto& file : files) {
         std::smatch grit;
         const std::string name = file.filename().string();
@@ -309,7 +309,7 @@ void addGrain(RecordingsBench& bench, const fs::path& folder, const Decode& deco
         const cv::Mat middle =
             height(cv::Rect((height.cols - part.width) / 2, (height.rows - part.height) / 2, part.width, part.height));
         const double length = signals::autocorrelationLengthMm(signals::withoutLowFrequency(middle, {}, grainCutoffPx), {});
-        byGrit.emplace_back(std::stoi(grit[1]), length);
+        byGrit.emplace_back(std::stod(grit[1]), length);  // a file name is too short for a number that no double holds
         const auto holed = withHoles(slopes);
         cv::Mat around;
         const double timeOfHoled = millisecondsOf([&] { around = signals::integrateAround(holed, {}, {}); });

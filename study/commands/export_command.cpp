@@ -43,7 +43,7 @@ int exportStudy(const ExportCall& call)
     std::printf("%s: %s as %s%s\n", protocols::printable(out).c_str(),
                 reports::counted(store.answerCount() - leftOut.ofWithdrawn - leftOut.inWords, "answer").c_str(), format.c_str(),
                 store.unblinding() ? "" : ", blinded (no condition, no true piece)");
-    if (!whyNoMeans.empty()) std::printf("  %s\n", whyNoMeans.c_str());
+    if (!whyNoMeans.empty()) std::printf("  %s\n", protocols::printable(whyNoMeans).c_str());
     std::printf("  log head %s\n", records::headTextOf(store).c_str());
     if (withLog) std::printf("  log.csv holds the log, acts.csv what was exported and saved; log.txt says how to check both\n");
     if (isPublic)
@@ -80,7 +80,7 @@ int exportPerson(const ExportCall& call)
                 data["blinded"].get<bool>() ? ", blinded (no condition, no fabric, nothing about right or wrong)" : "");
     for (const auto& act : data["erasures"])
         std::printf("  erased on %s: %s; what is left is in the files, with the certificate\n",
-                    act["time"].get<std::string>().c_str(),
+                    protocols::printable(act["time"].get<std::string>()).c_str(),
                     act["answers_too"].get<bool>() ? "facts, debriefing, answers, notes and times" : "facts and debriefing");
     std::printf("  your-data.html is the sheet for this person\n");
     recordAct(store, "export", call.out);

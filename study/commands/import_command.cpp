@@ -197,7 +197,7 @@ void addImport(CLI::App& app, Action& action)
         ->capture_default_str();
     command->add_option("--rate", call->rate, "sample rate in Hz to resample to (default: the median of the record's own steps)")
         ->group(friction)
-        ->check(finiteIn(1e-3, 1e7));
+        ->check(finiteIn(rendering::fabrics::leastRateHz, rendering::fabrics::mostRateHz));
     command->add_option("--plots", call->plots, "folder to write a plot and a spectrogram of each stroke to")->group(friction);
     command->callback([call, &action] {
         action.surroundings = Surroundings::Core;  // Qt finds its JPEG reader through the application object

@@ -32,6 +32,9 @@ int erase(const std::string& study, const database::Erasure& erasure)
                 erasure.answersToo ? "facts, debriefing, answers and notes" : "facts and debriefing",
                 erasure.participant.value.c_str());
     for (const auto& file : record.found) std::printf("  still in %s\n", protocols::printable(file).c_str());
+    for (const auto& file : database::rescueFilesOfOthers(store.folder()))
+        std::printf("note: %s belongs to another account, so its rows were not read; ask its owner to delete it\n",
+                    protocols::printable(file.string()).c_str());
     for (const auto entry : record.interrupted)
         std::printf("  the erasure of entry %lld was interrupted before its search: look through files from before it\n",
                     static_cast<long long>(entry));
@@ -54,7 +57,8 @@ int backup(const std::string& study, const std::string& out)
     std::printf("  log head %s\n", records::headTextOf(store).c_str());
     recordAct(store, "backup", out, faults);
     noteIfReadByAll(out);
-    if (const auto acts = headOfActs(store); acts.sequence > 0) std::printf("  acts head %s\n", textOf(acts).c_str());
+    if (const auto acts = headOfActs(store); acts.sequence > 0)
+        std::printf("  acts head %s\n", protocols::printable(textOf(acts)).c_str());
     return 0;
 }
 
@@ -76,6 +80,10 @@ int rescue(const std::string& study, const std::string& from)
 {
     const database::StudyFolder folder{study};
     const auto files = database::rescueFiles(folder);
+    if (from.empty())
+        for (const fs::path& file : database::rescueFilesOfOthers(folder))
+            std::fprintf(stderr, "note: %s belongs to another account and was not opened; --from takes it\n",
+                         protocols::printable(file.string()).c_str());
     if (from.empty() && files.empty())
         throw protocols::badInput({"there is no rescue file of this study", study, "rescue-N.db in the folder or beside it",
                                    "name it with --from FILE"});

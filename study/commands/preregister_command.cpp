@@ -34,9 +34,9 @@ void printDone(const PreregisterCall& call, const making::Preregistered& done)
     const std::string what =
         done.record.number == 1 ? "preregistered" : "amendment, registration " + std::to_string(done.record.number);
     std::printf("%s: %s%s on %s, %s\n", protocols::printable(call.study).c_str(), done.isNew ? "" : "nothing has changed; ",
-                what.c_str(), done.record.wallTime.c_str(),
+                what.c_str(), protocols::printable(done.record.wallTime).c_str(),
                 reports::timingText(done.record.answersBefore, done.record.afterUnblinding).c_str());
-    for (const auto& change : done.changes) std::printf("  changed: %s\n", change.c_str());
+    for (const auto& change : done.changes) std::printf("  changed: %s\n", protocols::printable(change).c_str());
     std::printf("  SHA-256 %s  %s\n", done.record.jsonSha256().c_str(), done.files[1].filename().c_str());
     std::printf("  SHA-256 %s  %s\n", done.record.textSha256().c_str(), done.files[0].filename().c_str());
     for (const auto& file : done.written) std::printf("  written: %s\n", protocols::printable(file.string()).c_str());

@@ -12,6 +12,7 @@
 #include "database/keys.h"
 #include "database/server/study_move.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/shipped_folder.h"
@@ -104,7 +105,8 @@ void requireScripted(const database::Slot& slot, const players::Script& script)
 bool finishedAlready(const database::Slot& slot, const players::Script& script)
 {
     if (slot.state != SlotState::Finished && slot.state != SlotState::Withdrawn) return false;
-    std::printf("%s: already %s, nothing to do\n", script.participant.value.c_str(), nameOf(slot.state).c_str());
+    std::printf("%s: already %s, nothing to do\n", protocols::printable(script.participant.value).c_str(),
+                nameOf(slot.state).c_str());
     return true;
 }
 
@@ -130,9 +132,10 @@ void play(const players::Script& script, const SessionStore& store, players::Han
     const auto trials = trialsFor(store, script.participant, playing);
     Progress progress(script.participant.value);
     players::playScript(script, trials, logged, hands, clock, [&](int stored) { progress.show(stored, playing.answersInAll); });
-    std::printf("%s: %d answers stored, %s\n", script.participant.value.c_str(), hands.state().answersStored,
+    std::printf("%s: %d answers stored, %s\n", protocols::printable(script.participant.value).c_str(),
+                hands.state().answersStored,
                 std::holds_alternative<session::Finished>(hands.state().stage) ? "finished" : "withdrawn");
-    std::printf("  log head %s\n", textOf(store.head()).c_str());
+    std::printf("  log head %s\n", protocols::printable(textOf(store.head())).c_str());
 }
 
 void playDirectly(const std::vector<players::Script>& scripts, const std::filesystem::path& study, const Playing& playing)

@@ -44,12 +44,27 @@ struct ReportCall {
     PassphraseOption passphrase;
 };
 
+constexpr double largestScaleEnd = 10'000;  ///< as in a protocol
+
+/// One end of a scale, as a protocol may have it. Throws badInput, naming the whole text of the option.
+protocols::Tenths scaleEnd(double number, const std::string& text)
+{
+    const double tenths = 10 * number;
+    // 0.1 * 10 need not be 1 in binary; a number further off is not a tenth.
+    constexpr double rounding = 1e-6;
+    if (!(std::abs(number) <= largestScaleEnd) || std::abs(tenths - std::round(tenths)) > rounding)
+        throw protocols::badInput({"\"" + text + "\" has an end that no scale can have", "--scale",
+                                   "numbers from -10000 to 10000 with at most one decimal, e.g. --scale=1,5",
+                                   "correct the ends of the scale"});
+    return protocols::Tenths{static_cast<int>(std::lround(tenths))};
+}
+
 protocols::RatingScale scaleFrom(const std::string& text)
 {
     const auto [low, high] = numbersInOrder(text, "--scale", "0,10");
     protocols::RatingScale scale;
-    scale.min.value = static_cast<int>(std::lround(10 * low));
-    scale.max.value = static_cast<int>(std::lround(10 * high));
+    scale.min = scaleEnd(low, text);
+    scale.max = scaleEnd(high, text);
     return scale;
 }
 

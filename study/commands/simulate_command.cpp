@@ -150,7 +150,7 @@ int simulateIntoStudy(const SimulateCall& call)
     }
     std::printf("%s: %zu simulated participants answered%s\n", protocols::printable(call.study).c_str(), participants.size(),
                 call.plant.empty() ? "" : (" with the planted effects of " + call.plant).c_str());
-    std::printf("  log head %s\n", textOf(store.head()).c_str());
+    std::printf("  log head %s\n", protocols::printable(textOf(store.head())).c_str());
     return 0;
 }
 
@@ -164,12 +164,13 @@ void sayWhatWasSimulated(const std::string& study, bool hasMishaps, const std::s
         refusals += static_cast<std::size_t>(one.refusals);
     }
     const auto& data = analysis.data;
-    std::printf("%s: %zu simulated participants in memory, %zu valid answers; nothing was stored in the study\n", study.c_str(),
-                answers.size(), analysis.completeness.present);
+    std::printf("%s: %zu simulated participants in memory, %zu valid answers; nothing was stored in the study\n",
+                protocols::printable(study).c_str(), answers.size(), analysis.completeness.present);
     if (hasMishaps)
         std::printf("  mishaps: %zu withdrawals, %zu voided presentations, %zu corrections, %zu refused steps\n",
                     data.withdrawn.size(), data.voided, corrections, refusals);
-    std::printf("  %s holds results.json and tables; mixed models and what rests on them are left out\n", out.c_str());
+    std::printf("  %s holds results.json and tables; mixed models and what rests on them are left out\n",
+                protocols::printable(out).c_str());
 }
 
 constexpr const char* simulateName = "simulate";

@@ -8,6 +8,7 @@
 #include "database/study_store.h"
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/id_rule.h"
 #include "protocols/files/number_text.h"
 #include "protocols/files/safe_text.h"
 #include "protocols/files/sha256.h"
@@ -139,6 +140,10 @@ int amend(const Amendment& call)
     const std::string madeBy = store.facts().programVersion;
     const auto before = protocols::keptProtocolFromJson(kept.json, "the kept protocol", madeBy);
     const auto amended = protocols::keptProtocolFromJson(text, file.string(), madeBy);
+    if (const std::string why = protocols::faultOfLine(amended.name, protocols::longestReason);
+        !why.empty() && amended.name != before.name)
+        throw protocols::badInput({"the new name of the study " + why, file.string(),
+                                   protocols::lineRule(protocols::longestReason), "correct \"name\" in the file"});
     const auto changed = fixedPartsChanged(before, amended);
     if (!changed.empty())
         throw protocols::badInput({"the edit changes " + listed(changed) + ", which running orders and stimuli depend on",
@@ -148,8 +153,9 @@ int amend(const Amendment& call)
     const std::string note = records::noteOnPlan(store, amended);
     store.takeProtocol(text, call.who, call.why);
     if (text != written) protocols::writeWholeFile(file, text);  // the kept text and the file agree
-    std::printf("%s: now version %d; participants who have started keep their version\n", file.c_str(), kept.version + 1);
-    if (!note.empty()) std::printf("note: %s\n", note.c_str());
+    std::printf("%s: now version %d; participants who have started keep their version\n",
+                protocols::printable(file.string()).c_str(), kept.version + 1);
+    if (!note.empty()) std::printf("note: %s\n", protocols::printable(note).c_str());
     return 0;
 }
 
@@ -276,7 +282,7 @@ void addStudy(CLI::App& app, Action& action)
             app::LanguageInUse inUse(QString::fromStdString(versionText()));
             app::chooseLanguage(inUse, QString::fromStdString(*language), app::userSettings().get());
             making::writeSheets(records::openStudy(*folder), *out);
-            std::printf("%s: pages to print\n", out->c_str());
+            std::printf("%s: pages to print\n", protocols::printable(*out).c_str());
             return 0;
         };
     });

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/files/whole_file.h"
 #include "reports/documents/report_documents.h"
 #include "reports/write_report.h"
@@ -63,8 +64,8 @@ app::ToolOutcome verified(const database::StudyStore& store)
     const records::Findings findings = records::findingsOf(store);
     std::string text = findings.faults.empty() ? "sound" : std::to_string(findings.faults.size()) + " faults:";
     text += "\n";
-    for (const auto& fault : findings.faults) text += fault + "\n";
-    for (const auto& note : findings.notes) text += "note: " + note + "\n";
+    for (const auto& fault : findings.faults) text += protocols::printable(fault) + "\n";
+    for (const auto& note : findings.notes) text += "note: " + protocols::printable(note) + "\n";
     return {text + "Log head " + records::headTextOf(store) + "\n", {}, findings.faults.empty()};
 }
 

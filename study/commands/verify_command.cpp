@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "database/evidence/acts.h"
 #include "database/keys.h"
@@ -25,16 +26,18 @@ namespace study::commands {
 
 namespace {
 
-/// Each head that was given out, and why the log does not contain it.
+/// Each head that was given out, and why the log does not contain it. `signedHead`: the statement in the file, whose other lines
+/// are no heads, whatever they look like.
 nlohmann::ordered_json comparedWith(const database::StudyStore& store, const std::string& against,
-                                    std::vector<std::string>& faults)
+                                    const std::optional<records::SignedHead>& signedHead, std::vector<std::string>& faults)
 {
     auto rows = nlohmann::ordered_json::array();
     if (against.empty()) return rows;
     records::requireLastingHead(store);
-    const auto given = records::headsIn(against);
+    const auto given = signedHead ? records::GivenHeads{{signedHead->head}, {}} : records::headsIn(against);
+    records::HeadCheck check(store);
     for (const auto& head : given.heads) {
-        const std::string fault = records::faultAgainst(store, head);
+        const std::string fault = check.faultOf(head);
         const std::string text = head.sequence == 0 ? head.hash : textOf(head);
         rows.push_back({{"head", text}, {"contained", fault.empty()}});
         if (!fault.empty()) faults.push_back("head " + text + ": " + fault);
@@ -58,15 +61,21 @@ struct VerifyCall {
 std::string headOfActsText(const database::StudyStore& store)
 {
     const auto head = headOfActs(store);
-    return head.sequence == 0 ? std::string() : textOf(head);
+    return head.sequence == 0 ? std::string() : protocols::printable(textOf(head));
+}
+
+/// The statement of `study sign` in the file of --against; none where that is something else.
+std::optional<records::SignedHead> signedHeadOf(const VerifyCall& call)
+{
+    std::error_code unknown;
+    if (!std::filesystem::is_regular_file(call.against, unknown)) return std::nullopt;
+    return records::signedHeadIn(protocols::readWholeFile(call.against), call.against);
 }
 
 /// Checks the signature of the statement in --against and adds its fault or a note. Null where nothing is signed.
-nlohmann::ordered_json checkedSignature(const database::StudyStore& store, const VerifyCall& call, records::Findings& findings)
+nlohmann::ordered_json checkedSignature(const database::StudyStore& store, const VerifyCall& call,
+                                        const std::optional<records::SignedHead>& signedHead, records::Findings& findings)
 {
-    std::error_code unknown;
-    const bool isFile = std::filesystem::is_regular_file(call.against, unknown);
-    const auto signedHead = isFile ? records::signedHeadIn(protocols::readWholeFile(call.against), call.against) : std::nullopt;
     if (!signedHead && !call.publicKey.empty())
         throw protocols::badInput({"there is no signature to check", call.against.empty() ? "--public-key" : call.against,
                                    "--against FILE with a statement of `vis2hap study sign`", "name that file"});
@@ -106,10 +115,11 @@ int verify(const VerifyCall& call)
 {
     const auto store = records::openStudy(call.study);
     auto findings = records::findingsOf(store, givenPassphrase(call.passphrase));
-    const auto signature = checkedSignature(store, call, findings);
+    const auto signedHead = signedHeadOf(call);
+    const auto signature = checkedSignature(store, call, signedHead, findings);
     // A statement of another signer or study says nothing about this log, so that its head would only add a second fault.
     const bool isTrusted = !signature.is_object() || signature["valid"] != false;
-    const auto heads = comparedWith(store, isTrusted ? call.against : "", findings.faults);
+    const auto heads = comparedWith(store, isTrusted ? call.against : "", signedHead, findings.faults);
     if (call.target) {
         nlohmann::ordered_json json{{"schema", "vis2hap.verify/1"},
                                     {"study", store.facts().name},
@@ -133,7 +143,7 @@ int unblind(const std::string& study, const std::string& who, const std::string&
     database::StudyStore store({study}, database::StudyStore::Access::Write);
     if (const auto earlier = store.unblinding()) {
         std::printf("%s: already unblinded by %s on %s (%s)\n", protocols::printable(study).c_str(),
-                    protocols::printable(earlier->who).c_str(), earlier->wallTime.c_str(),
+                    protocols::printable(earlier->who).c_str(), protocols::printable(earlier->wallTime).c_str(),
                     protocols::printable(earlier->why).c_str());
         if (database::completeUnblinding(store, passphraseFrom(passphrase))) {
             recordAct(store, "unblind");
@@ -148,7 +158,8 @@ int unblind(const std::string& study, const std::string& who, const std::string&
                 protocols::printable(who).c_str());
     std::map<protocols::ConditionLabel, protocols::ConditionId> names;
     for (const auto& [code, entry] : key.entries) names[entry.label] = entry.condition;
-    for (const auto& [label, condition] : names) std::printf("  %s is %s\n", label.value.c_str(), condition.value.c_str());
+    for (const auto& [label, condition] : names)
+        std::printf("  %s is %s\n", protocols::printable(label.value).c_str(), protocols::printable(condition.value).c_str());
     return 0;
 }
 

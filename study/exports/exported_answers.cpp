@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "protocols/files/csv_table.h"
+#include "protocols/files/errors.h"
 #include "protocols/files/foreign/foreign_table.h"
 #include "protocols/files/number_text.h"
 #include "protocols/question_ids.h"
@@ -18,6 +19,16 @@ namespace {
 
 using database::CurrentAnswer;
 using nlohmann::ordered_json;
+
+/// Throws workFailed for an answer of nobody, or to a presentation that is in no list.
+void requireListed(const CurrentAnswer& answer, const records::Naming& naming, const database::StudyStore& store)
+{
+    if (naming.entries.contains({answer.participant, answer.record.trial})) return;
+    throw protocols::workFailed({"an answer of " + answer.participant.value + " names trial " +
+                                     std::to_string(answer.record.trial.value) + ", which is not in the participant's list",
+                                 store.folder().database().string(), "a trial of the list",
+                                 "see `vis2hap verify`; restore the study from a backup"});
+}
 
 constexpr std::size_t bytesAtOnce = std::size_t{1} << 20;
 
@@ -70,7 +81,10 @@ ExportedAnswers::ExportedAnswers(const database::StudyStore& store, const protoc
     : m_store(store), m_protocol(protocol), m_naming(naming), m_isPublic(isPublic)
 {
     records::PlacesInTime inTime;
-    store.eachAnswer([&](const CurrentAnswer& answer) { inTime.add(answer); });
+    store.eachAnswer([&](const CurrentAnswer& answer) {
+        requireListed(answer, naming, store);
+        inTime.add(answer);
+    });
     m_places = inTime.places();
     for (const auto& enrolment : store.enrolments()) m_states.emplace(enrolment.participant, enrolment.state);
 }

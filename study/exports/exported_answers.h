@@ -28,7 +28,7 @@ struct ExportedField {
 class ExportedAnswers {
 public:
     /// Reads the places. `isPublic`: without private columns, words, and answers of participants who withdrew. The references
-    /// must outlive this.
+    /// must outlive this. Throws workFailed where an answer belongs to no presentation or participant of the study.
     ExportedAnswers(const database::StudyStore& store, const protocols::Protocol& protocol, const records::Naming& naming,
                     bool isPublic);
 

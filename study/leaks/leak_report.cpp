@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <set>
 
-#include "database/station_key.h"
+#include "database/disk/station_key.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/temporary_folder.h"
 #include "protocols/records/anchor_trials.h"
+#include "protocols/records/trial_lists.h"
 #include "stats/tests/binomial.h"
 #include "study/leaks/cache_marks.h"
 #include "study/leaks/readable_files.h"
@@ -20,14 +21,44 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The stored lists, each read once. Throws workFailed where one is not of the protocol.
+class StoredLists {
+public:
+    StoredLists(const database::StudyStore& store, const SeenStudy& seen)
+        : m_store(store), m_protocol(seen.protocol), m_fabrics(store.facts().fabrics)
+    {
+    }
+
+    const protocols::BlindedTrial& of(const SeenTrial& trial)
+    {
+        const auto [entry, isNew] = m_lists.try_emplace(trial.slot);
+        auto& list = entry->second;
+        const std::string where = m_store.folder().database().string() + ", list of slot " + std::to_string(trial.slot);
+        if (isNew) {
+            list = m_store.trials(trial.slot);
+            requireSoundList(list, m_protocol, m_fabrics, where);
+        }
+        if (trial.number >= 1 && static_cast<std::size_t>(trial.number) <= list.size())
+            return list[static_cast<std::size_t>(trial.number) - 1];
+        throw protocols::workFailed({"trial " + std::to_string(trial.number) + " stands in two lists or in none", where,
+                                     "1 to " + std::to_string(list.size()),
+                                     "see `vis2hap verify`; restore the study from a backup"});
+    }
+
+private:
+    const database::StudyStore& m_store;
+    const protocols::Protocol& m_protocol;
+    std::vector<protocols::FabricId> m_fabrics;
+    std::map<int, std::vector<protocols::BlindedTrial>> m_lists;
+};
+
 Truth truthOf(const database::StudyStore& store, const protocols::AllocationKey& key, const SeenStudy& seen)
 {
     Truth truth;
-    std::map<int, std::vector<protocols::BlindedTrial>> lists;
+    StoredLists lists(store, seen);
     std::map<int, protocols::AnchorFinder> anchors;
     for (const SeenTrial& trial : seen.trials) {
-        if (!lists.contains(trial.slot)) lists[trial.slot] = store.trials(trial.slot);
-        const auto& stored = lists[trial.slot].at(static_cast<std::size_t>(trial.number) - 1);
+        const auto& stored = lists.of(trial);
         const auto& entry = key.entryOf(stored);
         // The trials of a slot come in the order of its list.
         const auto anchor = anchors.try_emplace(trial.slot, seen.protocol).first->second.next(stored, entry);
@@ -44,18 +75,17 @@ LeakReport::StationKey withStationKey(const database::StudyStore& store, const S
     LeakReport::StationKey result;
     std::optional<protocols::SecretKey> key;
     try {
-        key = database::readStationKey(store);
+        key = database::readStationKey(store.folder(), store.facts().stationKeySha256);
     } catch (const protocols::Error&) {
         return result;
     }
     result.isReadable = true;
-    std::map<int, std::vector<protocols::BlindedTrial>> lists;
+    StoredLists lists(store, seen);
     std::vector<std::string> images;
     // A mismatched presentation shows an image beside another fabric, so that the commonest one counts.
     std::map<std::string, std::map<std::string, int>> fabrics;
     for (const SeenTrial& trial : seen.trials) {
-        if (!lists.contains(trial.slot)) lists[trial.slot] = store.trials(trial.slot);
-        const auto& stored = lists[trial.slot].at(static_cast<std::size_t>(trial.number) - 1);
+        const auto& stored = lists.of(trial);
         images.push_back(opened(stored.sealedCode, *key).value);
         if (seen.showsTruth(trial)) ++fabrics[images.back()][trial.tray.front()];
     }
@@ -74,10 +104,11 @@ LeakReport::StationKey withStationKey(const database::StudyStore& store, const S
 std::vector<std::string> guessedSecrets(const database::StudyStore& store, const SeenStudy& seen)
 {
     constexpr std::uint64_t most = 1000;
-    const auto list = store.trials(seen.trials.front().slot);
+    StoredLists lists(store, seen);
+    const protocols::SealedCode& code = lists.of(seen.trials.front()).sealedCode;
     for (std::uint64_t seed = 0; seed <= most; ++seed) try {
             const std::uint64_t tried = seed == most ? seen.publicSeed : seed;
-            opened(list.front().sealedCode, stationKeyOf(protocols::SecretKey::ofSeed(tried)));
+            opened(code, stationKeyOf(protocols::SecretKey::ofSeed(tried)));
             return {"the secret was drawn from the number " + std::to_string(tried) +
                     " (--key-seed): whoever tries small numbers opens the station key and the allocation"};
         } catch (const protocols::Error&) {

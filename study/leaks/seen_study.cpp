@@ -288,7 +288,11 @@ private:
             if (slot >= design.participants.size() || number >= design.participants[slot].size()) continue;
             const auto& trial = design.participants[slot][number];
             labels[i] = std::to_string(trial.label);
-            fabrics[i] = m_study.fabrics.at(static_cast<std::size_t>(trial.fabric));
+            const auto fabric = static_cast<std::size_t>(trial.fabric);
+            if (fabric >= m_study.fabrics.size())
+                throw protocols::workFailed({"the study has fewer fabrics than its protocol", "study.db",
+                                             "fabrics: " + std::to_string(m_study.protocol.fabricCount), "run vis2hap verify"});
+            fabrics[i] = m_study.fabrics[fabric];
         }
         add("design of the public seed: label", std::move(labels));
         add("design of the public seed: fabric", std::move(fabrics));
@@ -391,7 +395,7 @@ SeenStudy seenStudy(const std::vector<TextTable>& database, std::size_t most)
 {
     SeenStudy study;
     eachRow(database, "study", [&](const auto& cell) {
-        study.protocol = protocols::protocolFromJson(cell("protocol_json"), "protocol of the study");
+        study.protocol = protocols::keptProtocolFromJson(cell("protocol_json"), "protocol of the study", cell("program_version"));
         const std::string seed = cell("design_seed");
         std::from_chars(seed.data(), seed.data() + seed.size(), study.publicSeed);
     });
@@ -415,6 +419,7 @@ SeenStudy seenStudy(const std::vector<TextTable>& database, std::size_t most)
                                 trayOf(cell("alternatives")), cell("instruction")});
     });
     if (study.trials.empty()) throw notAStudy("the study has no trials");
+    if (study.fabrics.empty()) throw notAStudy("the study has no fabrics");
     std::ranges::sort(study.trials, {}, [](const SeenTrial& trial) { return Place{trial.slot, trial.number}; });
     sampleSlots(study, most);
     return study;

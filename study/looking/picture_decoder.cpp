@@ -198,11 +198,32 @@ cv::Mat rgbOf(const QImage& image)
     return pixels;
 }
 
+/// HEIF or AVIF, as telephones write; Qt reads them with a plugin.
+bool isHeif(std::string_view bytes) { return bytes.substr(0, 8).ends_with("ftyp"); }
+
+bool isWebp(std::string_view bytes) { return bytes.starts_with("RIFF") && bytes.substr(0, 12).ends_with("WEBP"); }
+
+/// PBM, PGM or PPM: "P1" to "P6".
+bool isPortableMap(std::string_view bytes)
+{
+    return bytes.size() > 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6' &&
+           std::string_view(" \t\r\n#").find(bytes[2]) != std::string_view::npos;
+}
+
+/// Whether the content is of a format of photographs, whatever the name of the file says. Qt reads more: drawings that are
+/// program text, and icons.
+bool isOfPhotographs(std::string_view bytes)
+{
+    constexpr std::string_view starts[] = {jpegStart, bmpStart, "\x89PNG\r\n\x1A\n", "GIF87a", "GIF89a"};
+    return std::ranges::any_of(starts, [&](std::string_view start) { return bytes.starts_with(start); }) || isWebp(bytes) ||
+           isHeif(bytes) || isPortableMap(bytes);
+}
+
 /// The formats for a message; the formats of this computer's Qt differ with its plugins.
 std::string readableFormats()
 {
     const auto known = QImageReader::supportedImageFormats();
-    return std::string("PNG, JPEG, BMP, GIF") + (known.contains("webp") ? ", PPM or WebP" : " or PPM");
+    return std::string("PNG, JPEG, BMP, GIF") + (known.contains("webp") ? ", PPM, PGM, PBM or WebP" : ", PPM, PGM or PBM");
 }
 
 }  // namespace
@@ -211,6 +232,9 @@ cv::Mat decodeByQt(const std::filesystem::path& file)
 {
     // Qt would wait for ever where a pipe stands in the place of a picture.
     const std::string bytes = protocols::readRegularFile(file, largestPicture);
+    if (!isOfPhotographs(bytes))
+        throw protocols::badInput(
+            {"the content is of none of the formats of photographs", file.string(), readableFormats(), "convert it to PNG"});
     requireWhole(bytes, file);
     QByteArray view = QByteArray::fromRawData(bytes.data(), static_cast<qsizetype>(bytes.size()));
     QBuffer buffer(&view);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "protocols/files/svg_drawing.h"
+
 namespace study::looking {
 
 namespace {
@@ -32,9 +34,10 @@ QString labelOf(const PlotAxis& axis, double tick, double step)
 std::vector<double> ticksOf(const PlotAxis& axis, int wanted)
 {
     if (!axis.isLogarithmic) return ticksBetween(axis.low, axis.high, wanted);
-    const double step = std::max(1.0, std::ceil((axis.high - axis.low) / wanted));
+    const double step = std::max(1.0, std::ceil((axis.high - axis.low) / std::max(1, wanted)));
     std::vector<double> decades;
-    for (double decade = std::ceil(axis.low); decade <= axis.high; decade += step) decades.push_back(decade);
+    for (int i = 0; i < protocols::mostTicks && std::ceil(axis.low) + i * step <= axis.high; ++i)
+        decades.push_back(std::ceil(axis.low) + i * step);
     return decades;
 }
 
@@ -79,17 +82,20 @@ struct ValueExtent {
     std::optional<double> low, high;
 };
 
-/// Extent of all samples in the pixel column of sample `i`. Moves `i` to the first sample after this column.
+/// Extent of all samples in the pixel column of sample `i`. Moves `i` to the first sample after this column, always by at
+/// least one: a place outside the numbers of the axis has the column NaN, which equals no column.
 ValueExtent extentOfColumn(const QRectF& inside, const PlotAxis& x, const std::vector<double>& places,
                            const std::vector<double>& values, std::size_t& i)
 {
     ValueExtent extent;
     const double column = std::floor(across(inside, x, places[i]));
-    for (; i < values.size() && std::floor(across(inside, x, places[i])) == column; ++i)
+    do {
         if (std::isfinite(values[i])) {
             extent.low = std::min(extent.low.value_or(values[i]), values[i]);
             extent.high = std::max(extent.high.value_or(values[i]), values[i]);
         }
+        ++i;
+    } while (i < values.size() && std::floor(across(inside, x, places[i])) == column);
     return extent;
 }
 
@@ -140,10 +146,8 @@ double roundStep(double most)
 std::vector<double> ticksBetween(double low, double high, int wanted)
 {
     if (!(high > low)) return {low};
-    const double step = roundStep(2 * (high - low) / std::max(1, wanted));
-    std::vector<double> ticks;
-    const double first = std::ceil(low / step - 1e-9);
-    for (int i = 0; (first + i) * step <= high + 1e-9 * step; ++i) ticks.push_back((first + i) * step);
+    auto ticks = protocols::multiplesBetween(low, high, roundStep(2 * (high - low) / std::max(1, wanted)));
+    if (ticks.empty()) ticks.push_back(low);  // the axis is shorter than the digits of its numbers
     return ticks;
 }
 
@@ -209,12 +213,12 @@ void drawCurve(QPainter& painter, const QRectF& inside, const PlotAxis& x, const
     while (i < values.size()) {
         const std::size_t first = i;
         const ValueExtent extent = extentOfColumn(inside, x, places, values, i);
-        if (!extent.low) {
+        const bool isOne = i == first + 1;
+        const double at = isOne ? across(inside, x, places[first]) : std::floor(across(inside, x, places[first])) + 0.5;
+        if (!extent.low || !std::isfinite(at)) {
             before.reset();  // a gap
             continue;
         }
-        const bool isOne = i == first + 1;
-        const double at = isOne ? across(inside, x, places[first]) : std::floor(across(inside, x, places[first])) + 0.5;
         const QPointF top(at, up(inside, y, *extent.high)), bottom(at, up(inside, y, *extent.low));
         const bool isTopNearer = before && std::abs(before->y() - top.y()) < std::abs(before->y() - bottom.y());
         if (before)

@@ -1,5 +1,6 @@
 #include "study/looking/read_trace.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -17,6 +18,7 @@ using protocols::CsvTable;
 
 constexpr double missingSample = std::numeric_limits<double>::quiet_NaN();
 constexpr double leastNormalN = 0.05;  // below this load the coefficient is only noise
+constexpr double mostShown = 1e100;    // the squares of larger values are not finite
 
 std::vector<double> columnOf(const protocols::CsvTable& table, std::size_t column)
 {
@@ -67,17 +69,44 @@ void takeValues(SeenTrace& trace, const protocols::CsvTable& table, const std::s
                                "add a column with the measured quantity"});
 }
 
-/// Removes samples without a place, and samples whose place does not increase.
-void keepRising(SeenTrace& trace)
+/// Removes samples without a place, and samples whose place does not increase. `times`: time of each sample, or empty.
+void keepRising(SeenTrace& trace, std::vector<double>& times)
 {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < trace.places.size(); ++i) {
         if (!std::isfinite(trace.places[i]) || (kept > 0 && trace.places[i] <= trace.places[kept - 1])) continue;
         trace.places[kept] = trace.places[i];
+        if (!times.empty()) times[kept] = times[i];
         trace.values[kept++] = trace.values[i];
     }
+    trace.droppedRows = trace.places.size() - kept;
     trace.places.resize(kept);
     trace.values.resize(kept);
+    times.resize(std::min(times.size(), kept));
+}
+
+/// Mean rate of rising times, Hz.
+std::optional<double> rateOf(const std::vector<double>& times)
+{
+    if (times.size() < 2 || !std::is_sorted(times.begin(), times.end()) || !(times.back() > times.front())) return std::nullopt;
+    return static_cast<double>(times.size() - 1) / (times.back() - times.front());
+}
+
+/// Axes need ends, steps and rates that are finite numbers.
+void requireDrawable(const SeenTrace& trace, const std::string& where)
+{
+    const double length = trace.places.back() - trace.places.front();
+    const bool hasRates = (!trace.sampleRateHz || std::isnormal(*trace.sampleRateHz)) &&
+                          (!trace.samplesPerMm || std::isnormal(*trace.samplesPerMm));
+    if (!std::isfinite(length) || !hasRates)
+        throw protocols::badInput({"its rows lie between " + figure(trace.places.front()) + " and " +
+                                       figure(trace.places.back()) + " " + trace.placeUnit,
+                                   where, "times or places whose distance and rate are finite numbers",
+                                   "correct the column of times or places, or its unit"});
+    const auto large = std::find_if(trace.values.begin(), trace.values.end(), [](double v) { return std::abs(v) > mostShown; });
+    if (large != trace.values.end())
+        throw protocols::badInput({"contains the value " + figure(*large), where, "values up to " + figure(mostShown),
+                                   "correct the row, or name another column with --quantity"});
 }
 
 void takePlaces(SeenTrace& trace, const protocols::CsvTable& table, std::optional<double> speedMmPerS)
@@ -103,17 +132,16 @@ SeenSignal readTrace(const fs::path& file, const ReadingOptions& options)
     SeenTrace trace;
     takeValues(trace, table, options.quantity);
     takePlaces(trace, table, speed);
-    keepRising(trace);
+    const auto timeColumn = table.column("t_s");
+    std::vector<double> times = timeColumn ? columnOf(table, *timeColumn) : std::vector<double>{};
+    keepRising(trace, times);
     if (trace.places.empty())
         throw protocols::badInput({"contains no samples", file.string(), "at least one row", "record the stroke again"});
     const double gaps = static_cast<double>(trace.places.size() - 1);
     const double length = trace.places.back() - trace.places.front();
     if (trace.placeUnit == "mm" && length > 0) trace.samplesPerMm = gaps / length;
-    if (const auto time = table.column("t_s"); time && gaps > 0) {
-        const auto times = columnOf(table, *time);
-        if (times.back() > times.front())
-            trace.sampleRateHz = static_cast<double>(times.size() - 1) / (times.back() - times.front());
-    }
+    trace.sampleRateHz = rateOf(times);
+    requireDrawable(trace, file.string());
     const std::string rate = trace.sampleRateHz ? ", " + figure(*trace.sampleRateHz) + " Hz" : "";
     return {titleOf(file, place), "friction record, " + std::to_string(trace.places.size()) + " samples" + rate,
             std::move(trace)};

@@ -123,6 +123,9 @@ std::vector<std::string> warningsOf(const SeenSignal& signal, const SignalFacts&
 {
     const auto* map = std::get_if<SeenMap>(&signal.what);
     std::vector<std::string> warnings;
+    if (const std::size_t rows = map ? 0 : std::get<SeenTrace>(signal.what).droppedRows; rows > 0)
+        warnings.push_back(std::to_string(rows) + (rows == 1 ? " row is not shown: its" : " rows are not shown: their") +
+                           " time or place is missing or does not increase.");
     const double clipped = facts.clippedLowShare.value_or(0) + facts.clippedHighShare.value_or(0);
     if (!facts.min)
         warnings.emplace_back("The signal contains no numbers.");

@@ -31,9 +31,10 @@ struct SeenTrace {
     std::vector<double> values;          ///< NaN: missing
     std::string placeUnit;               ///< "mm", "s", "samples"
     std::string quantity;                ///< "coefficient of friction", or the name in the record
-    std::optional<double> sampleRateHz;  ///< mean rate
+    std::optional<double> sampleRateHz;  ///< mean rate of the samples that are shown
     std::optional<double> samplesPerMm;
     std::string whyMissing = "not a number";
+    std::size_t droppedRows = 0;  ///< rows that are not shown, because their place is missing or does not increase
 };
 
 struct SeenSignal {

@@ -11,7 +11,7 @@ std::map<std::string, std::string> readPrompts(const protocols::Protocol& protoc
     std::map<std::string, std::string> prompts;
     for (const auto& [key, name] : protocol.prompts) {
         const std::filesystem::path file = protocolFile.parent_path() / name;
-        std::string bytes = protocols::readWholeFile(file);
+        std::string bytes = protocols::readWholeFile(file, participant::largestWav);
         participant::soundFromWav(bytes, file.string());  // a recording that cannot be played must not wait for the session
         prompts[key] = std::move(bytes);
     }

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <set>
 
-#include "database/station_key.h"
+#include "database/disk/station_key.h"
 #include "database/study_store.h"
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/sha256.h"
@@ -114,7 +114,8 @@ std::map<FileCode, std::string> writeDrawnImages(const fs::path& stimuli, const 
 /// Throws where a session of the study could not show its images. All are read, so that no access tells one from another.
 void requireImages(const StudyStore& store)
 {
-    (void)rendering::StimulusBank(store.folder().stimuli(), store.stimulusHashes(), database::readStationKey(store));
+    (void)rendering::StimulusBank(store.folder().stimuli(), store.stimulusHashes(),
+                                  database::readStationKey(store.folder(), store.facts().stationKeySha256));
 }
 
 }  // namespace

@@ -132,11 +132,22 @@ Markup labelsPage(const database::StudyFacts& facts, const std::vector<LabelSet>
         // Labels of several places lie on one table after they were cut out.
         const std::string place = set.isOfOnePlace ? "<small>" + set.title + "</small>" : "";
         body += "<div class=\"sheet\"><h2>" + set.title + "</h2>\n";
-        for (const auto& [fabric, code] : set.codes) body += "<span class=\"label\"><b>" + code + "</b>" + place + "</span>";
+        for (const auto& [fabric, code] : set.codes)
+            body += "<span class=\"label\"><b>" + protocols::escapedMarkup(code) + "</b>" + place + "</span>";
         body += "</div>\n";
     }
     return page(SheetText::tr("%1: labels of the fabric pieces").arg(QString::fromStdString(facts.name)).toStdString(), body,
                 printed);
+}
+
+/// Throws workFailed for a fabric that the study does not have: somebody altered its rows.
+const std::string& nameOfFabric(const database::StudyFacts& facts, const protocols::FabricId& fabric)
+{
+    const auto found = facts.fabricNames.find(fabric);
+    if (found == facts.fabricNames.end())
+        throw protocols::workFailed({"a code stands for the fabric " + fabric.value + ", which the study does not have",
+                                     "study.db", "a fabric of the study for each code", "run vis2hap verify"});
+    return found->second;
 }
 
 Markup preparationPage(const database::StudyFacts& facts, const std::vector<LabelSet>& sets, const PrintedHead& printed)
@@ -148,8 +159,8 @@ Markup preparationPage(const database::StudyFacts& facts, const std::vector<Labe
                 tableHead(set.title,
                           {{SheetText::tr("code"), "18%"}, {SheetText::tr("id"), "20%"}, {SheetText::tr("fabric"), "auto"}});
         for (const auto& [fabric, code] : set.codes)
-            body += "<tr><td><b>" + code + "</b></td><td>" + protocols::escapedMarkup(fabric.value) + "</td><td>" +
-                    protocols::escapedMarkup(facts.fabricNames.at(fabric)) + "</td></tr>\n";
+            body += "<tr><td><b>" + protocols::escapedMarkup(code) + "</b></td><td>" + protocols::escapedMarkup(fabric.value) +
+                    "</td><td>" + protocols::escapedMarkup(nameOfFabric(facts, fabric)) + "</td></tr>\n";
         body +=
             "</table>\n" + paragraph(SheetText::tr("You also need sandpaper, silk and a second piece of one fabric, for the two "
                                                    "ends of the scale."));
@@ -282,8 +293,9 @@ Markup instructionsPage(const database::StudyStore& store, const protocols::Prot
         for (const auto& instruction : phase.instructions) {
             std::string questions;
             for (const auto& question : phase.questions) questions += (questions.empty() ? "" : ", ") + question.id.value;
-            body += "<tr><td>" + protocols::escapedMarkup(questions) + "</td><td>" + instruction.id.value + "</td><td>" +
-                    protocols::escapedMarkup(instruction.text) + "</td></tr>\n";
+            body += "<tr><td>" + protocols::escapedMarkup(questions) + "</td><td>" +
+                    protocols::escapedMarkup(instruction.id.value) + "</td><td>" + protocols::escapedMarkup(instruction.text) +
+                    "</td></tr>\n";
         }
     body += "</table>\n<h2>" + marked(SheetText::tr("Order")) + "</h2>\n<table>" +
             tableHead({}, {{SheetText::tr("place"), "20%"}, {SheetText::tr("instructions"), "auto"}});
@@ -297,7 +309,7 @@ Markup instructionsPage(const database::StudyStore& store, const protocols::Prot
             before = trial.instruction;
             if (!before.empty()) order += (order.empty() ? "" : ", ") + before.value;
         }
-        body += "<tr><td>" + std::to_string(slot.number) + "</td><td>" + order + "</td></tr>\n";
+        body += "<tr><td>" + std::to_string(slot.number) + "</td><td>" + protocols::escapedMarkup(order) + "</td></tr>\n";
     }
     return page(SheetText::tr("%1: instructions of the blocks").arg(QString::fromStdString(study)).toStdString(),
                 body + "</table>\n", printed);

@@ -42,7 +42,9 @@ int wholeIn(const nlohmann::json& json, const char* key)
 {
     constexpr std::int64_t largest = 1'000'000;
     const auto& value = json.at(key);
-    const auto whole = value.is_number_integer() ? value.get<std::int64_t>() : largest + 1;
+    // A number beyond 2^63 would become a negative one.
+    const bool isWhole = value.is_number_integer() && !(value.is_number_unsigned() && value.get<std::uint64_t>() > largest);
+    const auto whole = isWhole ? value.get<std::int64_t>() : largest + 1;
     if (whole < -largest || whole > largest)
         throw protocols::badInput({std::string(key) + " is no whole number from -1000000 to 1000000", "an instruction", "", ""});
     return static_cast<int>(whole);

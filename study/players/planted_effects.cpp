@@ -78,6 +78,8 @@ public:
             const ConditionId id = protocols::faultOf(key) ? ConditionId(key) : protocols::conditionIdFrom(key);
             if (std::ranges::find(m_protocol.conditions, id) == m_protocol.conditions.end())
                 refuse(pointer, "the study has no condition '" + key + "'", "one of " + conditions());
+            if (all.contains(id))
+                refuse(pointer, "condition '" + id.value + "' has two effects, under two spellings", "each condition once");
             all[id] = number(pointer, low - mean, high - mean);
         }
         return all;

@@ -33,8 +33,9 @@ struct PlantedEffects {
     std::set<protocols::ParticipantId> careless;  ///< answer without feeling anything: fast, always the same slot and number
 };
 
-/// Reads schema vis2hap.plant/1. Throws badInput, naming the place: unknown keys, questions and conditions, another kind of
-/// question, and means or probabilities that effects push outside the scale or 0 to 1.
+/// Reads schema vis2hap.plant/1. Throws badInput, naming the place: unknown keys, questions and conditions, a condition that is
+/// named twice (as "h&f" and "h+f"), another kind of question, and means or probabilities that effects push outside the scale or
+/// 0 to 1. Who takes part is not known here, so `careless` may name anybody.
 PlantedEffects plantedEffectsFromJson(std::string_view json, const std::string& where, const protocols::Protocol& protocol);
 
 /// Condition and fabric that a trial shows.

@@ -47,6 +47,12 @@ public:
     void follow(const database::EventRecord& record)
     {
         const EventBody body = eventFromRecord(record.kind, record.payloadJson);
+        const bool isAsked = std::holds_alternative<Presenting>(m_state.stage) || !std::holds_alternative<Answered>(body);
+        if (!isAsked || !isStamp(record.atNs))
+            throw protocols::workFailed(
+                {"the stored log is inconsistent",
+                 m_participant.value + ", event " + std::to_string(record.sequence) + " (" + record.kind + ")",
+                 "events in the order of a session", "run vis2hap verify on the study"});
         write(body, record.atNs);
         auto outcome = apply(m_plan, m_state, {body, record.atNs, EventSource::Log});
         if (auto* step = std::get_if<SessionStep>(&outcome)) m_state = std::move(step->next);
@@ -116,7 +122,9 @@ private:
     /// A script states its own time, so only stamps of people are written.
     static void addStamps(ordered_json& entry, const Presenting& asked, const AnswerStamps& stamps, std::int64_t atNs)
     {
-        const auto afterQuestion = [&](std::int64_t ago) { return static_cast<double>(atNs - ago - asked.readyAtNs) / 1e9; };
+        const auto afterQuestion = [&](std::int64_t ago) {
+            return static_cast<double>(stampOf(atNs, ago, asked.readyAtNs) - asked.readyAtNs) / 1e9;
+        };
         if (stamps.begunAgoNs && stamps.begunBy != BegunBy::Script) {
             entry["begun_seconds"] = std::max(0.0, afterQuestion(*stamps.begunAgoNs));
             entry["begun_by"] = nameOf(stamps.begunBy);

@@ -2,6 +2,7 @@
 
 #include "database/erasure.h"
 #include "database/evidence/acts.h"
+#include "database/rescue_files.h"
 #include "database/server/study_move.h"
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/safe_text.h"
@@ -12,7 +13,8 @@ namespace study::records {
 
 namespace {
 
-std::string line(const std::string& name, const std::string& value) { return name + ": " + value + "\n"; }
+/// No value, of which the database holds some, ends its line or steers a terminal.
+std::string line(const std::string& name, const std::string& value) { return name + ": " + protocols::printable(value) + "\n"; }
 
 std::string whereFound(const std::vector<std::string>& files)
 {
@@ -30,8 +32,9 @@ std::string copiesOf(const database::StudyStore& store, const protocols::Partici
     bool wasOnServer = false;
     for (const auto& act : copiesSince(store, entries.front().sequence)) {
         wasOnServer = wasOnServer || act.kind == database::serverAct;
-        text += "  " + act.kind + " " + protocols::printable(act.path) + " on " + act.host + ", " + act.wallTime + ", by " +
-                protocols::printable(act.who) + "\n";
+        text += "  " +
+                protocols::printable(act.kind + " " + act.path + " on " + act.host + ", " + act.wallTime + ", by " + act.who) +
+                "\n";
     }
     if (wasOnServer)
         text += std::string(
@@ -49,7 +52,7 @@ std::filesystem::path writeErasureCertificate(const database::StudyStore& store,
 {
     std::string text = "Certificate of erasure\n\n";
     text += line("Study", store.facts().name);
-    text += line("Participant", protocols::printable(erasure.participant.value));
+    text += line("Participant", erasure.participant.value);
     text +=
         line("Erased",
              erasure.answersToo
@@ -64,14 +67,16 @@ std::filesystem::path writeErasureCertificate(const database::StudyStore& store,
                  "the code of the participant, the number of the running order, and the times of enrolment and of "
                  "changes of its state" +
                      std::string(erasure.answersToo ? "" : "; answers and notes"));
-    text += line("Ordered by", protocols::printable(erasure.who));
-    text += line("Reason", protocols::printable(erasure.why));
+    text += line("Ordered by", erasure.who);
+    text += line("Reason", erasure.why);
     text += line("Time", record.wallTime);
     text += line("Entry of the log", std::to_string(record.event));
     text += line("Log head", textOf(store.head()));
     text += line("Files searched for " + std::to_string(record.searchedTexts) + " removed texts",
                  std::to_string(record.searchedFiles));
     text += line("Found in", whereFound(record.found));
+    for (const auto& file : database::rescueFilesOfOthers(store.folder()))
+        text += line("Rows not read, because another account owns it", file.string());
     for (const auto entry : record.interrupted)
         text += "The erasure of entry " + std::to_string(entry) +
                 " was interrupted before its search. Its texts are no longer known, so that only databases could be searched for "

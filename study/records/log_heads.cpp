@@ -4,10 +4,13 @@
 #include <cctype>
 #include <charconv>
 #include <filesystem>
+#include <set>
 #include <string_view>
+#include <utility>
 
 #include "database/evidence/acts.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/files/whole_file.h"
 
 namespace study::records {
@@ -77,31 +80,30 @@ std::optional<LogHead> headOf(const Around& found)
     return found.isHead() && fault == std::errc() ? std::optional(std::move(head)) : std::nullopt;
 }
 
-void addOnce(auto& list, auto&& value)
-{
-    if (std::ranges::find(list, value) == list.end()) list.push_back(std::forward<decltype(value)>(value));
-}
-
 GivenHeads headsInText(std::string_view text)
 {
     GivenHeads given;
+    std::set<std::pair<std::int64_t, std::string>> heads;
+    std::set<std::string> unread;
     for (std::size_t colon = text.find(':'); colon != std::string_view::npos; colon = text.find(':', colon + 1)) {
         const auto found = around(text, colon);
         if (!found) continue;
-        if (auto head = headOf(*found))
-            addOnce(given.heads, std::move(*head));
-        else if (found->seemsHead())
-            addOnce(given.unread, std::string(text.substr(found->begin, found->end - found->begin)));
+        if (auto head = headOf(*found)) {
+            if (heads.emplace(head->sequence, head->hash).second) given.heads.push_back(std::move(*head));
+        } else if (found->seemsHead()) {
+            std::string seen(text.substr(found->begin, found->end - found->begin));
+            if (unread.insert(seen).second) given.unread.push_back(std::move(seen));
+        }
     }
     return given;
 }
 
 /// Heads of the acts are given out beside those of the log, and no hash can be that of both.
-bool isAmongActs(const database::StudyStore& store, const LogHead& head)
+bool isAmong(const std::map<std::int64_t, std::string>& hashes, const LogHead& head)
 {
-    return std::ranges::any_of(chainedActsOf(store), [&](const database::ChainedAct& act) {
-        return head.sequence == 0 ? act.hash == head.hash : act.number == head.sequence && act.hash.starts_with(head.hash);
-    });
+    if (head.sequence == 0) return std::ranges::any_of(hashes, [&](const auto& act) { return act.second == head.hash; });
+    const auto act = hashes.find(head.sequence);
+    return act != hashes.end() && act->second.starts_with(head.hash);
 }
 
 }  // namespace
@@ -127,7 +129,8 @@ GivenHeads headsIn(const std::string& headOrFile)
 
 std::string headTextOf(const database::StudyStore& store)
 {
-    return store.hasLastingHead() ? textOf(store.head()) : std::string("none before the upgrade of the study");
+    if (!store.hasLastingHead()) return "none before the upgrade of the study";
+    return protocols::printable(textOf(store.head()));
 }
 
 void requireLastingHead(const database::StudyStore& store)
@@ -138,17 +141,25 @@ void requireLastingHead(const database::StudyStore& store)
                                    "open the study in the app or with replay, which upgrades it, and do it again"});
 }
 
-std::string faultAgainst(const database::StudyStore& store, const LogHead& head)
+HeadCheck::HeadCheck(const database::StudyStore& store) : m_store(store), m_last(store.head()) {}
+
+std::string HeadCheck::faultOf(const LogHead& head)
 {
-    const auto last = store.head();
-    if (head.sequence == 0 ? store.entryWithHash(head.hash).has_value() : store.hashOfEntry(head.sequence).starts_with(head.hash))
+    if (head.sequence == 0 ? m_store.entryWithHash(head.hash).has_value()
+                           : m_store.hashOfEntry(head.sequence).starts_with(head.hash))
         return {};
-    if (isAmongActs(store, head)) return {};
-    if (head.sequence > last.sequence)
-        return "the log ends at entry " + std::to_string(last.sequence) + ", and the head is entry " +
+    if (!m_hashesOfActs) {
+        m_hashesOfActs.emplace();
+        for (database::ChainedAct& act : chainedActsOf(m_store)) m_hashesOfActs->emplace(act.number, std::move(act.hash));
+    }
+    if (isAmong(*m_hashesOfActs, head)) return {};
+    if (head.sequence > m_last.sequence)
+        return "the log ends at entry " + std::to_string(m_last.sequence) + ", and the head is entry " +
                std::to_string(head.sequence) + ": entries were cut off, or an earlier database was put back";
     return "no entry of the log and no act has this hash in this place: they were cut off or written anew, or the head is that "
            "of another study";
 }
+
+std::string faultAgainst(const database::StudyStore& store, const LogHead& head) { return HeadCheck(store).faultOf(head); }
 
 }  // namespace study::records

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <optional>
 #include <set>
 #include <vector>
 
+#include "protocols/files/number_text.h"
 #include "stats/kernels/descriptive.h"
 #include "study/session/driver.h"
 
@@ -17,21 +17,17 @@ namespace study::records {
 namespace {
 
 constexpr std::size_t fewPeople = 5;
+constexpr double largestFact = 1e15;  // a larger one is no measure of a person, and its decimals are lost: it counts as a word
 
 std::optional<double> numberOf(const std::string& text)
 {
     double number = 0;
     const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool isWhole = fault == std::errc() && end == text.data() + text.size() && std::isfinite(number);
+    const bool isWhole = fault == std::errc() && end == text.data() + text.size() && std::abs(number) <= largestFact;
     return isWhole ? std::optional(number) : std::nullopt;
 }
 
-std::string oneDecimal(double number)
-{
-    char text[64];
-    std::snprintf(text, sizeof text, "%.1f", number);
-    return text;
-}
+std::string oneDecimal(double number) { return protocols::fixed(number, 1); }
 
 std::string inLowerCase(std::string text)
 {

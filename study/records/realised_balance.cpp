@@ -8,6 +8,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/orders/allocation.h"
 #include "protocols/records/anchor_trials.h"
+#include "protocols/records/trial_lists.h"
 
 namespace study::records {
 
@@ -62,7 +63,7 @@ DesignTrial designTrialOf(const protocols::BlindedTrial& trial, protocols::Ancho
         design.alternatives.push_back(known->second);
     }
     if (!trial.instruction.empty()) {
-        const auto& instructions = protocol.phases.at(static_cast<std::size_t>(trial.phase)).instructions;
+        const auto& instructions = requiredPhase(protocol, trial).instructions;
         const auto found = std::ranges::find(instructions, trial.instruction, &protocols::BlockInstruction::id);
         if (found != instructions.end()) design.instruction = static_cast<int>(found - instructions.begin());
     }
@@ -105,11 +106,14 @@ protocols::BalanceCertificate realisedBalance(const database::StudyStore& store,
 {
     const Numbers numbers = numbersOf(key);
     const auto presented = presentedTrials(answers);
+    const auto fabrics = store.facts().fabrics;
+    const std::string lists = store.folder().database().string() + ", list of ";
     protocols::Design design;
     for (const auto& enrolment : store.enrolments()) {
         const auto own = presented.find(enrolment.participant);
         if (enrolment.state == database::SlotState::Withdrawn || own == presented.end()) continue;
         const auto list = store.trials(enrolment.slot);
+        requireSoundList(list, protocol, fabrics, lists + enrolment.participant.value);
         const auto anchors = anchorsIn(list, key, protocol);
         auto& trials = design.participants.emplace_back();
         for (const int number : own->second) {

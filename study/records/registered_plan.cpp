@@ -1,6 +1,8 @@
 #include "study/records/registered_plan.h"
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
@@ -34,11 +36,20 @@ reports::PlannedDesign designOf(const protocols::Protocol& protocol, const datab
     return design;
 }
 
+/// Throws std::out_of_range for a number that no study has.
+std::size_t participantsIn(const json& plan)
+{
+    constexpr std::uint64_t most = 100'000;
+    const json& participants = plan.at("participants");
+    if (!participants.is_number_unsigned() || participants.get<std::uint64_t>() > most) throw std::out_of_range("participants");
+    return participants.get<std::size_t>();
+}
+
 reports::PlannedDesign designIn(const json& registered)
 {
     const json& plan = registered.at("plan");
     reports::PlannedDesign design;
-    design.participants = plan.at("participants");
+    design.participants = participantsIn(plan);
     for (const json& fabric : plan.at("fabrics")) design.fabricIds.push_back(fabric.at("id"));
     design.fabrics = design.fabricIds.size();
     design.conditionIds = plan.at("conditions").get<std::vector<std::string>>();
@@ -55,12 +66,17 @@ reports::PlannedDesign designIn(const json& registered)
 template <class Read>
 auto readFrom(const database::StudyStore& store, const database::PreregistrationRecord& record, const Read& read)
 {
+    const auto unreadable = [&] {
+        return protocols::workFailed({"registered plan " + std::to_string(record.number) + " cannot be read",
+                                      store.folder().folder.string(), "a plan of schema vis2hap.preregistration/1",
+                                      "see `vis2hap verify`"});
+    };
     try {
         return read(protocols::storedJson(record.json));
     } catch (const json::exception&) {
-        throw protocols::workFailed({"registered plan " + std::to_string(record.number) + " cannot be read",
-                                     store.folder().folder.string(), "a plan of schema vis2hap.preregistration/1",
-                                     "see `vis2hap verify`"});
+        throw unreadable();
+    } catch (const std::out_of_range&) {
+        throw unreadable();
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "protocols/files/csv_table.h"
 #include "protocols/files/number_text.h"
+#include "protocols/records/trial_lists.h"
 #include "study/records/stored_study.h"
 
 namespace study::records {
@@ -34,10 +35,13 @@ std::string runningOrdersCsv(const database::StudyStore& store)
     const bool instructs = hasInstructions(protocol);
     std::string text = std::string("slot,trial,questions,presentation_code,tray,minutes,sitting") +
                        (instructs ? ",instruction,deadline_seconds\n" : "\n");
-    for (const auto& slot : store.slots())
-        for (const auto& trial : store.trials(slot.number)) {
+    const std::string lists = store.folder().database().string() + ", list of slot ";
+    for (const auto& slot : store.slots()) {
+        const auto list = store.trials(slot.number);
+        requireSoundList(list, protocol, facts.fabrics, lists + std::to_string(slot.number));
+        for (const auto& trial : list) {
             std::vector<std::string> questions, tray;
-            for (const auto& question : protocol.phases[trial.phase].questions) questions.push_back(question.id.value);
+            for (const auto& question : requiredPhase(protocol, trial).questions) questions.push_back(question.id.value);
             for (const auto& fabric : trial.alternatives) tray.push_back(pieceName(facts, slot.number, fabric));
             const double minutes = (trial.number.value - 1) * protocol.secondsPerPresentation / 60;
             const int sitting = 1 + static_cast<int>(minutes / protocol.sittingMinutes);
@@ -48,6 +52,7 @@ std::string runningOrdersCsv(const database::StudyStore& store)
                 text += "," + trial.instruction.value + "," + (trial.deadlineMs ? shortest(*trial.deadlineMs / 1000.0) : "");
             text += "\n";
         }
+    }
     return text;
 }
 

@@ -13,6 +13,7 @@
 #include "protocols/files/strict_json.h"
 #include "protocols/protocol_json.h"
 #include "protocols/records/anchor_trials.h"
+#include "protocols/records/trial_lists.h"
 #include "reports/cells/finger_motion.h"
 #include "reports/json/prices_json.h"
 #include "reports/json/signals_json.h"
@@ -212,20 +213,28 @@ void readAnswers(const std::vector<database::CurrentAnswer>& answers, const prot
     data.voided = voided.size();
 }
 
-/// The samples of each analysed presentation, as speed and force.
+/// The samples of each analysed presentation, as speed and force. Damaged ones are told in a stamp.
 void readTouches(const database::StudyStore& store, const Naming& naming, reports::StudyData& data)
 {
     const std::set<std::string> analysed(data.participants.begin(), data.participants.end());
+    std::size_t unreadable = 0;
     eachFingerRecord(store, {}, [&](const database::FingerRecord& record) {
         const auto named = naming.entries.find({record.participant, record.trial});
         const bool counts = !record.voided && analysed.contains(record.participant.value) && named != naming.entries.end() &&
                             named->second.condition != protocols::catchTrialId().value &&
                             named->second.anchor == protocols::AnchorKind::None;
         if (!counts) return;
+        if (record.unreadable > 0) {
+            ++unreadable;
+            return;
+        }
         const reports::FingerMotion motion = reports::motionOf(record.samples);
         data.touches.push_back(
             {record.participant.value, named->second.condition, motion.contactSeconds, motion.speedMmPerS, motion.forceN});
     });
+    if (unreadable > 0)
+        data.stamps.push_back("The stored samples of the finger are damaged in " + reports::counted(unreadable, "presentation") +
+                              ": their speed and force are missing here, and vis2hap verify names them.");
 }
 
 void readOperatorTaps(const database::StudyStore& store, reports::StudyData& data)
@@ -326,9 +335,13 @@ std::optional<Naming> namingOf(const database::StudyStore& store, const protocol
     if (!key) return std::nullopt;
     Naming naming;
     naming.blinded = !permission;
+    const auto fabrics = store.facts().fabrics;
+    const std::string lists = store.folder().database().string() + ", list of ";
     for (const auto& enrolment : store.enrolments()) {
+        const auto list = store.trials(enrolment.slot);
+        requireSoundList(list, protocol, fabrics, lists + enrolment.participant.value);
         protocols::AnchorFinder anchors(protocol);
-        for (const auto& trial : store.trials(enrolment.slot)) {
+        for (const auto& trial : list) {
             const auto& entry = key->entryOf(trial);
             const auto anchor = anchors.next(trial, entry);
             const bool isMasked = !permission && anchor == protocols::AnchorKind::Mismatched;

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cstdarg>
+#include <cstdint>
 #include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <utility>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/files/strict_json.h"
 #include "protocols/records/balance.h"
 #include "reports/analysis/quality_flags.h"
@@ -93,15 +96,18 @@ ordered_json flagsOf(const reports::StudyData& data)
 
 __attribute__((format(printf, 1, 2))) std::string line(const char* format, ...)
 {
-    char text[600];
-    va_list arguments;
+    va_list arguments, again;
     va_start(arguments, format);
-    std::vsnprintf(text, sizeof text, format, arguments);
+    va_copy(again, arguments);
+    std::string text(static_cast<std::size_t>(std::max(0, std::vsnprintf(nullptr, 0, format, arguments))), '\0');
+    std::vsnprintf(text.data(), text.size() + 1, format, again);
+    va_end(again);
     va_end(arguments);
     return text;
 }
 
-std::string word(const ordered_json& row, const char* field) { return row[field].get<std::string>(); }
+/// A text of the study, which somebody may have altered, so that it stays in its line.
+std::string word(const ordered_json& row, const char* field) { return protocols::printable(row[field].get<std::string>()); }
 
 std::string peopleText(const ordered_json& status)
 {
@@ -158,14 +164,18 @@ std::string balanceText(const ordered_json& ranges)
 ordered_json plannedBalanceIn(const database::StudyFacts& facts)
 {
     auto planned = protocols::storedOrderedJson(facts.plannedBalance);
+    const bool isNamed = planned.is_object() && (!planned.contains("of") || planned["of"].is_string());
     // Development versions stored the balance of the study's own design.
-    if (planned.is_object() && planned.value("of", "") != protocols::balanceOfOthers)
-        planned = {{"balance", ordered_json::array()}};
-    const auto isRange = [](const ordered_json& range) {
-        return range.is_object() && range.contains("what") && range["what"].is_string() && range.contains("min") &&
-               range["min"].is_number_integer() && range.contains("max") && range["max"].is_number_integer();
+    if (isNamed && planned.value("of", "") != protocols::balanceOfOthers) planned = {{"balance", ordered_json::array()}};
+    const auto isCount = [](const ordered_json& range, const char* field) {
+        return range.contains(field) && range[field].is_number_unsigned() &&
+               std::in_range<int>(range[field].get<std::uint64_t>());
     };
-    const bool isSound = planned.is_object() && planned.contains("balance") && planned["balance"].is_array() &&
+    const auto isRange = [&](const ordered_json& range) {
+        return range.is_object() && range.contains("what") && range["what"].is_string() && isCount(range, "min") &&
+               isCount(range, "max");
+    };
+    const bool isSound = isNamed && planned.contains("balance") && planned["balance"].is_array() &&
                          std::ranges::all_of(planned["balance"], isRange);
     if (isSound) return planned;
     throw protocols::workFailed({"the planned balance of the study cannot be read", "study.db", "ranges of counts",
@@ -223,9 +233,9 @@ std::string textOf(const ordered_json& status)
         text += "balance of the presentations so far: " + word(status["why"], "balance_presented") + "\n";
     else if (!status["balance_presented"].empty())
         text += "balance of the presentations so far:\n" + balanceText(status["balance_presented"]);
-    for (const auto& stamp : status["stamps"]) text += "note: " + stamp.get<std::string>() + "\n";
+    for (const auto& stamp : status["stamps"]) text += "note: " + protocols::printable(stamp.get<std::string>()) + "\n";
     for (const auto& flag : status["quality"])
-        text += "flag: " + (flag["participant"].is_string() ? flag["participant"].get<std::string>() + " " : std::string()) +
+        text += "flag: " + (flag["participant"].is_string() ? word(flag, "participant") + " " : std::string()) +
                 word(flag, "flag") + ": " + word(flag, "why") + "\n";
     text += "log head " + word(status, "head") + "\n";
     return text;

@@ -8,6 +8,7 @@
 #include "protocols/files/utf8.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
+#include "protocols/records/trial_lists.h"
 #include "study/session/session_entry.h"
 #include "study/session/session_record.h"
 
@@ -25,6 +26,12 @@ std::string protocolTextFor(const SessionStore& store, const database::Enrolment
                                  store.folder().database().string(), "", "run vis2hap verify on the study"});
 }
 
+std::string nameOfList(const SessionStore& store, const protocols::ParticipantId& participant)
+{
+    return store.folder().database().string() + ", list of " + participant.value;
+}
+
+/// Throws workFailed where the list is not one of the protocol.
 Plan planOf(const SessionStore& store, const database::Enrolment& enrolment)
 {
     const database::StudyFacts& facts = store.facts();
@@ -33,6 +40,7 @@ Plan planOf(const SessionStore& store, const database::Enrolment& enrolment)
               store.trials(enrolment.slot),
               facts.fabricNames,
               {}};
+    requireSoundList(plan.trials, plan.protocol, facts.fabrics, nameOfList(store, enrolment.participant));
     const std::size_t slot = static_cast<std::size_t>(enrolment.slot) - 1;
     if (slot < facts.swatches.size()) plan.fabricNames = facts.swatches[slot];
     for (const database::FamiliarisationItem& item : facts.familiarisation)
@@ -200,7 +208,9 @@ void Driver::takeDueTrial()
     if (!tray || m_state.paused) return;
     protocols::BlindedTrial& trial = m_plan.trials[static_cast<std::size_t>(tray->index)];
     if (!trial.sealedCode.empty()) return;
-    trial = m_store.dueTrial(m_slot, trial.number);
+    const protocols::BlindedTrial due = m_store.dueTrial(m_slot, trial.number);
+    requireSoundTrial(due, m_plan.protocol, m_store.facts().fabrics, nameOfList(m_store, m_participant));
+    trial = due;
     if (m_display.isThere()) prefetchIfPossible(trial.sealedCode);
 }
 

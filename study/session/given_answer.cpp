@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "database/study_store.h"
+#include "protocols/json_count.h"
 
 namespace study::session {
 
@@ -122,7 +123,7 @@ GivenAnswer givenAnswerIn(const Json& payload)
     if (payload.contains("fabric")) return FabricId(payload.at("fabric").get<std::string>());
     if (payload.contains("same")) return Sameness{payload.at("same").get<bool>()};
     if (payload.contains("words")) return Words{payload.at("words").get<std::string>()};
-    return Tenths{payload.at("tenths").get<int>()};
+    return Tenths{protocols::wholeOf<int>(payload.at("tenths"))};
 }
 
 void putInto(database::AnswerRecord& record, const GivenAnswer& answer)

@@ -37,8 +37,6 @@
 // True in every state: `order` holds each trial once and once more for each void, the trials of a phase together, blocks
 // ascending. Presenting and PlacingTray concern trial order[position]. `answers` holds at most one answer to a question of a
 // trial and none of a voided presentation.
-#include <algorithm>
-
 #include "study/session/session_moves.h"
 
 namespace study::session {
@@ -117,7 +115,7 @@ struct Transition {
         if (presenting.touchedAtNs) return Refusal{"The time of the first touch is stored already."};
         Presenting touched = presenting;
         // A display may report any age. A touch before the question was shown cannot belong to it.
-        touched.touchedAtNs = std::clamp(atNs - touch.agoNs, presenting.readyAtNs, atNs);
+        touched.touchedAtNs = stampOf(atNs, touch.agoNs, presenting.readyAtNs);
         touched.touchedBy = touch.by;
         return moved(touched);
     }
@@ -296,6 +294,7 @@ Outcome applyTo(const Plan& plan, const State& state, const Event& event)
 std::variant<SessionStep, Refusal> apply(const Plan& plan, const State& state, const Event& event)
 {
     if (plan.trials.empty()) return Refusal{"The participant's list is empty."};
+    if (!isStamp(event.atNs)) return Refusal{"The time stamp of the event is outside every session."};
     return applyTo(plan, withOrder(plan, state), event);
 }
 

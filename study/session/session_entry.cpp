@@ -1,7 +1,5 @@
 #include "study/session/session_entry.h"
 
-#include <algorithm>
-
 #include "study/session/session_moves.h"
 #include "study/session/session_record.h"
 
@@ -32,11 +30,11 @@ void addStamps(AnswerRecord& record, const Presenting& asked, const AnswerStamps
 {
     const std::int64_t atNs = record.answeredAtNs;
     if (stamps.begunAgoNs) {
-        record.answerBegunAtNs = std::clamp(atNs - *stamps.begunAgoNs, asked.readyAtNs, atNs);
+        record.answerBegunAtNs = stampOf(atNs, *stamps.begunAgoNs, asked.readyAtNs);
         record.answerBegunBy = nameOf(stamps.begunBy);
     }
     if (stamps.touchEndedAgoNs && asked.touchedAtNs)
-        record.touchEndedAtNs = std::clamp(atNs - *stamps.touchEndedAgoNs, *asked.touchedAtNs, atNs);
+        record.touchEndedAtNs = stampOf(atNs, *stamps.touchEndedAgoNs, *asked.touchedAtNs);
     record.entries = stamps.entries;
 }
 

@@ -18,6 +18,7 @@ int phaseIndexAt(const Plan& plan, const State& state, int position)
 }
 
 constexpr std::int64_t minuteNs = 60LL * 1000 * 1000 * 1000;
+constexpr std::int64_t farthestStampNs = std::int64_t{1} << 61;
 
 std::optional<BreakReason> breakDueBefore(const Plan& plan, const State& state, int position, std::int64_t atNs)
 {
@@ -132,9 +133,19 @@ std::optional<protocols::Tenths> placeToName(const Plan& plan, const State& stat
     return places[static_cast<std::size_t>(training->placed % 3)];
 }
 
+bool isStamp(std::int64_t atNs) { return atNs > -farthestStampNs && atNs < farthestStampNs; }
+
+std::int64_t stampOf(std::int64_t atNs, std::int64_t agoNs, std::int64_t earliestNs)
+{
+    const std::int64_t age = std::clamp<std::int64_t>(agoNs, 0, farthestStampNs);
+    return std::max(earliestNs, atNs - age);
+}
+
 bool isRightPlace(const protocols::RatingScale& scale, protocols::Tenths shown, protocols::Tenths named)
 {
-    return std::abs(named.value - shown.value) * 20 <= scale.max.value - scale.min.value;
+    // The log of an altered study may hold any number.
+    const std::int64_t distance = std::abs(std::int64_t{named.value} - shown.value);
+    return distance * 20 <= std::int64_t{scale.max.value} - scale.min.value;
 }
 
 std::optional<std::string> faultOfAnswer(const Plan& plan, int index, int question, const GivenAnswer& answer)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -43,6 +44,13 @@ int placesInARow(const ScaleTraining& training);
 /// The next place on the line for which the participant says a number; empty where enough were right in a row, and in other
 /// stages. Places differ between participants and sittings. Every call returns the same one.
 std::optional<protocols::Tenths> placeToName(const Plan& plan, const State& state);
+
+/// Whether a clock of a session can give this time: 73 years or less from its zero, so that no difference of three such times
+/// exceeds 64 bits.
+bool isStamp(std::int64_t atNs);
+
+/// The time so many nanoseconds before `atNs`, from `earliestNs` to `atNs`. It is `earliestNs` where the clock went back.
+std::int64_t stampOf(std::int64_t atNs, std::int64_t agoNs, std::int64_t earliestNs);
 
 /// Whether the number lies within a twentieth of the line from the place: on a scale with few steps, the same step.
 bool isRightPlace(const protocols::RatingScale& scale, protocols::Tenths shown, protocols::Tenths named);

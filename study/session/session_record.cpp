@@ -4,6 +4,7 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/strict_json.h"
+#include "protocols/json_count.h"
 
 namespace study::session {
 
@@ -48,7 +49,7 @@ ChecklistDone checklistOf(const Json& payload)
 Touched touchOf(const Json& payload)
 {
     return {payload.value("by", "operator") == "display" ? TouchSource::Display : TouchSource::Operator,
-            payload.value("ago_ns", std::int64_t{0})};
+            protocols::wholeIn(payload, "ago_ns", std::int64_t{0})};
 }
 
 constexpr std::pair<BegunBy, const char*> begunByNames[] = {
@@ -57,12 +58,13 @@ constexpr std::pair<BegunBy, const char*> begunByNames[] = {
 AnswerStamps stampsIn(const Json& payload)
 {
     AnswerStamps stamps;
-    if (payload.contains("begun_ago_ns")) stamps.begunAgoNs = payload.at("begun_ago_ns").get<std::int64_t>();
+    if (payload.contains("begun_ago_ns")) stamps.begunAgoNs = protocols::wholeOf<std::int64_t>(payload.at("begun_ago_ns"));
     const std::string begunBy = payload.value("begun_by", "entry");
     for (const auto& [by, name] : begunByNames)
         if (begunBy == name) stamps.begunBy = by;
-    if (payload.contains("touch_ended_ago_ns")) stamps.touchEndedAgoNs = payload.at("touch_ended_ago_ns").get<std::int64_t>();
-    if (payload.contains("entries")) stamps.entries = payload.at("entries").get<int>();
+    if (payload.contains("touch_ended_ago_ns"))
+        stamps.touchEndedAgoNs = protocols::wholeOf<std::int64_t>(payload.at("touch_ended_ago_ns"));
+    if (payload.contains("entries")) stamps.entries = protocols::wholeOf<int>(payload.at("entries"));
     return stamps;
 }
 
@@ -84,16 +86,20 @@ struct Kind {
 /// In the order of EventBody's alternatives.
 constexpr Kind kinds[] = {
     {"sitting_started",
-     [](const Json& payload) -> EventBody { return SittingStarted{payload.value("dead_time_ns", std::int64_t{0})}; }},
+     [](const Json& payload) -> EventBody {
+         return SittingStarted{protocols::wholeIn(payload, "dead_time_ns", std::int64_t{0})};
+     }},
     {"begun", [](const Json&) -> EventBody { return Begun{}; }},
     {"consented", [](const Json& payload) -> EventBody { return Consented{enteredByIn(payload)}; }},
     {"facts_given", [](const Json& payload) -> EventBody { return factsOf(payload); }},
     {"familiarisation_shown",
-     [](const Json& payload) -> EventBody { return FamiliarisationShown{payload.at("item").get<int>()}; }},
+     [](const Json& payload) -> EventBody { return FamiliarisationShown{protocols::wholeOf<int>(payload.at("item"))}; }},
     {"familiarisation_done", [](const Json&) -> EventBody { return FamiliarisationDone{}; }},
     {"scale_placed",
      [](const Json& payload) -> EventBody {
-         return ScalePlaced{{payload.at("shown").get<int>()}, {payload.at("spoken").get<int>()}, enteredByIn(payload)};
+         return ScalePlaced{{protocols::wholeOf<int>(payload.at("shown"))},
+                            {protocols::wholeOf<int>(payload.at("spoken"))},
+                            enteredByIn(payload)};
      }},
     {"scale_training_done", [](const Json&) -> EventBody { return ScaleTrainingDone{}; }},
     {"checklist_done", [](const Json& payload) -> EventBody { return checklistOf(payload); }},

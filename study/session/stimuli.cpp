@@ -1,12 +1,12 @@
 #include "study/session/stimuli.h"
 
-#include "database/station_key.h"
+#include "database/disk/station_key.h"
 
 namespace study::session {
 
 rendering::StimulusBank stimuliOf(const database::StudyStore& store)
 {
-    return {store.folder().stimuli(), store.stimulusHashes(), readStationKey(store)};
+    return {store.folder().stimuli(), store.stimulusHashes(), readStationKey(store.folder(), store.facts().stationKeySha256)};
 }
 
 }  // namespace study::session

@@ -8,6 +8,7 @@
 #include "protocols/protocol_json.h"
 #include "protocols/random.h"
 #include "protocols/records/anchor_trials.h"
+#include "protocols/records/trial_lists.h"
 
 namespace study::simulation {
 
@@ -112,7 +113,12 @@ MemoryStudy memoryStudyOf(const database::StudyStore& store, const protocols::Al
     study.fabricNames = facts.fabricNames;
     study.swatches = facts.swatches;
     const auto station = stationKeyOf(key.secret);
-    for (const auto& slot : store.slots()) study.places.push_back(openedList(store.trials(slot.number), station));
+    const std::string lists = store.folder().database().string() + ", list of slot ";
+    for (const auto& slot : store.slots()) {
+        auto list = store.trials(slot.number);
+        requireSoundList(list, study.protocol, study.fabrics, lists + std::to_string(slot.number));
+        study.places.push_back(openedList(std::move(list), station));
+    }
     return study;
 }
 

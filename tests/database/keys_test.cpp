@@ -154,7 +154,7 @@ private Q_SLOTS:
         else
             std::ofstream(file, std::ios::app) << "\n";
         QVERIFY(errorOf([&] {
-                    station ? void(readStationKey(store))
+                    station ? void(readStationKey(store.folder(), store.facts().stationKeySha256))
                             : void(readAllocationKeyForTestDriver(store, ParticipantKind::Scripted, {}));
                 }).startsWith("1:"));
         const auto faults = findingsOfKeys(store).faults;

@@ -1,5 +1,7 @@
 // Rescue files that do not belong to the folder, or would bring back what was erased; names of the folder under which its files
 // are found; and erasures that were interrupted.
+#include <unistd.h>
+
 #include <QTemporaryDir>
 #include <QTest>
 #include <filesystem>
@@ -11,11 +13,13 @@
 #include "study/records/erasure_certificate.h"
 #include "tests/support/error_text.h"
 #include "tests/support/played_session.h"
+#include "tests/support/raw_sqlite.h"
 #include "tests/support/study_builder.h"
 
 using namespace database;
 using tests::support::errorOf;
 using tests::support::OpenSession;
+using tests::support::RawSqlite;
 
 namespace {
 
@@ -26,6 +30,21 @@ const Erasure erasureOfS01{protocols::ParticipantId("S01"), true, "Ada", "asked 
 void removeDatabase(const StudyFolder& folder)
 {
     for (const char* ending : {"", "-wal", "-shm"}) fs::remove(folder.database().string() + ending);
+}
+
+/// A view of the table's columns whose query never ends.
+void putEndlessView(const fs::path& database, const std::string& table)
+{
+    RawSqlite raw(database);
+    raw.dropTriggers();
+    std::string columns;
+    for (const std::string& name : raw.rows("SELECT name FROM pragma_table_info('" + table + "')"))
+        columns += (columns.empty() ? "i AS " : ", i AS ") + name;
+    for (const std::string& sql :
+         {std::string("PRAGMA foreign_keys = OFF"), std::string("DROP VIEW answers"), "DROP TABLE " + table,
+          "CREATE VIEW " + table + " AS WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT " + columns +
+              " FROM n WHERE i < 0"})
+        if (const std::string fault = raw.run(sql); !fault.empty()) qFatal("%s", fault.c_str());
 }
 
 void copyDatabase(const StudyFolder& folder, const fs::path& to) { StudyStore(folder, StudyStore::Access::Read).copyTo(to); }
@@ -170,6 +189,47 @@ private Q_SLOTS:
         QVERIFY(store.erase(erasureOfS01).interrupted.empty());  // the certificate has told it
         QVERIFY2(text.contains("study-rescue-1.db") && text.contains("What stays: the code of the participant"),
                  qPrintable(text));
+    }
+
+    /// A view may never end: neither the study nor a file that bears the name of a rescue file may stop a command for ever.
+    void aViewInThePlaceOfATableIsNotRead()
+    {
+        const StudyFolder folder = newStudy(5);
+        const fs::path file = folder.folder.parent_path() / "study-rescue-1.db", copy = folder.folder.parent_path() / "copy";
+        copyDatabase(folder, file);
+        fs::copy(folder.folder, copy, fs::copy_options::recursive);
+        putEndlessView(file, "study");
+        // What its other tables hold is not read, so that it counts as found.
+        for (const bool answersToo : {false, true})
+            QCOMPARE(databasesAbout("S01", answersToo, folder), std::vector<std::string>{file.string()});
+        QCOMPARE(StudyStore(folder, StudyStore::Access::Write).erase(erasureOfS01).found,
+                 std::vector<std::string>{file.string()});
+        QVERIFY(errorOf([&] { StudyStore::rescue(folder, file); }).contains("in the place of the table study"));
+
+        putEndlessView(copy / "study.db", "Notes");
+        for (const auto access : {StudyStore::Access::Read, StudyStore::Access::Write}) {
+            const QString told = errorOf([&] { StudyStore({copy}, access); });
+            QVERIFY2(told.startsWith("1:") && told.contains("in the place of the table Notes"), qPrintable(told));
+        }
+    }
+
+    /// Anybody may put a file into the folder for temporary files, or beside a study in a shared folder.
+    void filesOfOtherAccountsAreNamedAndNotOpened()
+    {
+        constexpr uid_t anotherAccount = 54321;
+        const StudyFolder folder = newStudy(5);
+        const fs::path file = folder.folder.parent_path() / "study-rescue-1.db";
+        copyDatabase(folder, file);
+        if (::chown(file.c_str(), anotherAccount, static_cast<gid_t>(-1)) != 0) QSKIP("only root can give a file away");
+        const auto outside = rescueFilesOutside(folder), ofOthers = rescueFilesOfOthers(folder);
+        QVERIFY(rescueFiles(folder).empty() && std::ranges::find(outside, file) == outside.end());
+        QVERIFY(std::ranges::find(ofOthers, file) != ofOthers.end());
+        StudyStore store(folder, StudyStore::Access::Write);
+        const auto record = store.erase(erasureOfS01);
+        QCOMPARE(record.found, std::vector<std::string>{file.string()});  // Its bytes are searched all the same.
+        const QString text = QString::fromStdString(
+            protocols::readWholeFile(study::records::writeErasureCertificate(store, erasureOfS01, record)));
+        QVERIFY2(text.contains("another account owns it: " + QString::fromStdString(file.string())), qPrintable(text));
     }
 
     void nothingIsErasedWhereTheCertificateCannotBeWritten()

@@ -54,6 +54,7 @@ StudyStore::Append answerOf(const StudyStore& store, const char* question, std::
     answer.entries = 2;
     answer.answeredAtNs = 10 * oneSecondNs;
     entry.answers.push_back(answer);
+    entry.event.payloadJson = tenths ? "{\"tenths\":" + std::to_string(*tenths) + "}" : "{\"fabric\":\"" + *answer.answer + "\"}";
     entry.storedAtNs = 10 * oneSecondNs + 100;
     return entry;
 }

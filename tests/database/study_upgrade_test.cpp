@@ -16,6 +16,7 @@
 #include "database/study_store.h"
 #include "protocols/files/canonical_bytes.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
 #include "study/records/log_heads.h"
 #include "study/records/study_faults.h"
 #include "tests/support/error_text.h"
@@ -248,6 +249,20 @@ private Q_SLOTS:
         const StudyStore upgraded(folder, Access::Write);
         QVERIFY(upgraded.hasLastingHead());
         QCOMPARE(study::records::headTextOf(upgraded), textOf(upgraded.head()));
+    }
+
+    /// A link would bring a file from elsewhere into the copies, from which the upgraded study is read.
+    void filesBehindLinksAreNotCopied()
+    {
+        const StudyFolder folder = half();
+        const fs::path elsewhere = m_place->filePath("elsewhere.txt").toStdString();
+        protocols::writeWholeFile(elsewhere, "of somebody else");
+        fs::create_symlink(elsewhere, folder.folder / "linked.txt");
+        const StudyStore reader(folder, Access::Read);
+        QVERIFY(!fs::exists(fs::symlink_status(reader.folder().folder / "linked.txt")));
+        const StudyStore upgraded(folder, Access::Write);
+        QVERIFY(fs::is_symlink(folder.folder / "linked.txt"));
+        QVERIFY(!fs::exists(fs::symlink_status(folder.beforeUpgrade() / "linked.txt")));
     }
 
     void anErasureNamesTheCopyThatStillHoldsTheAnswers()

@@ -2,6 +2,8 @@
 
 #include <QBuffer>
 #include <QImage>
+#include <QImageWriter>
+#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -26,7 +28,9 @@
 #include "study/app/drafts/protocol_draft.h"
 #include "study/looking/picture_decoder.h"
 #include "study/participant/sound/sound_lines.h"
+#include "tests/fuzz/damaged_rows.h"
 #include "tests/fuzz/inputs.h"
+#include "tests/fuzz/made_files.h"
 
 namespace fuzz {
 
@@ -55,17 +59,9 @@ void useTable(const protocols::ForeignTable& read)
 
 void readForeign(const std::string& bytes)
 {
-    for (const char* encoding : {"windows-1252", "GB18030", "UTF-16LE"})
+    for (const char* encoding : {"windows-1252", "GB18030", "UTF-16LE", "CP1258", "CP1255", "BIG5-HKSCS"})
         refusable([&] { useTable(protocols::foreignTableFrom(bytes, "a.csv", encoding)); });
     useTable(protocols::foreignTableFrom(bytes, "a.csv"));
-}
-
-/// A number of a TIFF file, the lowest byte first.
-std::string little(std::uint32_t value, int size)
-{
-    std::string bytes;
-    for (int i = 0; i < size; ++i) bytes += static_cast<char>(value >> 8 * i & 0xff);
-    return bytes;
 }
 
 /// An uncompressed RGB image of 4 x 3 pixels.
@@ -93,17 +89,20 @@ std::string colourTiff(std::uint32_t bits)
     return file;
 }
 
-std::string pictureBytes(const char* format)
+std::string pictureBytes(const char* format, QImage::Format kind = QImage::Format_RGB888, bool isProgressive = false)
 {
     QImage image(24, 16, QImage::Format_RGB888);
     for (int y = 0; y < image.height(); ++y)
         for (int x = 0; x < image.width(); ++x) image.setPixel(x, y, qRgb(x * 10, y * 15, (x ^ y) * 8));
+    image = image.convertToFormat(kind);
     image.setDotsPerMeterX(5906);
     image.setDotsPerMeterY(5906);
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
-    if (!image.save(&buffer, format)) throw std::runtime_error("Qt cannot write this format");
+    QImageWriter writer(&buffer, format);
+    writer.setProgressiveScanWrite(isProgressive);
+    if (!writer.write(image)) throw std::runtime_error("Qt cannot write this format");
     return bytes.toStdString();
 }
 
@@ -175,11 +174,32 @@ void readCloth(const fs::path& file)
     check.likenessOf(check.score(picture));
 }
 
+/// The bytes of a queue, which is made once.
+const std::string& soundQueue(const fs::path& folder)
+{
+    static const std::string sound = [&folder] {
+        fs::create_directories(folder);
+        const database::StudyFolder place{folder};
+        {
+            database::AnswerQueue queue(place);
+            for (int entry = 0; entry < 3; ++entry) queue.put({0, "P01", "human", R"({"kind":"answered","payload":"{}"})"});
+            queue.keepSeen({"a study", {7, std::string(64, 'a')}, 5});
+            queue.keepEnrolled("P01");
+        }
+        std::ifstream in(place.queue(), std::ios::binary);
+        return std::string{std::istreambuf_iterator<char>(in), {}};
+    }();
+    return sound;
+}
+
+/// The bytes are a queue, or behind a "+" rows of a sound one.
 void readQueue(const fs::path& folder, const std::string& bytes)
 {
     const database::StudyFolder place{folder};
     for (const char* ending : {"", "-wal", "-shm"}) fs::remove(place.queue().string() + ending);
-    put(place.queue(), bytes);
+    const auto rows = contentToPack(bytes);
+    put(place.queue(), rows ? soundQueue(folder / "sound") : bytes);
+    if (rows) changeRows(place.queue(), *rows);
     database::AnswerQueue queue(place);
     for (int taken = 0; taken < 4; ++taken) {
         const auto entry = queue.first();
@@ -195,24 +215,12 @@ void readQueue(const fs::path& folder, const std::string& bytes)
     for (const std::string& code : queue.enrolledHere()) require(code.size() <= 64, "a code that is too long was read");
 }
 
-std::string soundQueue(const fs::path& folder)
-{
-    fs::create_directories(folder);
-    const database::StudyFolder place{folder};
-    {
-        database::AnswerQueue queue(place);
-        for (int entry = 0; entry < 3; ++entry) queue.put({0, "P01", "human", R"({"kind":"answered","payload":"{}"})"});
-        queue.keepSeen({"a study", {7, std::string(64, 'a')}, 5});
-        queue.keepEnrolled("P01");
-    }
-    std::ifstream in(place.queue(), std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
 void readReply(const std::string& bytes)
 {
     const std::string where = "postgresql://a@b/lab?study=x";
     const auto reply = database::replyFrom(bytes, where);
+    const std::chrono::system_clock::time_point asked{std::chrono::seconds(1'767'225'600)};  // 2026
+    (void)database::clockAheadOf(reply, asked, asked + std::chrono::milliseconds(250));
     refusable([&] { (void)database::headFrom(reply, where); });
     refusable([&] { (void)database::entryNumberFrom(reply, where); });
     refusable(
@@ -244,19 +252,36 @@ std::vector<std::string> soundReplies()
         "{" + places +
             R"(,"stations":[{"station":"left","login":"hand","program":"vis2hap 0.6.0","participant":null,"live":true,"queue_length":0,"last_seen_seconds":1}],)" +
             head + "}",
-        R"({"event":7,)" + head + "}"};
+        R"({"event":7,)" + head + "}",
+        R"({"event":7,"now":"2026-01-01T00:00:01.250Z",)" + head + "}",
+        R"({"refused":{"code":"VH101","parts":["the slot is taken","P01","another one"]},)" + head + "}",
+        "{" + places +
+            R"(,"stations":[],"owed":[{"station":"left","participant":"P01","queue_length":3},)"
+            R"({"station":"right","queue_length":1}],)" +
+            head + "}",
+        R"({"slot":1,"state":"started","protocol_version":1,"protocol_json":"{\"schema\":\"vis2hap.protocol/1\"}",)"
+        R"("swatches":{},"trials":[],"events":[],)" +
+            head + "}",
+        R"({"name":"a","protocol_json":"{}","protocol_sha256":"00","has_passphrase":false,)"
+        R"("dataset_procedural":true,"stamps":["a"],)"
+        R"("created_at":"","made_with_program":"","fabrics":[],"familiarisation":[],"protocol_version":3,)" +
+            head + "}"};
 }
 
 void readDraft(const std::string& bytes)
 {
     using namespace study::app;
     ProtocolDraft draft = ProtocolDraft::fromText(bytes, "a.json");
-    for (const char* place : {"name", "fabrics", "fabrics[0]", "phases[1].scale.min", "phases[0].questions", "prompts.wait"}) {
+    for (const char* place : {"name", "fabrics", "fabrics[0]", "phases[1].scale.min", "phases[0].questions", "prompts.wait",
+                              "phases[foo", "[99999999999999999999]"}) {
         (void)draft.typedAt(place);
         (void)draft.countAt(place);
         for (const FieldKind kind : {FieldKind::Text, FieldKind::Number, FieldKind::Lines}) draft.setTyped(place, kind, "4,5\nb");
         draft.erase(place);
     }
+    ProtocolDraft emptied = draft;
+    for (const auto& [key, value] : draft.document().items()) require(emptied.eraseKey("", key), "a key was not removed");
+    require(emptied.document().empty(), "a key is left");
     (void)filesBeside(draft);
     makeImageFoldersAbsolute(draft, "/tmp");
     if (ProtocolDraft::fromText(draft.fileText(), "b.json") != draft) throw std::runtime_error("a draft is not read as written");
@@ -285,7 +310,7 @@ std::vector<Reader> foreignReaders(const fs::path& folder)
          {"fabric;thickness\nLinen;0,45\nCotton;1,2\n", "sep=;\nfabric;n\n\"a;b\";=1+1\n",
           "\xEF\xBB\xBF"
           "a\tb\r1\t2\r",
-          "Stoff;L\xE4nge\nWolle;1,5\n", "\xB2\xBC\xC1\xCF;a\n\xC3\xDE;1\n",
+          "Stoff;L\xE4nge\nWolle;1,5\n", "a;b\n1;\xE2", "a;b\n1;\xF9", "a;b\n1;\x88\x66", "\xB2\xBC\xC1\xCF;a\n\xC3\xDE;1\n",
           std::string("\xFF\xFE"
                       "a\0,\0b\0\n\0"
                       "1\0,\0"
@@ -293,10 +318,15 @@ std::vector<Reader> foreignReaders(const fs::path& folder)
                       18)},
          readForeign},
         {"colour-tiff",
-         {colourTiff(8), colourTiff(16)},
+         {},
          [tiff](const std::string& bytes) {
              put(tiff, bytes);
              require(rendering::readColourTiff(tiff).channels() % 2 == 1, "neither grey nor RGB");
+         },
+         [tiff] {
+             std::vector<std::string> corpus{colourTiff(8), colourTiff(16)};
+             for (std::string& more : colourTiffs(tiff)) corpus.push_back(std::move(more));
+             return corpus;
          }},
         {"picture",
          {},
@@ -305,7 +335,15 @@ std::vector<Reader> foreignReaders(const fs::path& folder)
              require(study::looking::decodeByQt(picture).type() == CV_8UC3, "another kind of picture");
          },
          [] {
-             return std::vector<std::string>{pictureBytes("JPG"), pictureBytes("BMP"), pictureBytes("PPM"), pictureWithExif()};
+             std::vector<std::string> corpus{pictureBytes("JPG"),
+                                             pictureBytes("BMP"),
+                                             pictureBytes("PPM"),
+                                             pictureBytes("XPM"),
+                                             pictureWithExif(),
+                                             pictureBytes("JPG", QImage::Format_Grayscale8),
+                                             pictureBytes("JPG", QImage::Format_RGB888, true)};
+             for (std::string& more : drawnPictures()) corpus.push_back(std::move(more));
+             return corpus;
          }},
         {"stated-resolution",
          {},
@@ -342,7 +380,12 @@ std::vector<Reader> foreignReaders(const fs::path& folder)
         {"answer-queue",
          {},
          [station](const std::string& bytes) { readQueue(station, bytes); },
-         [folder] { return std::vector<std::string>{soundQueue(folder / "sound-queue")}; }},
+         [station] {
+             std::vector<std::string> corpus{soundQueue(station / "sound")};
+             for (const std::string& rows : rowsOf(database::StudyFolder{station / "sound"}.queue()))
+                 corpus.push_back("+" + rows);
+             return corpus;
+         }},
         {"server-reply", soundReplies(), readReply},
         {"sound-said",
          {R"({"ready":"Speakers"})", R"({"voice":"en","no_voice":"a","fault":"\u001b[0m"})"},
@@ -352,7 +395,10 @@ std::vector<Reader> foreignReaders(const fs::path& folder)
         {"draft",
          {R"({"schema":"vis2hap.protocol/1","name":"a","fabrics":["F01","F02"],"phases":[{"questions":["Q1"],"images":"x"},{"scale":{"min":0}}],"prompts":{"wait":"wait.wav"}})"},
          readDraft},
-        {"results-file", {R"({"schema":"vis2hap.results/2","study":{"simulated":true}})"}, [results](const std::string& bytes) {
+        {"results-file",
+         {R"({"schema":"vis2hap.results/2","study":{"simulated":true}})",
+          R"({"a":1,"schema":"x","schema":"vis2hap.results/2","b":[[[[[[[[[[{"a":{},"a":[]}]]]]]]]]]]})"},
+         [results](const std::string& bytes) {
              put(results, bytes);
              (void)reports::isResultsFile(results);
          }}};

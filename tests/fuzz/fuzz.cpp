@@ -13,8 +13,8 @@
 // the long runs.
 //
 // A reader may return or refuse with protocols::Error. A crash, a report of a sanitizer, any other exception, and an input that
-// takes more than 5 s of the processor or 60 s in all (pauses do not count) end the run with exit code 1. The input is kept, and
-// its name is printed.
+// takes more than 5 s of the processor, 60 s in all (pauses do not count) or 3 GB end the run with exit code 1. The input is
+// kept, and its name is printed.
 #include <fcntl.h>
 #include <sanitizer/common_interface_defs.h>
 #include <sys/time.h>
@@ -33,12 +33,14 @@
 #include <optional>
 #include <sstream>
 #include <thread>
+#include <utility>
 
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/temporary_folder.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/random.h"
+#include "tests/fuzz/changed_json.h"
 #include "tests/fuzz/coverage.h"
 #include "tests/fuzz/readers.h"
 #include "tests/support/mutated_files.h"
@@ -118,7 +120,7 @@ Outcome outcomeOf(const fuzz::Reader& reader, const std::string& bytes)
     return outcome;
 }
 
-/// A member of the corpus, perhaps with a part of another one, after some mutations.
+/// A member of the corpus, perhaps with a part of another one, after a change of its JSON or some mutations of its bytes.
 std::string nextInput(const std::vector<std::string>& corpus, std::size_t largest, protocols::Random& random)
 {
     std::string text = corpus[random.below(corpus.size())];
@@ -127,7 +129,13 @@ std::string nextInput(const std::vector<std::string>& corpus, std::size_t larges
         const std::size_t from = random.below(other.size() + 1);
         text = text.substr(0, random.below(text.size() + 1)) + other.substr(from);
     }
-    text = mutated_files::mutated(text, random);
+    bool isChanged = false;
+    if (random.below(4) == 0) {
+        std::string changed = fuzz::withChangedJson(text, random);
+        isChanged = changed != text && random.below(2) == 0;
+        text = std::move(changed);
+    }
+    if (!isChanged) text = mutated_files::mutated(text, random);
     if (text.size() > largest) text.resize(largest);
     return text;
 }
@@ -290,10 +298,10 @@ std::optional<Call> callFrom(const std::vector<std::string>& words)
 
 }  // namespace
 
-// A huge request of memory is a fault of the reader: std::bad_alloc ends the run.
+// A huge request of memory is a fault of the reader, and so are many small ones: both end the run.
 extern "C" const char* __asan_default_options()
 {
-    return "max_allocation_size_mb=1024:allocator_may_return_null=1:handle_abort=1:detect_leaks=0";
+    return "max_allocation_size_mb=1024:hard_rss_limit_mb=3072:allocator_may_return_null=1:handle_abort=1:detect_leaks=0";
 }
 
 extern "C" const char* __ubsan_default_options() { return "print_stacktrace=1"; }

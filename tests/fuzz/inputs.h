@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -17,6 +18,13 @@ inline void put(const std::filesystem::path& file, const std::string& bytes)
 inline void require(bool isSo, const char* fault)
 {
     if (!isSo) throw std::runtime_error(fault);
+}
+
+/// What a reader has to compress, seal or hash by itself before it reads it: the input behind a first sign "+". A checksum or a
+/// seal refuses every other change, so that nothing behind it would be reached. Empty for an input that is read as it is.
+inline std::optional<std::string> contentToPack(const std::string& input)
+{
+    return input.starts_with('+') ? std::optional(input.substr(1)) : std::nullopt;
 }
 
 }  // namespace fuzz

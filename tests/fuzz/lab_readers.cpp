@@ -1,6 +1,9 @@
 #include "tests/fuzz/lab_readers.h"
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -8,8 +11,10 @@
 #include "database/server/server_address.h"
 #include "protocols/files/sha256.h"
 #include "protocols/protocol_json.h"
+#include "rendering/response/response_drawing.h"
 #include "rendering/response/response_file.h"
 #include "rendering/response/response_table.h"
+#include "rendering/signals/tactile/calibration.h"
 #include "study/players/planted_effects.h"
 #include "tests/fuzz/inputs.h"
 
@@ -57,8 +62,19 @@ void readResponse(const std::string& bytes)
 {
     const auto response = rendering::responseFromJson(hashedAgain(bytes), "response.json");
     require(response.range() > 0, "a response without a range was taken");
+    rendering::responseDrawing(response);
     const auto again = rendering::responseFromJson(rendering::responseJson(response), "response.json");
     require(again.friction == response.friction, "a response is not read as it was written");
+}
+
+rendering::DisplayResponse responseTo(const std::vector<rendering::FrictionAtLevel>& measurements)
+{
+    auto response = rendering::fitResponse(measurements, "table.csv");
+    response.setting = {
+        .display = "Our display", .finger = "index finger", .date = "2026-05-04", .loadN = 0.5, .speedMmPerS = 20};
+    response.source = "table.csv";
+    response.sourceSha256 = std::string(64, 'a');
+    return response;
 }
 
 rendering::DisplayResponse soundResponse()
@@ -66,12 +82,58 @@ rendering::DisplayResponse soundResponse()
     std::vector<rendering::FrictionAtLevel> measurements;
     for (const int repeat : {0, 1})
         for (int level = 0; level <= 255; level += 15) measurements.push_back({level, 0.2 + level * 0.001 + repeat * 0.002});
-    auto response = rendering::fitResponse(measurements, "table.csv");
-    response.setting = {
-        .display = "Our display", .finger = "index finger", .date = "2026-05-04", .loadN = 0.5, .speedMmPerS = 20};
-    response.source = "table.csv";
-    response.sourceSha256 = std::string(64, 'a');
-    return response;
+    return responseTo(measurements);
+}
+
+/// A response whose friction changes by one unit of rounding, and one of the smallest numbers.
+std::vector<std::string> nearlyFlatResponses()
+{
+    auto response = soundResponse();
+    std::fill(response.friction.begin(), response.friction.end(), 0.5);
+    response.friction.back() = std::nextafter(0.5, 1);
+    const std::string rounded = rendering::responseJson(response);
+    std::fill(response.friction.begin(), response.friction.end(), 0);
+    for (auto& level : response.measured) level = {level.level, level.count, 0, 0, {}, {}, {}};
+    response.friction.back() = std::numeric_limits<double>::denorm_min();
+    return {rounded, rendering::responseJson(response)};
+}
+
+const std::string network =
+    R"({"schema":"vis2hap.calibration/1","kind":"network","light":"own","channels":1,"by_place":false,"light_scale":2,)"
+    R"("sizes":[1,2,2],"weights":[[1,2,3,4],[5,6,7,8,9,10]],"mm_per_pixel":0.1,"high_pass_cutoff_mm":null,"zero_percentile":2})";
+
+/// A calibration of each kind with and without places, of a colour sensor and of lamps, with the look of its sensor.
+std::vector<std::string> calibrations()
+{
+    using namespace rendering::signals;
+    std::vector<std::string> texts{network};
+    for (const int channels : {1, 3}) {
+        const std::vector<double> gains(static_cast<std::size_t>(channels), 0.5);
+        Calibration calibration;
+        calibration.channels = channels;
+        calibration.map = LinearMap{{gains, gains}, {0.1, -0.1}};
+        calibration.mmPerPixel = 0.05;
+        calibration.highPassCutoffMm = 4;
+        texts.push_back(toJson(calibration));
+        for (const bool byPlace : {false, true}) {
+            const std::vector<double> factors(monomials(channels + (byPlace ? 2 : 0), 2).size(), 0.25);
+            calibration.map = PolynomialMap{2, byPlace, 4, {factors, factors}};
+            calibration.light = byPlace ? LightMeasure::AgainstOwnLight : LightMeasure::AgainstReference;
+            texts.push_back(toJson(calibration));
+        }
+        const auto fields = static_cast<std::size_t>(SensorAppearance::columns * SensorAppearance::rows * channels);
+        calibration.sensor = SensorAppearance{64, 48, std::vector<double>(fields, 0.5)};
+        texts.push_back(toJson(calibration));
+    }
+    return texts;
+}
+
+/// What is read is written and read again without a difference.
+void readCalibrationText(const std::string& bytes)
+{
+    const auto calibration = rendering::signals::calibrationFromJson(bytes, "c.json");
+    require(rendering::signals::calibrationFromJson(toJson(calibration), "c.json") == calibration,
+            "a calibration is not read as it was written");
 }
 
 /// The address of a study, and the same of the address that is made from it.
@@ -92,19 +154,26 @@ std::vector<Reader> labReaders(const fs::path& folder)
     const fs::path table = folder / "levels.csv", station = folder / "station";
     fs::create_directories(station);
     return {
+        {"calibration", calibrations(), readCalibrationText},
         {"plant",
          {R"({"schema":"vis2hap.plant/1","comment":"a","choices":{"Q1":{"right":0.4,"effects":{"h&f":0.4}}},"ratings":{"Q2":{)"
-          R"("mean":4.5,"effects":{"h&f":2.5,"v_grey":-1},"sd":1,"person_sd":0,"fabric_sd":2}},"careless":["SIM05"]})"},
+          R"("mean":4.5,"effects":{"h&f":2.5,"v_grey":-1},"sd":1,"person_sd":0,"fabric_sd":2}},"careless":["SIM05"]})",
+          R"({"schema":"vis2hap.plant/1","choices":{"Q1":{"right":0.4,"effects":{"h&f":0.4,"h+f":-0.3}}}})"},
          readPlant},
-        {"display-response", {rendering::responseJson(soundResponse())}, readResponse},
+        {"display-response",
+         {rendering::responseJson(soundResponse()), nearlyFlatResponses().front(), nearlyFlatResponses().back()},
+         readResponse},
         {"response-table",
          {"level,friction\n0,0.21\n50,0.25\n100,0.31\n150,0.42\n200,0.5\n255,0.61\n",
-          "Pegel;Kraft;sweep\n0;0,1;1\n60;0,12;1\n128;0,2;1\n200;0,25;1\n255;0,3;1\n255;0,3;2\n0;0,1;2\n"},
+          "Pegel;Kraft;sweep\n0;0,1;1\n60;0,12;1\n128;0,2;1\n200;0,25;1\n255;0,3;1\n255;0,3;2\n0;0,1;2\n",
+          "level,friction\n0,0.5\n60,0.5\n120,0.5\n200,0.5\n255,0.5000000000000001\n0,0.5\n60,0.5\n120,0.5\n200,0.5\n"
+          "255,0.5000000000000001\n"},
          [table](const std::string& bytes) {
              put(table, bytes);
              const auto read = rendering::readResponseTable(table, {}, 0.5);
-             const auto fitted = rendering::fitResponse(read.measurements, "levels.csv");
+             const auto fitted = responseTo(read.measurements);
              require(fitted.range() > 0, "a response without a range was fitted");
+             rendering::responseDrawing(fitted);
          }},
         {"server-note",
          {R"({"schema":"vis2hap.on-server/1","address":"postgresql://a@b:5432/lab?study=x","station":"left","token":")" +

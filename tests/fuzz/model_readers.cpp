@@ -14,6 +14,7 @@
 #include "rendering/models/training_curves.h"
 #include "rendering/models/training_table.h"
 #include "study/making/image_folder.h"
+#include "tests/fuzz/inputs.h"
 
 namespace fuzz {
 
@@ -41,47 +42,80 @@ ModelCardFields seeingCard()
     return card;
 }
 
+/// The header as a text, which need not be what tensorFileBytes() writes.
+std::string tensorFileWith(const std::string& header, const std::string& numbers)
+{
+    std::string bytes;
+    for (int i = 0; i < 8; ++i) bytes += static_cast<char>(header.size() >> 8 * i & 0xff);
+    return bytes + header + numbers;
+}
+
+const std::vector<TensorKind>& threeKinds()
+{
+    static const std::vector<TensorKind> kinds{{"a", Element::F32, {2, 3}}, {"b", Element::F16, {5}}, {"step", Element::I64, {}}};
+    return kinds;
+}
+
+std::vector<StoredTensor> threeTensors()
+{
+    std::vector<StoredTensor> stored;
+    for (const TensorKind& kind : threeKinds()) stored.push_back({kind, std::string(byteCount(kind), '\1')});
+    return stored;
+}
+
+/// Behind a "+" the header alone: it gets its length and the numbers here.
+void readTensors(const std::string& bytes, const TensorSource& source)
+{
+    const auto header = contentToPack(bytes);
+    const std::string file = header ? tensorFileWith(*header, std::string(42, '\1')) : bytes;
+    tensorMetadata(file, source);
+    parseTensorFile(file, threeKinds(), source);
+}
+
+constexpr const char* tensorHeader =
+    R"(+{"__metadata__":{"format":"x","nested":"{\"a\":[1,{\"b\":null}]}"},)"
+    R"("step":{"dtype":"I64","shape":[],"data_offsets":[0,8]},)"
+    R"("a":{"dtype":"F32","shape":[2,3],"data_offsets":[8,32]},"b":{"dtype":"F16","shape":[5],"data_offsets":[32,42]}})";
+
 std::vector<Reader> tensorReaders(const fs::path& folder)
 {
-    const TensorKind kind{"a", Element::F32, {2, 3}};
-    const std::vector<StoredTensor> stored{{kind, std::string(24, '\0')}};
+    const std::vector<StoredTensor> stored = threeTensors();
     const fs::path model = folder / "m.safetensors", checkpoint = folder / "m.checkpoint";
     const TensorSource source{model, "weights", "train again"};
     Checkpoint state;
     state.fingerprint = "run";
     state.validationBefore = R"({"height":0.5})";
     writeCheckpoint(checkpoint, state, stored);
-    return {
-        {"tensors",
-         {tensorFileBytes({{{"format", "x"}}, stored})},
-         [kind, source](const std::string& bytes) {
-             tensorMetadata(bytes, source);
-             parseTensorFile(bytes, {kind}, source);
-         }},
-        {"model-card",
-         {cardText(ModelCardFields{}), cardText(seeingCard())},
-         [model](const std::string& bytes) {
-             write(cardOf(model), bytes);
-             readModelCardFields(model);
-         }},
-        {"checkpoint",
-         {read(checkpoint)},
-         [checkpoint, kind](const std::string& bytes) {
-             write(checkpoint, bytes);
-             const Checkpoint found = readCheckpoint(checkpoint, "run", {kind}).state;
-             if (found.step < 0 || found.bestStep < 0 || !std::isfinite(found.elapsedS))
-                 throw std::runtime_error("a run with an impossible state was read");
-         }},
-        {"training-table", {"step,height,friction\n100,0.5,\n200,0.25,inf\n", "step\n7\n"}, [folder](const std::string& bytes) {
-             write(folder / "losses.csv", bytes);
-             TrainingTable table = readTrainingTable(folder / "losses.csv");
-             const std::string text = csvText(table);
-             curvesSvg(table, table);
-             write(folder / "losses.csv", text);
-             if (csvText(readTrainingTable(folder / "losses.csv")) != text)
-                 throw std::runtime_error("a table is not read as it was written");
-             table.dropAfter(100);
-         }}};
+    return {{"tensors",
+             {tensorFileBytes({{{"format", "x"}}, stored}), tensorHeader},
+             [source](const std::string& bytes) { readTensors(bytes, source); }},
+            {"model-card",
+             {cardText(ModelCardFields{}), cardText(seeingCard())},
+             [model](const std::string& bytes) {
+                 write(cardOf(model), bytes);
+                 readModelCardFields(model);
+             }},
+            {"checkpoint",
+             {read(checkpoint)},
+             [checkpoint](const std::string& bytes) {
+                 write(checkpoint, bytes);
+                 const Checkpoint found = readCheckpoint(checkpoint, "run", threeKinds()).state;
+                 if (found.step < 0 || found.bestStep < 0 || !std::isfinite(found.elapsedS))
+                     throw std::runtime_error("a run with an impossible state was read");
+             }},
+            {"training-table",
+             {"step,height,friction\n100,0.5,\n200,0.25,inf\n", "step\n7\n", "step,a\n1,0.3\n2,0.30000000000000004\n",
+              "step,a\n1,1e17\n2,1.0000000000000002e17\n", "step,a,b,c\n1,-1e308,5e-324,1e-300\n2,1e308,0,1e300\n"},
+             [folder](const std::string& bytes) {
+                 write(folder / "losses.csv", bytes);
+                 TrainingTable table = readTrainingTable(folder / "losses.csv");
+                 const std::string text = csvText(table);
+                 curvesSvg(table, table);
+                 write(folder / "losses.csv", text);
+                 if (csvText(readTrainingTable(folder / "losses.csv")) != text)
+                     throw std::runtime_error("a table is not read as it was written");
+                 table.dropAfter(100);
+             }}};
 }
 
 // ------------------------------------------------------------------ files between the program and vis2hap-nn
@@ -137,6 +171,8 @@ void readWholeAnswer(const fs::path& exchange)
         if (!std::isfinite(sum)) throw std::runtime_error("an answer that is not finite was read");
         if (!answer.heightMm.empty() && !(answer.heightMmPerPixel > 0))
             throw std::runtime_error("a height without a scale was read");
+        if (!answer.trace.empty() && !(answer.meanFriction > 0 && answer.meanFriction < 1e3 && answer.traceMmPerSample > 0))
+            throw std::runtime_error("a trace without friction or step was read");
         if (const auto& interval = answer.photograph.meanFriction;
             interval && !(0 < interval->low && interval->low <= interval->high))
             throw std::runtime_error("an interval that is none was read");
@@ -148,6 +184,10 @@ Reader exchangeReader(const std::string& name, const fs::path& file, void (*read
 {
     const std::string sound = read(file);
     std::vector<std::string> corpus{sound};
+    for (const std::string_view part : {"\"mean_friction\":", "\"height_mm_per_pixel\":", "\"trace_mm_per_sample\":"})
+        if (const std::size_t at = sound.find(part); at != std::string::npos)
+            for (const char* other : {"-", "1e300,\"x\":", "1e-300,\"x\":"})
+                corpus.push_back(std::string(sound).insert(at + part.size(), other));
     if (file.extension() == ".npy")
         for (const char* other : {"photo1.npy", "height0.npy", "trace0.npy"}) corpus.push_back(read(file.parent_path() / other));
     return {name, std::move(corpus), [file, sound, readFolder](const std::string& bytes) {

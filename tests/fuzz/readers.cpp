@@ -13,6 +13,7 @@
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/id_rule.h"
+#include "protocols/files/number_text.h"
 #include "protocols/files/safe_text.h"
 #include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
@@ -21,20 +22,27 @@
 #include "protocols/secrets/sealing.h"
 #include "rendering/composition/earlier_render.h"
 #include "rendering/display/driver_messages.h"
+#include "rendering/display/stimulus_bank.h"
 #include "rendering/fabrics/dataset_json.h"
 #include "rendering/fabrics/friction_record.h"
+#include "rendering/fabrics/recordings/friction_preparation.h"
 #include "rendering/fabrics/recordings/friction_tables.h"
+#include "rendering/fabrics/recordings/import_friction.h"
 #include "rendering/fabrics/recordings/instrument_texts.h"
+#include "rendering/fabrics/recordings/record_text.h"
 #include "rendering/fabrics/sample_places.h"
 #include "rendering/images/image_io.h"
 #include "rendering/images/image_png.h"
 #include "rendering/images/image_tiff.h"
 #include "rendering/images/true_map.h"
 #include "rendering/signals/spectrogram_file.h"
-#include "rendering/signals/tactile/calibration.h"
 #include "study/players/script.h"
+#include "tests/fuzz/answer_readers.h"
 #include "tests/fuzz/foreign_readers.h"
+#include "tests/fuzz/inputs.h"
 #include "tests/fuzz/lab_readers.h"
+#include "tests/fuzz/made_files.h"
+#include "tests/fuzz/made_png.h"
 #include "tests/fuzz/model_readers.h"
 #include "tests/fuzz/number_readers.h"
 #include "tests/fuzz/page_readers.h"
@@ -50,8 +58,6 @@ namespace {
 namespace fs = std::filesystem;
 using protocols::Sync;
 
-void put(const fs::path& file, const std::string& bytes) { std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes; }
-
 std::string bytesOf(const fs::path& file)
 {
     std::ifstream in(file, std::ios::binary);
@@ -66,11 +72,6 @@ void use(const cv::Mat& image)
     for (int row = 0; row < image.rows; ++row)
         for (std::size_t byte = 0; byte < static_cast<std::size_t>(image.cols) * image.elemSize(); ++byte)
             sum = sum + image.ptr<unsigned char>(row)[byte];
-}
-
-void use(const std::vector<rendering::fabrics::RawRecord>& records)
-{
-    if (records.empty()) throw std::runtime_error("no record was read and none was refused");
 }
 
 cv::Mat ramp(int type)
@@ -106,14 +107,14 @@ const std::string smallScript =
 const std::string smallKey = R"({"schema":"vis2hap.allocation-key/2","secret":")" + std::string(64, '7') +
                              R"(","entries":{"a1":{"fabric":"F01","condition":"h&f","label":"K1"}}})";
 
+const std::string olderKey =
+    R"({"schema":"vis2hap.allocation-key/1","entries":{"a1":{"fabric":"F01","condition":"h&f","label":"K1"},)"
+    R"("a2":{"fabric":"F02","condition":"f","label":"K2"}}})";
+
 const std::string smallDataset =
     R"({"schema":"vis2hap.dataset/1","name":"d","fabrics":[{"id":"F01","name":"a","structure":"b","fibre":"wool"}],)"
     R"("camera":{"mm_per_pixel":0.05},"tactile":{"mm_per_pixel":0.1,"calibration":"known"},)"
     R"("friction":{"sample_rate_hz":60,"speed_mm_per_s":5,"length_mm":40},"pairing":"weak","procedural":true,"licence":"x"})";
-
-const std::string network =
-    R"({"schema":"vis2hap.calibration/1","kind":"network","light":"own","channels":1,"by_place":false,"light_scale":2,)"
-    R"("sizes":[1,2,2],"weights":[[1,2,3,4],[5,6,7,8,9,10]],"mm_per_pixel":0.1,"high_pass_cutoff_mm":null,"zero_percentile":2})";
 
 const std::string smallRender =
     R"({"schema":"vis2hap.render/1","dataset":"d","conditions":{"h":{"range":{"min":0,"max":1},"mapping":"x","images":["F01"],)"
@@ -186,6 +187,38 @@ void readFingerText(const std::string& bytes)
     if (!again || again->size() != samples->size()) throw std::runtime_error("samples are not read as they were written");
 }
 
+void readKey(const std::string& text)
+{
+    try {
+        protocols::olderKeyEntriesFromJson(text, "k.json");
+    } catch (const protocols::Error&) {
+    }
+    protocols::allocationKeyFromJson(text, "k.json");
+}
+
+/// Reads the text of a key behind its passphrase, as it reads an open one.
+void readSealedKey(const std::string& bytes)
+{
+    constexpr std::string_view passphrase = "four words of mine";
+    const auto content = contentToPack(bytes);
+    const std::string sealed =
+        content ? protocols::sealWithPassphrase(passphrase, *content, protocols::PassphraseCost::ForTests) : bytes;
+    const auto opened = protocols::openWithPassphrase(passphrase, sealed, "k.json");
+    require(!content || opened == content, "a sealed key gives another text");
+    if (opened) readKey(*opened);
+}
+
+void readSealedStimulus(const protocols::SecretKey& key, const std::string& sound, const std::string& bytes)
+{
+    const auto content = contentToPack(bytes);
+    const std::string sealed = content ? protocols::seal(key, *content, "code") : bytes;
+    const auto opened = protocols::open(key, sealed, "code");
+    require(!content || opened == content, "a sealed stimulus gives another one");
+    if (!opened) return;
+    require(content || *opened == sound, "an altered stimulus was opened");
+    use(rendering::openedStimulus(key, sealed, "code", "code.sealed"));
+}
+
 Reader imageReader(const std::string& name, const fs::path& file, std::vector<std::string> corpus)
 {
     return {name, std::move(corpus), [file](const std::string& bytes) {
@@ -198,7 +231,7 @@ std::vector<Reader> textReaders()
 {
     const auto paper = protocols::protocolFromJson(protocols::paperProtocolJson(), "the paper's protocol");
     const auto key = protocols::SecretKey::ofHex(std::string(64, '7'), "key");
-    const std::string content(400, 'x');
+    const std::string stimulus = rendering::pgmBytes(ramp(CV_8UC1));
     return {
         {"json",
          {smallProtocol, smallScript, R"({"a/b":[1,-0.5e3,"\u00e4\\",null,true]})",
@@ -216,32 +249,28 @@ std::vector<Reader> textReaders()
              protocols::protocolFromJson(bytes, "p.json");
          }},
         {"script", {smallScript}, [paper](const std::string& bytes) { study::players::scriptFromJson(bytes, "s.json", paper); }},
-        {"key",
-         {smallKey},
-         [](const std::string& bytes) {
-             try {
-                 protocols::olderKeyEntriesFromJson(bytes, "k.json");
-             } catch (const protocols::Error&) {
-             }
-             protocols::allocationKeyFromJson(bytes, "k.json");
-         }},
+        {"key", {smallKey, olderKey}, readKey},
         {"sealed-key",
-         {protocols::sealWithPassphrase("four words of mine", smallKey, protocols::PassphraseCost::ForTests)},
-         [](const std::string& bytes) { protocols::openWithPassphrase("four words of mine", bytes, "k.json"); }},
+         {"+" + smallKey, protocols::sealWithPassphrase("four words of mine", smallKey, protocols::PassphraseCost::ForTests),
+          "+" + olderKey},
+         readSealedKey},
         {"sealed-stimulus",
-         {protocols::seal(key, content, "code")},
-         [key, content](const std::string& bytes) {
-             const auto opened = protocols::open(key, bytes, "code");
-             if (opened && *opened != content) throw std::runtime_error("an altered stimulus was opened");
-         }},
-        {"dataset", {smallDataset}, [](const std::string& bytes) { rendering::fabrics::datasetFromJson(bytes, "d.json"); }},
-        {"calibration", {network}, [](const std::string& bytes) { rendering::signals::calibrationFromJson(bytes, "c.json"); }},
+         {"+" + stimulus, protocols::seal(key, stimulus, "code"), "+P5\n# c\n2 2\n255\n1234"},
+         [key, stimulus](const std::string& bytes) { readSealedStimulus(key, stimulus, bytes); }},
+        {"dataset",
+         {smallDataset,
+          R"({"schema":"vis2hap.dataset/1","fabrics":[{"id":"F01"},{"id":"F02","surface_in_mm":false,"fibre":null}]})",
+          R"({"schema":"vis2hap.dataset/1","fabrics":[{"id":"F01","fibre":"cotton"}],"pairing":"aligned",)"
+          R"("surface":{"free":true},)"
+          R"("camera":{"mm_per_pixel":null},"tactile":{"mm_per_pixel":null,"calibration":"sensor.json"},"friction":{}})"},
+         [](const std::string& bytes) { rendering::fabrics::datasetFromJson(bytes, "d.json"); }},
         {"render", {smallRender}, [](const std::string& bytes) { rendering::joined(smallRender, bytes, "render.json"); }},
         {"driver",
          {R"({"type":"hello","id":1,"schema":"vis2hap.display/1","name":"x","width":1280,"height":800,"touches":true})",
           R"({"type":"shown","id":2,"t_device":1.5})", R"({"type":"failed","id":3,"why":"x"})",
           R"({"type":"finger","id":2,"at_s":1.5,"x_mm":31.2,"y_mm":20.05,"force_n":0.42})",
-          R"({"type":"finger","id":2,"at_s":null,"x_mm":-1e4,"y_mm":null,"force_n":1e999})", R"({"type":"finger","id":7.0})"},
+          R"({"type":"finger","id":2,"at_s":null,"x_mm":-1e4,"y_mm":null,"force_n":1e999})", R"({"type":"finger","id":7.0})",
+          R"({"type":"shown","id":2,"id":3,"volts":{"a":[1],"a":2}})"},
          readDriverLine},
         {"finger-text", {"0,3120,2005,420;50,12,,-3;60,,,", "0,,,;1,2147483647,-9,"}, readFingerText},
         {"true-map", {tests::support::trueMapBytes(heights())}, [](const std::string& bytes) {
@@ -255,19 +284,77 @@ std::vector<Reader> imageReaders(const fs::path& folder)
     rendering::writePng(folder / "deep.png", ramp(CV_16UC3), Sync::Later);
     rendering::writeTiff(folder / "height.tiff", heights(), Sync::Later);
     rendering::writeNpy(folder / "array.npy", heights(), Sync::Later);
-    return {imageReader("png", folder / "a.png", {bytesOf(folder / "grey.png"), bytesOf(folder / "deep.png")}),
-            imageReader("tiff", folder / "a.tiff", {bytesOf(folder / "height.tiff")}),
+    std::vector<std::string> pngs{bytesOf(folder / "grey.png"), bytesOf(folder / "deep.png")};
+    for (const std::string& parts : partsOfPngs()) pngs.push_back("+" + parts);
+    std::vector<std::string> tiffs{bytesOf(folder / "height.tiff")};
+    for (std::string& more : greyTiffs(folder / "a.tiff")) tiffs.push_back(std::move(more));
+    return {{"png", std::move(pngs),
+             [file = folder / "a.png"](const std::string& bytes) {
+                 const auto parts = contentToPack(bytes);
+                 put(file, parts ? pngOf(*parts) : bytes);
+                 use(rendering::readImage(file));
+             }},
+            imageReader("tiff", folder / "a.tiff", std::move(tiffs)),
             imageReader("npy", folder / "a.npy", {bytesOf(folder / "array.npy")}),
             imageReader("pgm", folder / "a.pgm", {rendering::pgmBytes(ramp(CV_8UC1)), "P5\n# c\n2 2\n65535\n12345678"})};
 }
 
 using RecordReader = std::vector<rendering::fabrics::RawRecord> (*)(const fs::path&, const rendering::fabrics::FrictionOptions&);
 
-Reader recordReader(const std::string& name, const fs::path& file, std::vector<std::string> corpus, RecordReader reader)
+/// Goes on as an import does. What it accepts, it must write so that the data set can be read again.
+void importInto(rendering::fabrics::Dataset dataset, const rendering::fabrics::RawRecord& record)
 {
-    return {name, std::move(corpus), [file, reader](const std::string& bytes) {
+    using namespace rendering::fabrics;
+    constexpr std::size_t mostSamples = 50'000;  // More take seconds with sanitizers.
+    const PreparedRecord prepared = prepare(record, {});
+    const FrictionRecording stated = recordingOf(record, prepared, dataset.friction);
+    if (prepared.values.size() > mostSamples) return;
+    dataset.friction = stated;
+    const protocols::FabricId fabric = dataset.fabrics.front().id;
+    put(samplePath(dataset, fabric, Modality::Friction, 0), frictionCsv(prepared, record.quantity));
+    try {
+        const FrictionRecording again = datasetFromJson(toJson(dataset), "d.json").friction;
+        require(again.sampleRateHz == stated.sampleRateHz && again.speedMmPerS == stated.speedMmPerS &&
+                    again.lengthMm == stated.lengthMm,
+                "dataset.json states another recording");
+        const FrictionRecord read = readFriction(dataset, fabric, 0);
+        require(read.values.size() == prepared.values.size(), "another number of samples is read again");
+        require(std::abs(read.sampleRateHz * prepared.stepS - 1) < 0.01, "another sample rate is read again");
+        for (std::size_t i = 0; i < read.values.size(); ++i) {
+            const double load = prepared.evenNormalN.empty() ? 1 : prepared.evenNormalN[i];
+            require(read.values[i] == prepared.values[i] / load, "another value is read again");
+        }
+    } catch (const protocols::Error& fault) {
+        throw std::runtime_error("an imported record is refused where it is read again: " + std::string(fault.what()));
+    }
+}
+
+/// Number of lines that begin with a number and a tab, below the first line that begins with `header`.
+std::size_t numericRows(const std::string& bytes, std::string_view header)
+{
+    const std::string text = rendering::fabrics::asUtf8(bytes);
+    std::size_t count = 0;
+    bool isBelow = false;
+    for (const std::string_view line : rendering::fabrics::linesOf(text)) {
+        const std::string_view first = line.substr(0, line.find('\t'));
+        if (isBelow && first.size() < line.size() && protocols::numberIn(first)) ++count;
+        isBelow = isBelow || first == header;
+    }
+    return count;
+}
+
+/// `header`: first cell of the header rows of an instrument whose rows must all be in the records; empty for tables.
+Reader recordReader(const std::string& name, const fs::path& file, std::vector<std::string> corpus, RecordReader reader,
+                    const rendering::fabrics::Dataset& dataset, const std::string& header = {})
+{
+    return {name, std::move(corpus), [file, reader, dataset, header](const std::string& bytes) {
                 put(file, bytes);
-                use(reader(file, {}));
+                const auto records = reader(file, {});
+                require(!records.empty(), "no record was read and none was refused");
+                std::size_t rows = 0;
+                for (const auto& record : records) rows += record.timeS.size();
+                require(header.empty() || rows >= numericRows(bytes, header), "a row of numbers is in no record");
+                for (const auto& record : records) importInto(dataset, record);
             }};
 }
 
@@ -279,18 +366,22 @@ std::vector<Reader> recordReaders(const fs::path& folder)
     const std::string header = bytesOf(spectrogram), values = bytesOf(folder / "s.npy");
     Dataset dataset = datasetFromJson(smallDataset, "d.json");
     dataset.folder = folder;
+    fs::create_directories(samplePath(dataset, dataset.fabrics.front().id, Modality::Friction, 0).parent_path());
     return {
         recordReader("friction-csv", folder / "a.csv",
                      {recordText("t_s,normal_n,tangential_n", 3, ','), recordText("Time [ms];Fn (mN);Fx (mN);Fy (mN)", 4, ';'),
-                      "\"t_s\",\"mu\"\r\n\"0\",\"0.25\"\r\n\"0.1\",\"0.5\"\r\n0.2,0.5\r\n"},
-                     readFrictionCsv),
+                      "\"t_s\",\"mu\"\r\n\"0\",\"0.25\"\r\n\"0.1\",\"0.5\"\r\n0.2,0.5\r\n",
+                      "Zeit [ms]\tF_n (mN)\tfriction_mN\n0\t500,5\t200,25\n10\t510,5\t205,5\n25\t520\t210,5\n",
+                      "timestamp,COF (%),n\n0,25,1\n1,26.5,2\n2,27,3\n"},
+                     readFrictionCsv, dataset),
         recordReader("slide", folder / "a_F1_V-20mmps_0.csv", {recordText("timestamp, proximity1, channel1, channel2", 4, ',')},
-                     readSlide),
-        recordReader("tribometer", folder / "a.txt", {tribometer}, readTribometer),
-        recordReader("labview", folder / "a.lvm", {labview}, readLabview),
+                     readSlide, dataset),
+        recordReader("tribometer", folder / "a.txt", {tribometer}, readTribometer, dataset, "Step Time (s)"),
+        recordReader("labview", folder / "a.lvm", {labview}, readLabview, dataset, "X_Value"),
         {"samples",
          {"fabric,signal,index,x_mm,y_mm,rotation_deg,group\nF01,visual,0,908.981,739.053,-2.89,F01/visual/"
-          "0\nF01,tactile,1,3,4,,a\n"},
+          "0\nF01,tactile,1,3,4,,a\n",
+          "fabric,signal,index,x_mm,y_mm,rotation_deg,group\nF01,visual,0,,,,a\nF01,visual,0,,,,b\n"},
          [dataset](const std::string& bytes) {
              put(dataset.folder / "samples.csv", bytes);
              readSamplePlaces(dataset);
@@ -314,9 +405,9 @@ std::vector<Reader> recordReaders(const fs::path& folder)
 std::vector<Reader> allReaders(const fs::path& folder)
 {
     std::vector<Reader> readers = textReaders();
-    for (auto& more :
-         {foreignReaders(folder), imageReaders(folder), labReaders(folder), modelReaders(folder), recordReaders(folder),
-          numberReaders(folder), pageReaders(), settingsReaders(folder), shardReaders(folder), studyReaders(folder)})
+    for (auto& more : {answerReaders(folder), foreignReaders(folder), imageReaders(folder), labReaders(folder),
+                       modelReaders(folder), recordReaders(folder), numberReaders(folder), pageReaders(), settingsReaders(folder),
+                       shardReaders(folder), studyReaders(folder)})
         readers.insert(readers.end(), more.begin(), more.end());
     return readers;
 }

@@ -12,6 +12,7 @@
 #include "protocols/protocol_json.h"
 #include "protocols/records/balance.h"
 #include "protocols/records/key_json.h"
+#include "tests/support/error_text.h"
 
 using namespace protocols;
 
@@ -354,6 +355,21 @@ private Q_SLOTS:
             QVERIFY(codes.insert(code.value).second);
             QCOMPARE(codeOfAttempt(list, 5, attempt), code);
         }
+    }
+
+    /// Somebody wrote short codes into the list: every code of one letter is used, and no draw may go on for ever.
+    void aShortCodeInAnAlteredListEndsTheDraws()
+    {
+        std::vector<BlindedTrial> list;
+        for (const char letter : std::string("ACEFHJKLMNPRTUVWXY3479")) {
+            list.emplace_back();
+            list.back().number = TrialNumber{static_cast<int>(list.size())};
+            list.back().presentationCode = PresentationCode(std::string(1, letter));
+        }
+        QCOMPARE(codeOfAttempt(list, 0, 2).value.size(), std::size_t{2});
+        list[3].presentationCode = PresentationCode("");
+        const QString error = tests::support::errorOf([&] { codeOfAttempt(list, 3, 2); });
+        QVERIFY2(error.startsWith("1: the list of trials: trial 4 has no presentation code"), qPrintable(error));
     }
 };
 

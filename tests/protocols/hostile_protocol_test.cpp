@@ -314,6 +314,44 @@ private Q_SLOTS:
                  std::string("Which of the four pieces of fabric feels like the screen: A, B, C or D?"));
     }
 
+    void theNameOfANewStudyIsOneLine_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("fault");
+        QTest::newRow("German") << "Größe & Gefühl (Müller, 2026)" << QString();
+        QTest::newRow("Chinese") << QString::fromUtf8("触觉研究：第一组") << QString();
+        QTest::newRow("Arabic") << QString::fromUtf8("دراسة اللمس ١") << QString();
+        QTest::newRow("Hebrew") << QString::fromUtf8("מחקר מישוש") << QString();
+        QTest::newRow("Persian, with a joiner") << QString::fromUtf8("می\u200cخواهم") << QString();
+        QTest::newRow("1000 bytes") << QString(1000, 'a') << QString();
+        QTest::newRow("1001 bytes") << QString(1001, 'a') << "has 1001 bytes";
+        QTest::newRow("two lines") << "a\\nLog head: 9:abc"
+                                   << "holds a control character";
+        QTest::newRow("escape") << "a\\u001b[2Jb"
+                                << "holds a control character";
+        QTest::newRow("turned") << "a\\u202egnuos"
+                                << "holds an invisible character";
+        QTest::newRow("blanks") << "  "
+                                << "is empty";
+    }
+
+    /// The name stands in titles, certificates and on terminals. A study that has another one already can still be read.
+    void theNameOfANewStudyIsOneLine()
+    {
+        QFETCH(const QString, name);
+        QFETCH(const QString, fault);
+        std::string json = ratingsOf({"Q1"});
+        json.replace(json.find("hostile"), 7, name.toStdString());
+        const QStringList expected =
+            fault.isEmpty()
+                ? QStringList()
+                : QStringList{"name: " + fault +
+                              ", expected one line of 1 to 1000 bytes of UTF-8 without control or invisible characters"};
+        QCOMPARE(faultsIn(json), expected);
+        QCOMPARE(checkedProtocol(json, "study.json").faults.size(), static_cast<std::size_t>(expected.size()));
+        for (const char* version : {"0.5.0", "0.6.0"}) QVERIFY(!keptProtocolFromJson(json, "a study", version).name.empty());
+    }
+
     void theEditionFollowsTheVersion_data()
     {
         QTest::addColumn<QString>("version");

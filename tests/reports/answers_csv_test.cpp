@@ -1,6 +1,7 @@
 // Answers collected elsewhere: the values that are read, and the message of each fault.
 #include "reports/data/answers_csv.h"
 
+#include <QElapsedTimer>
 #include <QTemporaryDir>
 #include <QTest>
 #include <fstream>
@@ -219,6 +220,68 @@ private Q_SLOTS:
         QVERIFY_EXCEPTION_THROWN(
             reports::readAnswersCsv(written(folder, "subject,fabric,render,hit\nS1,F1,a,1\nS1,F1,b,0\n"), options),
             protocols::Error);
+    }
+
+    /// A wrong --map makes a question of every row. The wide table would then have the square of the rows as cells.
+    /// Its wide table would have no column at all.
+    void aHeaderOfQuestionsAloneIsNoTableOfAnswers()
+    {
+        QTemporaryDir folder;
+        for (const char* header : {"question,rating\n", "question\n", "question,answer,seconds\n"})
+            QVERIFY_THROWS_EXCEPTION(protocols::Error, reports::readAnswersCsv(written(folder, header)));
+    }
+
+    void aColumnOfOtherValuesIsNoQuestion()
+    {
+        const auto rowsOf = [](int questions) {
+            std::string text = "participant,fabric,condition,question,rating\n";
+            for (int i = 0; i < questions; ++i) text += "P" + std::to_string(i) + ",F1,a,R" + std::to_string(i) + ",3\n";
+            return text;
+        };
+        QTemporaryDir folder;
+        QCOMPARE(reports::readAnswersCsv(written(folder, rowsOf(200))).questions.size(), std::size_t{200});
+        try {
+            reports::readAnswersCsv(written(folder, rowsOf(201)));
+            QFAIL("201 questions were read");
+        } catch (const protocols::Error& error) {
+            for (const char* part : {"more than 200 different values", "line 202", "--map question=COLUMN"})
+                QVERIFY2(QString(error.what()).contains(part), error.what());
+        }
+    }
+
+    void theWideTableHasALimit()
+    {
+        std::string text = "participant,fabric,condition,question,rating\n";
+        for (int i = 0; i < 20'000; ++i) text += "P" + std::to_string(i) + ",F1,a,R" + std::to_string(i % 200) + ",3\n";
+        QTemporaryDir folder;
+        try {
+            reports::readAnswersCsv(written(folder, text));
+            QFAIL("a table of 20 million cells was made");
+        } catch (const protocols::Error& error) {
+            for (const char* part : {"20000 rows and 1003 columns", "questions: 200", "at most 20000000 cells"})
+                QVERIFY2(QString(error.what()).contains(part), error.what());
+        }
+    }
+
+    /// Names are looked up, not searched: the time grows with the rows, not with their square.
+    void manyNamesAreReadQuickly()
+    {
+        std::string text = "participant,fabric,condition,session,instruction,Q2\n", other = text;
+        for (int i = 0; i < 40'000; ++i) {
+            const std::string number = std::to_string(i);
+            text += "participant " + number + ",fabric " + number + ",condition " + number + ",1,one,5\n";
+            other += "P1,F1,a," + number + ",instruction " + number + ",5\n";
+        }
+        QTemporaryDir folder;
+        QElapsedTimer timer;
+        timer.start();
+        const auto data = reports::readAnswersCsv(written(folder, text));
+        QCOMPARE(data.participants.size(), std::size_t{40'000});
+        QCOMPARE(data.participants.back(), std::string("participant 39999"));
+        const auto sessions = reports::readAnswersCsv(written(folder, other));
+        QVERIFY(sessions.responses.back().sitting == 40'000);
+        QCOMPARE(sessions.questions[0].instructions.size(), std::size_t{40'000});
+        QVERIFY2(timer.elapsed() < 8000, qPrintable(QString::number(timer.elapsed())));
     }
 
     void missingFileIsBadInput() { QVERIFY_EXCEPTION_THROWN(reports::readAnswersCsv("/nowhere/answers.csv"), protocols::Error); }

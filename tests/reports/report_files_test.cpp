@@ -9,6 +9,7 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/foreign/foreign_table.h"
+#include "protocols/files/strict_json.h"
 #include "reports/json/results_json.h"
 #include "reports/json/signals_json.h"
 #include "reports/write_report.h"
@@ -68,6 +69,22 @@ private Q_SLOTS:
         QCOMPARE(Json::parse(textOf(report / "results.json")), resultsOf(richStudy()));
         QCOMPARE(entriesOf(report),
                  (QStringList{"figures", "index.html", "reproduce", "results.json", "statistics.json", "tables"}));
+    }
+
+    /// Anything may lie in the place of an earlier report.
+    void onlyWhatCanBeReadIsTakenForAnEarlierReport()
+    {
+        const fs::path file = path("results.json");
+        const std::string begin = R"({"schema":"vis2hap.results/2","a":)";
+        const auto isTaken = [&](const std::string& text) {
+            std::ofstream(file, std::ios::binary) << text;
+            return reports::isResultsFile(file);
+        };
+        QVERIFY(isTaken(begin + "[[1]]}"));
+        QVERIFY(!isTaken(begin + std::string(150, '[') + std::string(150, ']') + "}"));
+        QVERIFY(!isTaken("no JSON"));
+        QVERIFY(!isTaken(begin + "1}" + std::string(protocols::largestJson, ' ')));
+        QVERIFY(!reports::isResultsFile(path("missing")) && !reports::isResultsFile(file.parent_path()));
     }
 
     void figuresAreWellFormedAndWithoutOverlap()

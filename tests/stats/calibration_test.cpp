@@ -239,7 +239,7 @@ private Q_SLOTS:
         QCOMPARE(kept.size(), std::size_t(20));
         kept.begin()->second[0] = {77, 7, 0};
         options.finished = [](const std::string&, const auto&) { QFAIL("counted again"); };
-        options.counted = [&](const std::string& truth) { return kept.at(truth); };
+        options.counted = [&](const std::string& truth, std::size_t) { return kept.at(truth); };
         const auto again = stats::claimCalibration(options);
         QCOMPARE(again.size(), rows.size());
         QCOMPARE(std::ranges::count_if(again, [](const auto& row) { return row.result.studies == 77; }), 1);

@@ -53,4 +53,16 @@ private:
     sqlite3* m_connection = nullptr;
 };
 
+/// Gives a study a name that earlier versions took, for instance of two lines.
+inline void renameAsBefore(const std::filesystem::path& database, const std::string& name)
+{
+    std::string quoted;
+    for (const char c : name) quoted += c == '\'' ? std::string("''") : std::string(1, c);
+    RawSqlite sqlite(database);
+    sqlite.dropTriggers();
+    const std::string fault = sqlite.run("UPDATE study SET name = '" + quoted +
+                                         "', protocol_json = json_set(protocol_json, '$.name', '" + quoted + "')");
+    if (!fault.empty()) throw std::runtime_error(fault);
+}
+
 }  // namespace tests::support

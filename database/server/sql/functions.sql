@@ -157,6 +157,11 @@ BEGIN
 END
 $$;
 
+-- A reading of a clock in ns, as sessions take it: 73 years at most.
+CREATE OR REPLACE FUNCTION @schema@.server_stamp(object jsonb, name text, may_be_null boolean DEFAULT false,
+                                                 place text DEFAULT '') RETURNS bigint LANGUAGE sql AS
+$$ SELECT @schema@.server_whole(object, name, may_be_null, place, -2305843009213693951, 2305843009213693951) $$;
+
 CREATE OR REPLACE FUNCTION @schema@.server_yes(object jsonb, name text, place text DEFAULT '') RETURNS bigint
     LANGUAGE plpgsql AS $$
 BEGIN
@@ -747,6 +752,29 @@ BEGIN
 END
 $$;
 
+-- How many samples of the finger the text holds, as database/disk/finger_text.h writes it; NULL where it is another text. Times
+-- and values are sums of the changes, and no sum exceeds 2^40.
+CREATE OR REPLACE FUNCTION @schema@.server_finger_count(samples text) RETURNS bigint LANGUAGE plpgsql IMMUTABLE AS $$
+DECLARE
+    farthest CONSTANT bigint := 1099511627776;
+    number bigint;
+BEGIN
+    IF samples !~ '^0(,(-?[0-9]{1,13})?){3}(;[0-9]{1,13}(,(-?[0-9]{1,13})?){3})*$' THEN RETURN NULL; END IF;
+    SELECT CASE WHEN bool_and(greatest(sums.at, abs(sums.x), abs(sums.y), abs(sums.force), sums.largest) <= farthest)
+                THEN count(*) END
+    INTO number
+    FROM (
+        SELECT sum(c.part[1]) OVER so_far AS at, sum(c.part[2]) OVER so_far AS x, sum(c.part[3]) OVER so_far AS y,
+               sum(c.part[4]) OVER so_far AS force,
+               greatest(abs(c.part[1]), abs(c.part[2]), abs(c.part[3]), abs(c.part[4])) AS largest
+        FROM (
+            SELECT s.rank, string_to_array(s.sample, ',', '')::bigint[] AS part
+            FROM unnest(string_to_array(samples, ';')) WITH ORDINALITY s(sample, rank)) c
+        WINDOW so_far AS (ORDER BY c.rank ROWS UNBOUNDED PRECEDING)) sums;
+    RETURN number;
+END
+$$;
+
 -- The row of an answer, as rowOf() in database/study_writing.cpp makes it, without its id and event.
 CREATE OR REPLACE FUNCTION @schema@.server_response(its @schema@.participants, answer jsonb, stored_at bigint, place text)
     RETURNS @schema@.responses LANGUAGE plpgsql AS $$
@@ -763,18 +791,24 @@ BEGIN
     made.alternatives := @schema@.server_text(answer, 'alternatives', 100000, false, place);
     made.choice := @schema@.server_text(answer, 'choice', 1000, true, place);
     made.rating_tenths := @schema@.server_whole(answer, 'rating_tenths', true, place, -2147483648, 2147483647);
-    made.ready_at := @schema@.server_whole(answer, 'ready_at', false, place);
-    made.touched_at := @schema@.server_whole(answer, 'touched_at', true, place);
+    made.ready_at := @schema@.server_stamp(answer, 'ready_at', false, place);
+    made.touched_at := @schema@.server_stamp(answer, 'touched_at', true, place);
     made.touched_by := nullif(@schema@.server_text(answer, 'touched_by', 64, true, place), '');
-    made.touch_ended_at := @schema@.server_whole(answer, 'touch_ended_at', true, place);
-    made.answer_begun_at := @schema@.server_whole(answer, 'answer_begun_at', true, place);
+    made.touch_ended_at := @schema@.server_stamp(answer, 'touch_ended_at', true, place);
+    made.answer_begun_at := @schema@.server_stamp(answer, 'answer_begun_at', true, place);
     made.answer_begun_by := nullif(@schema@.server_text(answer, 'answer_begun_by', 64, true, place), '');
-    made.answered_at := @schema@.server_whole(answer, 'answered_at', false, place);
-    made.entries := @schema@.server_whole(answer, 'entries', true, place, -2147483648, 2147483647);
+    made.answered_at := @schema@.server_stamp(answer, 'answered_at', false, place);
+    made.entries := @schema@.server_whole(answer, 'entries', true, place, 0, 2147483647);
     made.is_correction := @schema@.server_yes(answer, 'is_correction', place);
     made.stored_at := stored_at;
     IF (made.choice IS NULL) = (made.rating_tenths IS NULL) THEN
         PERFORM @schema@.server_wrong_field(place || 'choice', 'either a choice or rating_tenths, the other null');
+    END IF;
+    IF made.touched_by NOT IN ('display', 'operator') THEN
+        PERFORM @schema@.server_wrong_field(place || 'touched_by', 'display, operator or null');
+    END IF;
+    IF made.answer_begun_by NOT IN ('entry', 'spoken', 'script') THEN
+        PERFORM @schema@.server_wrong_field(place || 'answer_begun_by', 'entry, spoken, script or null');
     END IF;
     PERFORM @schema@.server_require_released(its.id, made.trial);
     SELECT * INTO planned FROM @schema@.trials t WHERE t.slot = its.slot AND t.number = made.trial;
@@ -785,6 +819,11 @@ BEGIN
         PERFORM @schema@.server_wrong_field(place || 'question', 'a question of the presentation''s phase');
     END IF;
     made.attempt := @schema@.server_attempt(its.id, made.trial);
+    -- After a void the station draws another code, of the same letters.
+    IF (made.attempt = 1 AND made.presentation_code <> planned.presentation_code)
+       OR (made.attempt > 1 AND made.presentation_code !~ '^[A-Z0-9]+$') THEN
+        PERFORM @schema@.server_wrong_field(place || 'presentation_code', 'the code that the presentation has');
+    END IF;
     SELECT * INTO first FROM @schema@.responses r
     WHERE r.participant = its.id AND r.trial = made.trial AND r.attempt = made.attempt AND r.question = made.question
     ORDER BY r.id LIMIT 1;
@@ -804,6 +843,12 @@ BEGIN
         RAISE EXCEPTION USING ERRCODE = 'VH208', MESSAGE = 'this answer is stored already',
             DETAIL = 'one answer to a question: ' || its.id || ', trial ' || made.trial || ', ' || made.question,
             HINT = 'take the participant up again';
+    -- One clock stamps a presentation: a session that was interrupted presents the trial again.
+    ELSIF made.ready_at > made.answered_at OR made.touched_at NOT BETWEEN made.ready_at AND made.answered_at
+          OR made.touch_ended_at NOT BETWEEN coalesce(made.touched_at, made.ready_at) AND made.answered_at
+          OR made.answer_begun_at NOT BETWEEN made.ready_at AND made.answered_at THEN
+        PERFORM @schema@.server_wrong_field(place || 'answered_at',
+                                            'stamps in the order of ready_at, touched_at, answer_begun_at and answered_at');
     END IF;
     RETURN made;
 END
@@ -857,6 +902,26 @@ BEGIN
         VALUES (its_participant, item ->> 0, item ->> 1, item ->> 2)
         ON CONFLICT ON CONSTRAINT participant_facts_pkey DO UPDATE SET value = excluded.value, salt = excluded.salt;
     END LOOP;
+END
+$$;
+
+-- Whether the payload of an event tells this answer: givenAnswerIn() in study/session/given_answer.cpp. Of a key that occurs
+-- twice the last value counts. Texts that PostgreSQL cannot store are no answer.
+CREATE OR REPLACE FUNCTION @schema@.server_is_told(payload text, r @schema@.responses) RETURNS boolean
+    LANGUAGE plpgsql IMMUTABLE AS $$
+DECLARE
+    told json := payload;
+BEGIN
+    IF r.is_correction = 1 AND told ->> 'question' IS DISTINCT FROM r.question THEN RETURN false; END IF;
+    RETURN coalesce(CASE
+        WHEN told -> 'fabric' IS NOT NULL THEN json_typeof(told -> 'fabric') = 'string' AND told ->> 'fabric' = r.choice
+        WHEN told -> 'same' IS NOT NULL THEN
+            json_typeof(told -> 'same') = 'boolean'
+            AND r.choice = CASE told ->> 'same' WHEN 'true' THEN 'same' ELSE 'different' END
+        WHEN told -> 'words' IS NOT NULL THEN json_typeof(told -> 'words') = 'string' AND told ->> 'words' = r.choice
+        ELSE json_typeof(told -> 'tenths') = 'number' AND told ->> 'tenths' = r.rating_tenths::text END, false);
+EXCEPTION
+    WHEN data_exception THEN RETURN false;
 END
 $$;
 
@@ -916,10 +981,25 @@ BEGIN
         PERFORM @schema@.server_wrong_field('event.payload', 'the text of a JSON object');
     END IF;
     sitting := @schema@.server_whole(event, 'sitting', false, 'event.', 0, whole_number);
-    at_ns := @schema@.server_whole(event, 'at_ns', false, 'event.');
+    at_ns := @schema@.server_stamp(event, 'at_ns', false, 'event.');
     wall_time := @schema@.server_text(event, 'wall_time', 64, false, 'event.');
+    IF @schema@.server_fault_of_line(wall_time, 64) <> '' THEN
+        PERFORM @schema@.server_wrong_field('event.wall_time', 'one line without control or invisible characters');
+    END IF;
     claimed_earlier := @schema@.server_whole(entry, 'after', false, '', 0);
-    stored_at := @schema@.server_whole(entry, 'stored_at');
+    stored_at := @schema@.server_stamp(entry, 'stored_at');
+    -- Many samples take a while to count, so this comes before the lock.
+    part := @schema@.server_part(entry, 'finger', 'object');
+    IF part IS NOT NULL THEN
+        finger.trial := @schema@.server_whole(part, 'trial', false, 'finger.', 1, whole_number);
+        finger.began_at := @schema@.server_stamp(part, 'began_at', false, 'finger.');
+        finger.count := @schema@.server_whole(part, 'count', false, 'finger.', 1, whole_number);
+        finger.left_out := @schema@.server_whole(part, 'left_out', false, 'finger.', 0, whole_number);
+        finger.samples := @schema@.server_text(part, 'samples', 8000000, false, 'finger.');
+        IF finger.count IS DISTINCT FROM @schema@.server_finger_count(finger.samples) THEN
+            PERFORM @schema@.server_wrong_field('finger.samples', 'as many samples as count says, in the form of the program');
+        END IF;
+    END IF;
 
     PERFORM @schema@.server_lock(true);
     -- An entry that is sent again after a cut network: nobody knows its random id but the station that made it.
@@ -948,6 +1028,9 @@ BEGIN
         IF EXISTS (SELECT FROM unnest(rows) r WHERE r.trial = made.trial AND r.question = made.question) THEN
             PERFORM @schema@.server_wrong_field('answers[' || place || '].question', 'a question that the entry answers once');
         END IF;
+        IF (its_kind = 'corrected') <> (made.is_correction = 1) OR NOT @schema@.server_is_told(payload, made) THEN
+            PERFORM @schema@.server_wrong_field('answers[' || place || ']', 'the answer that the payload of the event tells');
+        END IF;
         rows := rows || made;
         places := places || @schema@.server_bytes_of_place(made);
         content := content || @schema@.server_bytes_of_content(made);
@@ -958,6 +1041,9 @@ BEGIN
         END IF;
         place := place + 1;
     END LOOP;
+    IF cardinality(rows) <> (its_kind IN ('answered', 'corrected'))::int THEN
+        PERFORM @schema@.server_wrong_field('answers', 'one answer with the events answered and corrected, else none');
+    END IF;
     part := @schema@.server_part(entry, 'note', 'object');
     IF part IS NOT NULL THEN
         note := (NULL, NULL, its_id, @schema@.server_whole(part, 'trial', false, 'note.', 1, whole_number), NULL, NULL,
@@ -981,16 +1067,7 @@ BEGIN
             || @schema@.server_field(attempt);
     END IF;
     places := places || places_of_notes;
-    part := @schema@.server_part(entry, 'finger', 'object');
-    IF part IS NOT NULL THEN
-        finger.trial := @schema@.server_whole(part, 'trial', false, 'finger.', 1, whole_number);
-        finger.began_at := @schema@.server_whole(part, 'began_at', false, 'finger.');
-        finger.count := @schema@.server_whole(part, 'count', false, 'finger.', 1, whole_number);
-        finger.left_out := @schema@.server_whole(part, 'left_out', false, 'finger.', 0, whole_number);
-        finger.samples := @schema@.server_text(part, 'samples', 8000000, false, 'finger.');
-        IF finger.samples = '' OR translate(finger.samples, '0123456789,;-', '') <> '' THEN
-            PERFORM @schema@.server_wrong_field('finger.samples', 'digits, dashes, commas and semicolons');
-        END IF;
+    IF finger.trial IS NOT NULL THEN
         PERFORM @schema@.server_require_released(its_id, finger.trial);
         finger.attempt := @schema@.server_attempt(its_id, finger.trial);
         places := places || @schema@.server_field('finger'::text) || @schema@.server_field(its_id)

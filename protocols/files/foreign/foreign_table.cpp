@@ -85,55 +85,81 @@ bool hasDecimalCommas(const CsvTable& table, std::size_t column)
     return hasComma;
 }
 
-/// Whether "1.988" and the like, and whole numbers, are all that a column holds. Beside decimal commas they may be thousands.
-bool mayHaveThousandsPoints(const CsvTable& table, std::size_t column)
+/// Whether a cell may be thousands, "-1.988" where the mark is a point.
+bool isGrouped(std::string_view cell, char mark)
 {
-    const auto isGrouped = [](std::string_view cell) {
-        if (!cell.empty() && (cell.front() == '-' || cell.front() == '+')) cell.remove_prefix(1);
-        const std::size_t point = cell.find('.');
-        return point >= 1 && point <= 3 && cell.front() != '0' && cell.size() == point + 4;
-    };
-    bool hasGroups = false;
+    if (!cell.empty() && (cell.front() == '-' || cell.front() == '+')) cell.remove_prefix(1);
+    const std::size_t place = cell.find(mark);
+    if (place < 1 || place > 3 || cell.front() == '0' || cell.size() != place + 4) return false;
+    for (std::size_t i = 0; i < cell.size(); ++i)
+        if (i != place && !isDigit(cell[i])) return false;
+    return true;
+}
+
+/// How the cells of a column are marked, of which every one is a number with the mark or a whole number.
+enum class Marked { Nowhere, AsGroups, AsDecimals };
+
+/// Numbers of groups of three may be thousands; one of another form shows that the mark stands before decimals.
+Marked markingOf(const CsvTable& table, std::size_t column, char mark)
+{
+    bool hasMarks = false, hasDecimals = false;
     for (const auto& row : table.rows) {
         const std::string_view cell = withoutBlanks(row[column]);
         if (isMissing(cell)) continue;
-        const bool isWhole = cell.find('.') == std::string::npos;
-        if (!numberIn(std::string(cell)) || (!isWhole && !isGrouped(cell))) return false;
-        hasGroups = hasGroups || !isWhole;
+        const bool isMarked = cell.find(mark) != std::string_view::npos;
+        if (mark == ',' && isMarked ? withPoint(cell).empty() : !numberIn(cell)) return Marked::Nowhere;
+        hasMarks = hasMarks || isMarked;
+        hasDecimals = hasDecimals || (isMarked && !isGrouped(cell, mark));
     }
-    return hasGroups;
+    return hasDecimals ? Marked::AsDecimals : hasMarks ? Marked::AsGroups : Marked::Nowhere;
 }
 
-/// The first cell of a column with a point.
-std::string firstGroup(const CsvTable& table, std::size_t column)
+/// The first cell of a column with the mark.
+std::string firstGroup(const CsvTable& table, std::size_t column, char mark)
 {
     for (const auto& row : table.rows)
-        if (row[column].find('.') != std::string::npos) return row[column];
+        if (row[column].find(mark) != std::string::npos) return row[column];
     return {};
 }
 
-/// `hadCommas`: of each column.
-void requireNoThousandsPoints(const CsvTable& table, const std::vector<bool>& hadCommas)
+/// Refuses a column whose marks may stand between thousands, because other columns have the other mark before decimals.
+void requireNoThousands(const CsvTable& table, std::size_t column, char mark)
 {
-    for (std::size_t column = 0; column < table.columns.size(); ++column)
-        if (!hadCommas[column] && mayHaveThousandsPoints(table, column))
-            throw badInput({"numbers such as " + firstGroup(table, column) + " in the column \"" + table.columns[column] +
-                                "\" may be thousands, because other columns have decimal commas",
-                            table.where, "numbers without points between thousands",
-                            "save the table with one sign for decimals, and none between thousands"});
+    if (markingOf(table, column, mark) != Marked::AsGroups) return;
+    const std::string marks = mark == ',' ? "commas" : "points", others = mark == ',' ? "points" : "commas";
+    throw badInput({"numbers such as " + firstGroup(table, column, mark) + " in the column \"" + table.columns[column] +
+                        "\" may be thousands, because other columns have decimal " + others,
+                    table.where, "numbers without " + marks + " between thousands",
+                    "save the table with one sign for decimals, and none between thousands"});
 }
 
-/// Returns for each column whether it had decimal commas.
-std::vector<bool> writePoints(CsvTable& table)
+/// Whether a number of another column has decimals after a point: its points are not all between groups of three.
+bool hasDecimalPoints(const CsvTable& table)
 {
-    std::vector<bool> hadCommas(table.columns.size());
-    for (std::size_t column = 0; column < table.columns.size(); ++column) {
-        hadCommas[column] = hasDecimalCommas(table, column);
-        if (!hadCommas[column]) continue;
+    for (std::size_t column = 0; column < table.columns.size(); ++column)
+        if (markingOf(table, column, '.') == Marked::AsDecimals) return true;
+    return false;
+}
+
+/// Whether each column has decimal commas. Throws badInput where the points or commas of a column may be between thousands.
+std::vector<bool> columnsWithCommas(const CsvTable& table)
+{
+    std::vector<bool> hasCommas(table.columns.size());
+    for (std::size_t column = 0; column < hasCommas.size(); ++column) hasCommas[column] = hasDecimalCommas(table, column);
+    if (std::ranges::find(hasCommas, true) == hasCommas.end()) return hasCommas;
+    const bool hasPoints = hasDecimalPoints(table);
+    for (std::size_t column = 0; column < hasCommas.size(); ++column)
+        if (!hasCommas[column] || hasPoints) requireNoThousands(table, column, hasCommas[column] ? ',' : '.');
+    return hasCommas;
+}
+
+void writePoints(CsvTable& table, const std::vector<bool>& hasCommas)
+{
+    for (std::size_t column = 0; column < hasCommas.size(); ++column) {
+        if (!hasCommas[column]) continue;
         for (auto& row : table.rows)
             if (std::string number = withPoint(row[column]); !number.empty()) row[column] = std::move(number);
     }
-    return hadCommas;
 }
 
 void requireNoZeroByte(std::string_view text, const std::string& where)
@@ -160,10 +186,10 @@ ForeignTable foreignTableFrom(std::string_view bytes, const std::string& where, 
     for (auto& row : foreign.table.rows)
         for (std::string& cell : row)
             if (const auto plain = cellWithoutGuard(cell); plain.size() != cell.size()) cell = std::string(plain);
-    std::vector<bool> hadCommas;
-    if (separator.sign != ',') hadCommas = writePoints(foreign.table);
-    const bool commas = std::ranges::find(hadCommas, true) != hadCommas.end();
-    if (commas) requireNoThousandsPoints(foreign.table, hadCommas);
+    std::vector<bool> hasCommas;
+    if (separator.sign != ',') hasCommas = columnsWithCommas(foreign.table);
+    writePoints(foreign.table, hasCommas);
+    const bool commas = std::ranges::find(hasCommas, true) != hasCommas.end();
     foreign.taken = std::string(separator.name) + (commas ? ", decimal commas, " : ", decimal points, ") + decoded.encoding;
     foreign.isUsual = separator.sign == ',' && !commas && decoded.encoding == "UTF-8";
     return foreign;

@@ -22,7 +22,8 @@ struct ForeignTable {
 /// Reads a table whose form is found in the file: the separator (comma, semicolon, tab or bar) from the header row, or from a
 /// first line "sep=;"; decimal commas where the separator is another sign and every number of a column is written so; the
 /// encoding by decodedText(), or `encoding` where it is not empty. A cell that safeCell() made safe gets its own text back.
-/// Throws badInput as csvTableFrom() and decodedText() do, for a zero byte, and for a file of more than `largestTable` bytes.
+/// Throws badInput as csvTableFrom() and decodedText() do, for a zero byte, for points beside decimal commas and commas beside
+/// decimal points that may stand between thousands, and for a file of more than `largestTable` bytes.
 ForeignTable readForeignTable(const std::filesystem::path& file, const std::string& encoding = {});
 ForeignTable foreignTableFrom(std::string_view bytes, const std::string& where, const std::string& encoding = {});
 

@@ -43,7 +43,10 @@ public:
         char* in = const_cast<char*>(bytes.data());    // iconv does not write to it.
         char* out = text.data();
         std::size_t inLeft = bytes.size(), outLeft = text.size();
-        if (iconv(m_handle, &in, &inLeft, &out, &outLeft) == static_cast<std::size_t>(-1)) {
+        constexpr auto failed = static_cast<std::size_t>(-1);
+        // The second call writes the last letter, which some encodings (CP1258, CP1255) hold back for a mark that may follow.
+        if (iconv(m_handle, &in, &inLeft, &out, &outLeft) == failed ||
+            iconv(m_handle, nullptr, nullptr, &out, &outLeft) == failed) {
             fault = bytes.size() - inLeft;
             return std::nullopt;
         }

@@ -14,6 +14,9 @@ struct NameAndUnit {
 };
 NameAndUnit nameAndUnit(const std::string& header);
 
+/// Whether a user who names `wanted` means the column: its header with or without its unit, in any letter case.
+bool isCalled(const std::string& header, const std::string& wanted);
+
 /// Newtons per unit of a column: the unit in its header, else the one in the options. Throws badInput for an unknown unit.
 double newtonsOf(const std::string& header, const FrictionOptions& options, const std::string& where);
 

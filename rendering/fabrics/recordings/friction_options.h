@@ -35,6 +35,9 @@ struct FrictionOptions {
     std::optional<double> rateHz;           ///< nullopt: the median step of the record
 };
 
+/// Bounds of a sample rate in Hz: of a record's own, and of the one that the options state.
+inline constexpr double leastRateHz = 1e-3, mostRateHz = 1e7;
+
 /// Reads "auto", "none" or "FROM,TO" in seconds. Throws badInput naming `option`.
 Selection selectionFrom(std::string_view text, std::string_view option, TimeInterval& interval);
 

@@ -15,6 +15,8 @@ namespace {
 constexpr double mostNormalN = 1000;    ///< a probe that strokes a fabric does not press as hard as a person weighs
 constexpr double mostCoefficient = 10;  ///< above it the two forces have different units
 constexpr double oddCoefficient = 2, tinyCoefficient = 0.005;
+constexpr double leastSpeedMmPerS = 1e-3, mostSpeedMmPerS = 1e5;
+constexpr double fewSamplesHz = 5;    ///< a stroke is rarely sampled so slowly
 constexpr double mostLeftOut = 0.01;  ///< share of the slide's samples
 constexpr std::size_t mostSamples = 50'000'000;
 
@@ -150,8 +152,27 @@ void resample(PreparedRecord& result, const Kept& kept, const std::string& where
     };
     result.values = even(kept.values);
     result.evenNormalN = even(kept.normalN);
-    if (result.base.largestS > 10 * result.base.stepS)
+    if (result.base.largestS > longestGapSteps * result.base.stepS)
         result.warnings.push_back("a straight line fills a gap of " + fourFigures(result.base.largestS) + " s");
+}
+
+/// A wrong unit of time is a wrong rate: stamps in nanoseconds that are read as seconds give 1e-7 Hz.
+void requirePlausibleRate(double stepS, const RawRecord& record)
+{
+    constexpr double rounding = 1e-9;
+    const double rateHz = 1 / stepS;
+    if (rateHz >= leastRateHz && rateHz <= mostRateHz * (1 + rounding)) return;
+    throw protocols::badInput(
+        {"the time stamps give a sample rate of " + fourFigures(rateHz) + " Hz", record.where, "0.001 to 10,000,000 Hz",
+         record.timeWithoutUnit.empty() ? "correct the time stamps or their unit"
+                                        : "state the unit of time in the column's name, such as time_ms, time_us or time_ns"});
+}
+
+void requirePlausibleSpeed(const RawRecord& record)
+{
+    if (!record.speedMmPerS || (*record.speedMmPerS >= leastSpeedMmPerS && *record.speedMmPerS <= mostSpeedMmPerS)) return;
+    throw protocols::badInput({"the speed is " + fourFigures(*record.speedMmPerS) + " mm/s", record.where,
+                               "0.001 to 100,000 mm/s", "correct the speed in the file or in its name"});
 }
 
 void measure(PreparedRecord& result, const RawRecord& record)
@@ -159,6 +180,10 @@ void measure(PreparedRecord& result, const RawRecord& record)
     const auto at = [&](std::size_t i) {
         return result.evenNormalN.empty() ? result.values[i] : result.values[i] / result.evenNormalN[i];
     };
+    const auto isFinite = [](double value) { return std::isfinite(value); };
+    if (!std::ranges::all_of(result.values, isFinite) || !std::ranges::all_of(result.evenNormalN, isFinite))
+        throw protocols::badInput({"a value exceeds the range of 64-bit numbers", record.where, "finite forces in N",
+                                   "correct the record or the unit of its columns"});
     const auto count = double(result.values.size());
     for (std::size_t i = 0; i < result.values.size(); ++i) result.mean += at(i) / count;
     for (std::size_t i = 0; i < result.values.size(); ++i) result.sd += std::pow(at(i) - result.mean, 2) / count;
@@ -188,7 +213,8 @@ std::string fourFigures(double value)
 
 PreparedRecord prepare(const RawRecord& record, const FrictionOptions& options)
 {
-    timeBaseOf(record.timeS, record.where);  // Throws where time does not increase.
+    requirePlausibleRate(timeBaseOf(record.timeS, record.where).stepS, record);
+    requirePlausibleSpeed(record);
     PreparedRecord result;
     result.timeS = record.timeS;
     subtract(result.timeS, record.timeS.front());
@@ -204,7 +230,11 @@ PreparedRecord prepare(const RawRecord& record, const FrictionOptions& options)
     result.slide = slideOf(result, record, options);
     const Kept kept = keptOf(result, record.where);
     resample(result, kept, record.where, options.rateHz);
+    requirePlausibleRate(result.stepS, record);
     measure(result, record);
+    if (!record.timeWithoutUnit.empty() && 1 / result.base.stepS < fewSamplesHz)
+        result.warnings.push_back("the column \"" + record.timeWithoutUnit + "\" states no unit, and in s it gives " +
+                                  fourFigures(1 / result.base.stepS) + " Hz: if its unit is ms or us, add that to its name");
     return result;
 }
 

@@ -36,7 +36,8 @@ struct PreparedRecord {
 };
 
 /// Prepares a record. Throws badInput naming its file and, where one row is at fault, that row. Faults of the time: time
-/// that does not increase, an interval without samples, a gap too long to fill. Faults of the forces: forces or a
+/// that does not increase, an interval without samples, a gap too long to fill, a sample rate outside leastRateHz to
+/// mostRateHz. A speed outside 0.001 to 100,000 mm/s is a fault, too. Faults of the forces: forces or a
 /// coefficient that are implausible in every unit, no contact, lost contact. Contact is lost where more than 1 % of the
 /// slide's samples have too small a normal force: below leastShareOfLoad of the median, or below leastNormalN.
 PreparedRecord prepare(const RawRecord& record, const FrictionOptions& options);

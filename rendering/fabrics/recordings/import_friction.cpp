@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "protocols/files/csv_table.h"
+#include "protocols/files/errors.h"
 #include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/fabrics/recordings/friction_plot.h"
-#include "rendering/fabrics/recordings/friction_preparation.h"
 #include "rendering/fabrics/recordings/friction_report.h"
 #include "rendering/fabrics/recordings/friction_tables.h"
 #include "rendering/fabrics/recordings/import_sources.h"
@@ -21,6 +21,8 @@ namespace rendering::fabrics {
 using protocols::Sync;
 
 namespace {
+
+constexpr double mostLengthMm = 1e8;
 
 struct Instrument {
     ImportKind kind;
@@ -39,19 +41,6 @@ constexpr Instrument instruments[] = {
 const Instrument& instrumentOf(ImportKind kind)
 {
     return *std::find_if(std::begin(instruments), std::end(instruments), [&](const Instrument& one) { return one.kind == kind; });
-}
-
-std::string toCsv(const PreparedRecord& prepared, const std::string& quantity)
-{
-    const bool forces = !prepared.evenNormalN.empty();
-    std::string text = forces ? "t_s,normal_n,tangential_n\n" : protocols::csvRow({"t_s", quantity});
-    for (std::size_t i = 0; i < prepared.values.size(); ++i) {
-        std::vector<std::string> cells{protocols::shortest(std::round(double(i) * prepared.stepS * 1e9) / 1e9)};
-        if (forces) cells.push_back(protocols::shortest(prepared.evenNormalN[i]));
-        cells.push_back(protocols::shortest(prepared.values[i]));
-        text += protocols::csvRow(cells);
-    }
-    return text;
 }
 
 std::string describe(const RawRecord& record, const PreparedRecord& prepared)
@@ -75,14 +64,6 @@ bool hasFriction(const Dataset& dataset)
                        [&](const FabricInfo& fabric) { return !sampleIndices(dataset, fabric.id, Modality::Friction).empty(); });
 }
 
-void describeRecording(Dataset& dataset, const RawRecord& record, const PreparedRecord& even)
-{
-    dataset.friction.sampleRateHz = std::round(1 / even.stepS * 1e6) / 1e6;
-    if (!record.speedMmPerS) return;
-    dataset.friction.speedMmPerS = *record.speedMmPerS;
-    dataset.friction.lengthMm = std::round(*record.speedMmPerS * even.stepS * double(even.values.size()) * 1e3) / 1e3;
-}
-
 std::string remarkOnSpeed(const RawRecord& record, const Dataset& dataset)
 {
     const std::string known = fourFigures(dataset.friction.speedMmPerS) + " mm/s";
@@ -99,6 +80,32 @@ std::string titleOf(const FabricInfo& fabric, int sample)
 
 }  // namespace
 
+std::string frictionCsv(const PreparedRecord& prepared, const std::string& quantity)
+{
+    const bool forces = !prepared.evenNormalN.empty();
+    std::string text = forces ? "t_s,normal_n,tangential_n\n" : protocols::csvRow({"t_s", quantity});
+    for (std::size_t i = 0; i < prepared.values.size(); ++i) {
+        std::vector<std::string> cells{protocols::shortest(std::round(double(i) * prepared.stepS * 1e9) / 1e9)};
+        if (forces) cells.push_back(protocols::shortest(prepared.evenNormalN[i]));
+        cells.push_back(protocols::shortest(prepared.values[i]));
+        text += protocols::csvRow(cells);
+    }
+    return text;
+}
+
+FrictionRecording recordingOf(const RawRecord& record, const PreparedRecord& prepared, FrictionRecording known)
+{
+    known.sampleRateHz = std::round(1 / prepared.stepS * 1e6) / 1e6;
+    if (!record.speedMmPerS) return known;
+    known.speedMmPerS = *record.speedMmPerS;
+    const double lengthMm = *record.speedMmPerS * prepared.stepS * double(prepared.values.size());
+    known.lengthMm = std::round(lengthMm * 1e3) / 1e3;
+    if (!(known.lengthMm > 0 && known.lengthMm <= mostLengthMm))
+        throw protocols::badInput({"the stroke is " + fourFigures(lengthMm) + " mm long", record.where, "0.001 mm to 100 km",
+                                   "check its speed and its time stamps"});
+    return known;
+}
+
 std::vector<std::string> importFrictionFiles(const ImportRequest& request, ImportStage& stage)
 {
     const Instrument& instrument = instrumentOf(request.kind);
@@ -109,11 +116,12 @@ std::vector<std::string> importFrictionFiles(const ImportRequest& request, Impor
     for (const SourceFile& source : files)
         for (const RawRecord& record : instrument.read(source.file, request.friction)) {
             const PreparedRecord done = prepare(record, request.friction);
-            if (first) describeRecording(dataset, record, done);
+            const FrictionRecording recording = recordingOf(record, done, dataset.friction);
+            if (first) dataset.friction = recording;
             first = false;
             const auto fabric = stage.fabricFor(source.fabricName, request.fabric);
             const auto slot = stage.addSample(fabric, Modality::Friction);
-            protocols::writeWholeFile(slot.file, toCsv(done, record.quantity), Sync::Later);
+            protocols::writeWholeFile(slot.file, frictionCsv(done, record.quantity), Sync::Later);
             protocols::writeWholeFile(stage.beside(slot, ".json"), preparationJson(record, request.friction, done), Sync::Later);
             const std::string title = titleOf(dataset.fabric(fabric), slot.index);
             if (!request.plots.empty())

@@ -27,6 +27,18 @@ Dataset begunAt(const fs::path& folder)
     return dataset;
 }
 
+/// A data set whose dataset.json cannot be read again would be lost with all that it held before.
+void requireReadable(const Dataset& dataset, const fs::path& folder)
+{
+    try {
+        datasetFromJson(toJson(dataset), "dataset.json");
+    } catch (const protocols::Error& fault) {
+        throw protocols::badInput({"the recordings cannot be added (" + std::string(fault.what()) + ")", folder.string(),
+                                   "recordings whose description can be read again",
+                                   "check the units and names in the recordings; the data set was not changed"});
+    }
+}
+
 }  // namespace
 
 ImportStage::ImportStage(const fs::path& out)
@@ -101,6 +113,7 @@ fs::path ImportStage::addFile(const std::string& name) { return m_draft.file(nam
 
 void ImportStage::commit()
 {
+    requireReadable(m_dataset, m_out);
     std::vector<SamplePlace> places = m_isNew ? std::vector<SamplePlace>{} : readSamplePlaces(m_dataset);
     places.insert(places.end(), m_added.begin(), m_added.end());
     m_dataset.folder = m_draft.path();

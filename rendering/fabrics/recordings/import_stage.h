@@ -52,7 +52,8 @@ public:
     /// Path for a file that belongs to the whole data set.
     std::filesystem::path addFile(const std::string& name);
 
-    /// Moves all files into the data set, dataset.json last. Throws environmentFault.
+    /// Moves all files into the data set, dataset.json last. Throws badInput, and changes nothing, where that
+    /// file could not be read again. Throws environmentFault.
     void commit();
 
 private:

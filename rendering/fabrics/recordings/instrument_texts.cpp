@@ -2,18 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/fabrics/recordings/column_names.h"
-#include "rendering/fabrics/recordings/import_sources.h"
 #include "rendering/fabrics/recordings/record_text.h"
 
 namespace rendering::fabrics {
 
 namespace {
+
+constexpr double leastDiscMmPerS = 1e-3;  ///< a disc that holds still has a speed of noise
 
 using LineCells = std::vector<std::string_view>;
 
@@ -39,6 +41,14 @@ public:
         m_numbers.push_back(number);
     }
     std::size_t rows() const { return m_lines.size(); }
+
+    /// Header of the column that a user calls `name`; empty where there is none.
+    std::string headerCalled(const std::string& name) const
+    {
+        const auto found =
+            std::find_if(m_columns.begin(), m_columns.end(), [&](auto header) { return isCalled(std::string(header), name); });
+        return found == m_columns.end() ? "" : std::string(*found);
+    }
 
     /// Numbers of a column; empty where it is missing or has no number in any row. Throws badInput for text and for gaps.
     std::vector<double> column(std::string_view name) const
@@ -67,31 +77,51 @@ private:
     std::vector<std::size_t> m_numbers;
 };
 
-/// Column of forces: the one that the user named, else the first of `names` that has numbers.
+/// Column of forces in N; `name` is its header.
 struct ForceColumn {
     std::string name;
     std::vector<double> values;
 };
 
-ForceColumn forceColumn(const StepTable& step, const std::optional<ForceAxis>& axis, std::vector<std::string> names)
+/// The column that the user named. Throws badInput where it is missing or empty, or has an unknown unit.
+ForceColumn namedForce(const StepTable& step, const ForceAxis& axis, const FrictionOptions& options, const std::string& where)
 {
-    if (axis) names = {axis->column};
-    for (const std::string& name : names) {
-        ForceColumn column{name, step.column(name)};
-        if (column.values.empty()) continue;
-        for (double& value : column.values) value *= axis ? axis->sign : 1;
-        return column;
-    }
+    ForceColumn column{step.headerCalled(axis.column), {}};
+    if (!column.name.empty()) column.values = step.column(column.name);
+    if (column.values.empty())
+        throw protocols::badInput(
+            {(column.name.empty() ? "has no column \"" : "has no numbers in the column \"") + axis.column + "\"", where,
+             "a column of the step's table, with numbers", "name such a column with --normal or --tangential"});
+    const double factor = axis.sign * newtonsOf(column.name, options, where);
+    for (double& value : column.values) value *= factor;
+    return column;
+}
+
+/// The first of `names` that has numbers.
+ForceColumn usualForce(const StepTable& step, const std::vector<std::string>& names)
+{
+    for (const std::string& name : names)
+        if (ForceColumn column{name, step.column(name)}; !column.values.empty()) return column;
     return {};
 }
 
 RawRecord tribometerRecord(const StepTable& step, const std::string& where, const FrictionOptions& options)
 {
+    if (options.tangential.size() > 1)
+        throw protocols::badInput({"--tangential names two axes", where,
+                                   "one axis, because this instrument measures one tangential force",
+                                   "name one column with --tangential"});
     RawRecord record{.where = where, .instrument = "tribometer"};
     record.timeS = step.column("Step Time (s)");
-    const auto axis = options.tangential.empty() ? std::nullopt : std::optional(options.tangential.front());
-    const ForceColumn force = forceColumn(step, axis, {"Traction Force (N)"});
-    const ForceColumn load = forceColumn(step, options.normal, {"Pin Load (N)", "Ball Load (N)"});
+    const ForceColumn force = options.tangential.empty() ? usualForce(step, {"Traction Force (N)"})
+                                                         : namedForce(step, options.tangential.front(), options, where);
+    const ForceColumn load =
+        options.normal ? namedForce(step, *options.normal, options, where) : usualForce(step, {"Pin Load (N)", "Ball Load (N)"});
+    const bool isNamed = options.normal || !options.tangential.empty();
+    if (isNamed && (force.values.empty() || load.values.empty()))
+        throw protocols::badInput(
+            {"has no " + std::string(load.values.empty() ? "normal" : "tangential") + " force that goes with the named column",
+             where, "columns of both forces", "name both with --normal and --tangential"});
     if (!force.values.empty() && !load.values.empty()) {
         record.values = force.values;
         record.normalN = load.values;
@@ -110,7 +140,7 @@ RawRecord tribometerRecord(const StepTable& step, const std::string& where, cons
     const std::vector<double> discSpeed = speed.empty() ? step.column("Disc Speed 1") : speed;
     if (!discSpeed.empty()) {
         const double mean = std::accumulate(discSpeed.begin(), discSpeed.end(), 0.0) / double(discSpeed.size());
-        if (mean != 0 && std::isfinite(mean)) record.speedMmPerS = std::abs(mean);
+        if (std::abs(mean) >= leastDiscMmPerS && std::isfinite(mean)) record.speedMmPerS = std::abs(mean);
     }
     return record;
 }
@@ -135,10 +165,9 @@ struct Segment {
 LabviewColumn labviewColumn(const LineCells& cells, const ForceAxis& axis, const FrictionOptions& options,
                             const std::string& place)
 {
-    const std::string wanted = lowerCase(axis.column);
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const std::string cell(cells[i]);
-        if (lowerCase(cell) != wanted && nameAndUnit(cell).name != wanted) continue;
+        if (!isCalled(cell, axis.column)) continue;
         return {i, axis.sign * newtonsOf(cell, options, place), nameAndUnit(cell).name};
     }
     throw protocols::badInput({"has no column " + axis.column, place, "the columns X_Value, fx, fy and fz",
@@ -181,20 +210,43 @@ void addRow(Segment& segment, const LineCells& cells, const std::string& where, 
     for (std::size_t i = 0; i < segment.tangential.size(); ++i) segment.tangentialN[i].push_back(number(segment.tangential[i]));
 }
 
+/// Whether stamps repeat that are those of the step, rounded to their own resolution: the smallest difference between two.
+bool isCoarserThan(double step, const std::vector<double>& timeS)
+{
+    double resolution = std::numeric_limits<double>::infinity();
+    bool repeats = false;
+    for (std::size_t i = 1; i < timeS.size(); ++i) {
+        const double difference = timeS[i] - timeS[i - 1];
+        if (difference < 0) return false;
+        repeats = repeats || difference == 0;
+        if (difference > 0) resolution = std::min(resolution, difference);
+    }
+    for (std::size_t i = 0; i < timeS.size(); ++i)
+        if (std::isfinite(resolution) && !(std::abs(timeS[i] - timeS.front() - double(i) * step) < resolution)) return false;
+    return repeats;
+}
+
 RawRecord labviewRecord(Segment segment, const std::string& where)
 {
     RawRecord record{.where = where, .instrument = "labview"};
     std::vector<std::string> names;
     for (const auto& column : segment.tangential) names.push_back(column.name);
     record.meaning = meaningOf(names, segment.normal.name);
-    const bool stamped = segment.timeS.size() < 2 || segment.timeS[1] > segment.timeS[0];
-    if (!stamped)
+    // Some programs write the same stamp into every row, or few decimals, and state the step in the header.
+    if (isCoarserThan(segment.deltaX, segment.timeS))
         for (std::size_t i = 0; i < segment.timeS.size(); ++i) segment.timeS[i] = double(i) * segment.deltaX;
     record.timeS = std::move(segment.timeS);
     record.normalN = std::move(segment.normalN);
     record.values = std::move(segment.tangentialN.at(0));
     if (segment.tangentialN.size() == 2) record.secondTangentialN = std::move(segment.tangentialN[1]);
     return record;
+}
+
+protocols::Error rowOutsideTable(const std::string& where, std::size_t line)
+{
+    return protocols::badInput({"a row of numbers stands after the end of its table", lineName(where, line),
+                                "rows of numbers directly below their header or below each other",
+                                "remove the lines that interrupt the table, or the row"});
 }
 
 }  // namespace
@@ -215,6 +267,8 @@ std::vector<RawRecord> readTribometer(const std::filesystem::path& file, const F
         } else if (inTable && line.find('\t') != std::string_view::npos && !first.starts_with("Step")) {
             throw protocols::badInput({"\"" + std::string(first) + "\" is not a time", lineName(file.string(), i),
                                        "a number of seconds", "correct the row"});
+        } else if (!steps.empty() && line.find('\t') != std::string_view::npos && protocols::numberIn(first)) {
+            throw rowOutsideTable(file.string(), i);
         } else {
             inTable = false;
         }
@@ -248,10 +302,12 @@ std::vector<RawRecord> readLabview(const std::filesystem::path& file, const Fric
         else if (cells[0] == "X_Value") {
             segments.push_back(segmentFrom(pending, cells, options, lineName(file.string(), i)));
             inRows = true;
-        } else if (inRows && (cells[0].empty() || cells[0] == "Channels")) {
+        } else if (inRows && (protocols::withoutBlanks(lines[i]).empty() || cells[0] == "Channels")) {
             inRows = false;
         } else if (inRows) {
             addRow(segments.back(), cells, file.string(), i);
+        } else if (!segments.empty() && cells.size() > 1 && labviewNumber(cells[0], pending.decimalComma)) {
+            throw rowOutsideTable(file.string(), i);
         }
     }
     if (segments.empty())

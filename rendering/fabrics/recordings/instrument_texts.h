@@ -9,10 +9,13 @@
 
 namespace rendering::fabrics {
 
-/// Reads a file of the PCS (MTM) tribometer; each step of its profile is a record. Throws badInput.
+/// Reads a file of the PCS (MTM) tribometer; each step of its profile is a record. Without named columns and without both
+/// forces in N, the coefficient of the instrument is taken. Throws badInput, also for a row of numbers after the end of a table.
 std::vector<RawRecord> readTribometer(const std::filesystem::path& file, const FrictionOptions& options);
 
-/// Reads a LabVIEW measurement file of forces; each segment is a record. Throws badInput.
+/// Reads a LabVIEW measurement file of forces; each segment is a record. A blank line or a new header ends it. Stamps that
+/// repeat, all equal or of few decimals, are replaced by multiples of Delta_X. Throws badInput, also for a row of numbers after
+/// the end of a segment.
 std::vector<RawRecord> readLabview(const std::filesystem::path& file, const FrictionOptions& options);
 
 }  // namespace rendering::fabrics

@@ -13,6 +13,8 @@ struct RawRecord {
     std::string quantity = "mu";  ///< name of the quantity in `values`; unused where `normalN` is given
     std::string meaning = {};     ///< definition for people: "coefficient = Traction Force / Pin Load"
     std::string form = {};        ///< how an unusual table was read: "semicolons, decimal commas, UTF-8"
+    /// Column of the time where its name states no unit, so that seconds are assumed; else empty.
+    std::string timeWithoutUnit = {};
     std::vector<double> timeS = {};
     std::vector<double> values = {};             ///< the quantity, or the tangential force where `normalN` is given
     std::vector<double> secondTangentialN = {};  ///< second tangential axis; empty where there is only one

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
+#include <stdexcept>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
+#include "protocols/json_count.h"
 #include "protocols/random.h"
 #include "rendering/fabrics/drawn/drawn_patch.h"
 #include "rendering/models/cloth/other_pictures.h"
@@ -205,14 +207,16 @@ ClothCheck readClothCheck(const std::filesystem::path& file)
     try {
         const auto json = protocols::parseStrictJson(protocols::readWholeFile(file), file.string());
         if (json.at("schema") != checkSchema) throw refused("another schema");
-        check.seed = json.at("seed").get<std::uint64_t>();
-        check.pictures = json.at("pictures").get<int>();
+        check.seed = protocols::seedIn(json, "seed");
+        check.pictures = protocols::countIn(json, "pictures");
         check.unusualAbove = json.at("unusual_above").get<double>();
         check.refusedAbove = json.at("refused_above").get<double>();
         check.mean = json.at("mean").get<ClothFeatures>();
         check.deviation = json.at("deviation").get<ClothFeatures>();
         check.weights = json.at("weights").get<std::vector<double>>();
     } catch (const nlohmann::json::exception& fault) {
+        throw refused(fault.what());
+    } catch (const std::out_of_range& fault) {
         throw refused(fault.what());
     }
     if (check.weights.size() != termCount) throw refused("weights has another length");

@@ -1,11 +1,12 @@
 #include "rendering/models/seeing/checkpoint.h"
 
-#include <limits>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
+#include "protocols/json_count.h"
 
 namespace rendering::models {
 
@@ -41,15 +42,6 @@ nlohmann::json jsonIn(const std::string& text, const TensorSource& source)
     }
 }
 
-int countIn(const nlohmann::json& state, const char* name)
-{
-    const nlohmann::json& value = state.at(name);
-    if (!value.is_number_integer()) throw std::out_of_range(name);
-    const auto count = value.get<std::int64_t>();
-    if (count < 0 || count > std::numeric_limits<int>::max()) throw std::out_of_range(name);
-    return static_cast<int>(count);
-}
-
 Checkpoint stateFrom(const std::map<std::string, std::string>& metadata, const TensorSource& source)
 {
     Checkpoint checkpoint;
@@ -58,10 +50,10 @@ Checkpoint stateFrom(const std::map<std::string, std::string>& metadata, const T
         const nlohmann::json json = jsonIn(metadata.at("state"), source);
         checkpoint.fingerprint = json.at("fingerprint").get<std::string>();
         checkpoint.validationBefore = json.at("validation_before").get<std::string>();
-        checkpoint.step = countIn(json, "step");
-        checkpoint.bestStep = countIn(json, "best_step");
+        checkpoint.step = protocols::countIn(json, "step");
+        checkpoint.bestStep = protocols::countIn(json, "best_step");
         checkpoint.bestDistance = json.at("best_distance").get<double>();
-        checkpoint.validationsWithoutBetter = countIn(json, "validations_without_better");
+        checkpoint.validationsWithoutBetter = protocols::countIn(json, "validations_without_better");
         checkpoint.elapsedS = json.at("elapsed_s").get<double>();
         jsonIn(checkpoint.validationBefore, source);
     } catch (const nlohmann::json::exception&) {

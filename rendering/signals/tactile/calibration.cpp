@@ -103,7 +103,7 @@ SlopeMap networkFrom(const CalibrationFields& reading, int channels)
     const json& sizes = reading.member("sizes");
     if (!sizes.is_array() || sizes.size() < 2 || sizes.size() > 8) throw reading.fault("sizes", "the units of 2 to 8 layers");
     for (const auto& size : sizes) {
-        if (!size.is_number_integer() || size.get<int>() < 1 || size.get<int>() > 1024)
+        if (!size.is_number_unsigned() || size.get<std::uint64_t>() < 1 || size.get<std::uint64_t>() > 1024)
             throw reading.fault("sizes", "1 to 1024 units for each layer");
         map.sizes.push_back(size.get<int>());
     }

@@ -42,7 +42,28 @@ auto countsFrom(const ordered_json& json, const std::string& truth, const std::s
     return counts;
 }
 
+void requireSame(std::size_t counted, std::size_t studies, const std::string& truth, const std::string& nextStep)
+{
+    if (counted != studies)
+        throw protocols::badInput({"the counts are those of " + std::to_string(counted) + " studies", truth,
+                                   "counts of " + std::to_string(studies) + " studies, as the run has", nextStep});
+}
+
 }  // namespace
+
+void requireStudies(const std::vector<stats::Rejections>& counts, std::size_t studies, const std::string& truth,
+                    const std::string& nextStep)
+{
+    for (const stats::Rejections& one : counts) requireSame(one.studies, studies, truth, nextStep);
+}
+
+void requireStudies(const std::vector<stats::PlantedRow>& rows, std::size_t studies, const std::string& truth,
+                    const std::string& nextStep)
+{
+    for (const stats::PlantedRow& row : rows)
+        for (const stats::StudyMean* mean : {&row.these, &row.alike, &row.reference, &row.alikeMinusReference})
+            requireSame(mean->studies, studies, truth, nextStep);
+}
 
 protocols::Error damagedCounts(const std::string& truth, const std::string& nextStep)
 {

@@ -1,6 +1,7 @@
 // Counts of simulated studies as JSON: in files that --resume keeps and in files of shards.
 #pragma once
 
+#include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -18,6 +19,12 @@ nlohmann::ordered_json jsonOf(const std::vector<stats::Rejections>& counts);
 /// Throws damagedCounts() where they are not as jsonOf() writes them.
 std::vector<stats::Rejections> rejectionsFrom(const nlohmann::ordered_json& json, const std::string& truth,
                                               const std::string& nextStep);
+
+/// Throws badInput, naming `truth`, where a test or a mean is not over `studies` studies.
+void requireStudies(const std::vector<stats::Rejections>& counts, std::size_t studies, const std::string& truth,
+                    const std::string& nextStep);
+void requireStudies(const std::vector<stats::PlantedRow>& rows, std::size_t studies, const std::string& truth,
+                    const std::string& nextStep);
 
 /// [{"name", "coverage", "these", "alike", "reference", "difference"}, ...]; a mean is [studies, sum, sum of squares, each].
 nlohmann::ordered_json jsonOf(const std::vector<stats::PlantedRow>& rows);

@@ -78,7 +78,11 @@ void resumeFrom(KeptCounts& kept, stats::CalibrationOptions& options)
 {
     constexpr const char* kind = "calibrate";
     kept.require(kind, settingsOf(options.design, options.ratings, options.simulation));
-    options.counted = [&kept](const std::string& truth) { return rejectionsFrom(kept.of(kind, truth), truth, anotherFile); };
+    options.counted = [&kept](const std::string& truth, std::size_t studies) {
+        auto counts = rejectionsFrom(kept.of(kind, truth), truth, anotherFile);
+        requireStudies(counts, studies, truth, anotherFile);
+        return counts;
+    };
     options.finished = [&kept](const std::string& truth, const std::vector<stats::Rejections>& counts) {
         kept.add(kind, truth, jsonOf(counts));
     };
@@ -90,7 +94,11 @@ void resumeFrom(KeptCounts& kept, stats::PlantedOptions& options)
     ordered_json settings = settingsOf(options.design, options.ratings, options.simulation);
     settings["contrasts"] = options.contrasts;
     kept.require(kind, settings);
-    options.counted = [&kept](const std::string& truth) { return plantedRowsFrom(kept.of(kind, truth), truth, anotherFile); };
+    options.counted = [&kept](const std::string& truth, std::size_t studies) {
+        auto counts = plantedRowsFrom(kept.of(kind, truth), truth, anotherFile);
+        requireStudies(counts, studies, truth, anotherFile);
+        return counts;
+    };
     options.finished = [&kept](const std::string& truth, const std::vector<stats::PlantedRow>& rows) {
         kept.add(kind, truth, jsonOf(rows));
     };

@@ -29,7 +29,8 @@ private:
     std::shared_ptr<nlohmann::ordered_json> m_root;
 };
 
-/// Takes finished counts from `kept` and stores new ones there. `kept` must outlive the count.
+/// Takes finished counts from `kept` and stores new ones there. `kept` must outlive the count, which throws badInput for finished
+/// counts of another number of studies.
 void resumeFrom(KeptCounts& kept, stats::CalibrationOptions& options);
 void resumeFrom(KeptCounts& kept, stats::PlantedOptions& options);
 

@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "protocols/files/safe_text.h"
+
 namespace study::analyse {
 
 namespace {
@@ -66,9 +68,9 @@ void printPlanted(const std::vector<stats::PlantedCell>& cells)
         std::printf("%s\n  %-44s %15s %18s %15s %17s\n", cell.truth.text().c_str(), "", "these fabrics", "fabrics like these",
                     "lmerTest", "minus lmerTest");
         for (const stats::PlantedRow& row : cell.rows)
-            std::printf("  %-44s %15s %18s %15s %17s\n", row.name.c_str(), percentWithError(row.these).c_str(),
-                        percentWithError(row.alike).c_str(), percentWithError(row.reference).c_str(),
-                        percentWithError(row.alikeMinusReference).c_str());
+            std::printf("  %-44s %15s %18s %15s %17s\n", protocols::printable(row.name).c_str(),
+                        percentWithError(row.these).c_str(), percentWithError(row.alike).c_str(),
+                        percentWithError(row.reference).c_str(), percentWithError(row.alikeMinusReference).c_str());
     }
 }
 

@@ -79,19 +79,15 @@ const ordered_json& objectIn(const ordered_json& values, const char* key, const 
     return values.at(key);
 }
 
-std::size_t studiesOf(const stats::Rejections& one) { return one.studies; }
-std::size_t studiesOf(const stats::PlantedRow& one) { return one.alike.studies; }
-
-/// The counts of these studies, all of `wanted` studies each.
+/// The counts of these studies, which are of `wanted` studies each.
 template <class Count>
-std::vector<Count> countsOf(const std::map<std::string, std::vector<Count>>& all, const std::string& studies)
+std::vector<Count> countsOf(const std::map<std::string, std::vector<Count>>& all, const std::string& studies, std::size_t wanted)
 {
     const auto found = all.find(studies);
     if (found == all.end())
         throw protocols::badInput({"the shards hold no counts of these studies", studies, "shards of this version of the program",
                                    "run the shards again"});
-    for (const Count& one : found->second)
-        if (studiesOf(one) != studiesOf(found->second.front())) throw damagedCounts(studies, countAgain);
+    requireStudies(found->second, wanted, studies, "run the shards again");
     return found->second;
 }
 
@@ -99,8 +95,8 @@ template <class Counts, class Options>
 void recordAll(Counts& counts, Options& options)
 {
     if (options.counted)
-        options.counted = [&counts, earlier = options.counted](const std::string& studies) {
-            auto found = earlier(studies);
+        options.counted = [&counts, earlier = options.counted](const std::string& studies, std::size_t wanted) {
+            auto found = earlier(studies, wanted);
             if (!found.empty()) counts[studies] = found;
             return found;
         };
@@ -113,7 +109,7 @@ void recordAll(Counts& counts, Options& options)
 template <class Counts, class Options>
 void takeAll(const Counts& counts, Options& options)
 {
-    options.counted = [&counts](const std::string& studies) { return countsOf(counts, studies); };
+    options.counted = [&counts](const std::string& studies, std::size_t wanted) { return countsOf(counts, studies, wanted); };
 }
 
 }  // namespace

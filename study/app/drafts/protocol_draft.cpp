@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/number_text.h"
@@ -38,23 +40,30 @@ std::vector<std::string> stepsTo(std::string_view place)
     return steps;
 }
 
-bool isElement(const std::string& step) { return step.front() == '['; }
-
-std::size_t elementOf(const std::string& step) { return std::stoul(step.substr(1)); }
+/// The number in "[12]"; none in a step that is a key, even one that holds brackets.
+std::optional<std::size_t> elementOf(std::string_view step)
+{
+    constexpr std::size_t mostDigits = 9;
+    if (!step.starts_with('[') || !step.ends_with(']') || step.size() < 3 || step.size() > mostDigits + 2) return std::nullopt;
+    const std::string_view digits = step.substr(1, step.size() - 2);
+    std::size_t number = 0;
+    const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    return fault == std::errc() && end == digits.data() + digits.size() ? std::optional(number) : std::nullopt;
+}
 
 const Json& memberOf(const Json& value, const std::string& step)
 {
-    if (isElement(step)) return value.is_array() && elementOf(step) < value.size() ? value[elementOf(step)] : noValue();
+    if (const auto element = elementOf(step)) return value.is_array() && *element < value.size() ? value[*element] : noValue();
     const auto found = value.is_object() ? value.find(step) : value.end();
     return found == value.end() ? noValue() : *found;
 }
 
 Json& madeMember(Json& value, const std::string& step)
 {
-    if (isElement(step)) {
+    if (const auto element = elementOf(step)) {
         if (!value.is_array()) value = Json::array();
-        while (value.size() <= elementOf(step)) value.push_back(Json());
-        return value[elementOf(step)];
+        while (value.size() <= *element) value.push_back(Json());
+        return value[*element];
     }
     if (!value.is_object()) value = Json::object();
     return value[step];
@@ -129,16 +138,25 @@ void ProtocolDraft::set(std::string_view place, Json value)
 
 void ProtocolDraft::erase(std::string_view place)
 {
-    if (at(place).is_null()) return;
     std::vector<std::string> steps = stepsTo(place);
+    if (steps.empty() || at(place).is_null()) return;
     const std::string last = steps.back();
     steps.pop_back();
     Json* here = &m_document;
     for (const std::string& step : steps) here = &madeMember(*here, step);
-    if (isElement(last))
-        here->erase(elementOf(last));
+    if (const auto element = elementOf(last))
+        here->erase(*element);
     else
         here->erase(last);
+}
+
+bool ProtocolDraft::eraseKey(std::string_view object, const std::string& key)
+{
+    if (!at(object).is_object() || !at(object).contains(key)) return false;
+    Json* here = &m_document;
+    for (const std::string& step : stepsTo(object)) here = &madeMember(*here, step);
+    here->erase(key);
+    return true;
 }
 
 std::string ProtocolDraft::typedAt(std::string_view place) const { return typedOf(at(place)); }

@@ -27,13 +27,17 @@ public:
     /// The file, in UTF-8 with a line break at its end.
     std::string fileText() const;
 
-    /// The value at a place such as "phases[0].scale.min"; null where there is none.
+    /// The value at a place such as "phases[0].scale.min"; null where there is none. A bracket that holds no number of at most
+    /// nine digits is a part of a key.
     const nlohmann::ordered_json& at(std::string_view place) const;
     bool has(std::string_view place) const { return !at(place).is_null(); }
     /// Sets the value. Objects that are missing on the way are made; a value on the way that holds nothing is replaced.
     void set(std::string_view place, nlohmann::ordered_json value);
     /// Removes the value, if there is one.
     void erase(std::string_view place);
+    /// Removes a key of the object at the place, "" for the document. The key is taken as it stands, also with brackets and
+    /// points. False where there is no such object or key; then nothing changes.
+    bool eraseKey(std::string_view object, const std::string& key);
 
     /// The value as a field shows it; a list is shown one element a line.
     std::string typedAt(std::string_view place) const;

@@ -7,6 +7,7 @@ namespace study::app {
 namespace {
 
 constexpr const char* table[] = {
+    QT_TRANSLATE_NOOP("study::app::Below", "The time stamp of the event is outside every session."),
     QT_TRANSLATE_NOOP("study::app::Below", "The participant has named enough places."),
     QT_TRANSLATE_NOOP("study::app::Below", "There is no such fabric for getting to know the display."),
     QT_TRANSLATE_NOOP("study::app::Below", "This is not the place on the line that is shown."),

@@ -520,6 +520,10 @@
 <context>
     <name>study::app::Below</name>
     <message>
+        <source>The time stamp of the event is outside every session.</source>
+        <translation>Der Zeitstempel des Ereignisses liegt außerhalb jeder Sitzung.</translation>
+    </message>
+    <message>
         <source>The participant has named enough places.</source>
         <translation>Die Versuchsperson hat genug Stellen benannt.</translation>
     </message>
@@ -2358,6 +2362,10 @@
     <message>
         <source>This page does not show that field. It is kept as it is in the file.</source>
         <translation>Diese Seite zeigt dieses Feld nicht. Es bleibt in der Datei, wie es ist.</translation>
+    </message>
+    <message>
+        <source>This page cannot remove that key. Nothing was changed. Remove it in a text editor.</source>
+        <translation>Diese Seite kann diesen Schlüssel nicht entfernen. Nichts wurde geändert. Entfernen Sie ihn in einem Texteditor.</translation>
     </message>
     <message>
         <source>New protocol</source>

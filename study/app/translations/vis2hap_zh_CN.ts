@@ -520,6 +520,10 @@
 <context>
     <name>study::app::Below</name>
     <message>
+        <source>The time stamp of the event is outside every session.</source>
+        <translation>该事件的时间戳超出了任何实验的范围。</translation>
+    </message>
+    <message>
         <source>The participant has named enough places.</source>
         <translation>参与者已经说出了足够多的位置。</translation>
     </message>
@@ -2358,6 +2362,10 @@
     <message>
         <source>This page does not show that field. It is kept as it is in the file.</source>
         <translation>本页不显示这个字段，它在文件中保持原样。</translation>
+    </message>
+    <message>
+        <source>This page cannot remove that key. Nothing was changed. Remove it in a text editor.</source>
+        <translation>本页无法删除这个键，没有作任何更改。请用文本编辑器删除它。</translation>
     </message>
     <message>
         <source>New protocol</source>

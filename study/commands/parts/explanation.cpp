@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "protocols/files/number_text.h"
-#include "protocols/files/opened_files.h"
+#include "protocols/process/opened_files.h"
 #include "rendering/cache/result_cache.h"
 #include "rendering/models/model_card.h"
 

@@ -70,7 +70,7 @@ int toServer(const std::string& folder, const std::string& address, const std::s
 {
     const auto head = moveToServer(StudyFolder{folder}, addressWithStudy(address), stationName(station));
     std::printf("%s: the answers are on the server now, every row compared\n", protocols::printable(folder).c_str());
-    std::printf("  log head %s\n", textOf(head).c_str());
+    std::printf("  log head %s\n", protocols::printable(textOf(head)).c_str());
     std::printf("  keys, protocol and images stay in the folder: keep it, and let nobody at a station read it\n");
     quietTheLog(addressWithStudy(address));
     std::printf("next: `vis2hap server roles '%s'` makes the roles of stations, monitors and analysts\n", address.c_str());
@@ -86,7 +86,7 @@ int toFolder(const std::string& address, const std::string& folder, const std::v
     move.host = by.host;
     const auto head = moveToFolder(database::serverAddressFrom(address), StudyFolder{folder}, move, givenUp);
     std::printf("%s: the study is back, and the server's tables are gone\n", protocols::printable(folder).c_str());
-    std::printf("  log head %s\n", textOf(head).c_str());
+    std::printf("  log head %s\n", protocols::printable(textOf(head)).c_str());
     std::printf(
         "  answers, notes and facts may still stand in the server's log, write-ahead log and backups. An administrator of "
         "the server removes them:\n%s",
@@ -174,15 +174,17 @@ int showServer(const std::string& address)
     const database::ServerProgress seen = progressOf(database::serverAddressFrom(address));
     std::printf("places: %d free, %d started, %d finished; participants who withdrew: %d; answers: %d\n", seen.free, seen.started,
                 seen.finished, seen.withdrawn, seen.answers);
-    std::printf("log head %s\n", seen.head.c_str());
+    std::printf("log head %s\n", protocols::printable(seen.head).c_str());
     if (seen.stations.empty()) std::printf("no station has joined lately\n");
     for (const auto& one : seen.stations)
-        std::printf("  %-20s %-12s %-10s entries that wait: %s, last sign of life %d s ago, by %s\n", one.station.c_str(),
-                    one.isLive ? "connected" : "away", one.participant.empty() ? "-" : one.participant.c_str(),
-                    one.isLive ? std::to_string(one.waiting).c_str() : "unknown", one.lastSeenSeconds, one.login.c_str());
+        std::printf("  %-20s %-12s %-10s entries that wait: %s, last sign of life %d s ago, by %s\n",
+                    protocols::printable(one.station).c_str(), one.isLive ? "connected" : "away",
+                    one.participant.empty() ? "-" : protocols::printable(one.participant).c_str(),
+                    one.isLive ? std::to_string(one.waiting).c_str() : "unknown", one.lastSeenSeconds,
+                    protocols::printable(one.login).c_str());
     for (const auto& one : seen.owed)
-        std::printf("  %-20s answers of an earlier connection may wait there%s%s\n", one.station.c_str(),
-                    one.participant.empty() ? "" : ": ", one.participant.c_str());
+        std::printf("  %-20s answers of an earlier connection may wait there%s%s\n", protocols::printable(one.station).c_str(),
+                    one.participant.empty() ? "" : ": ", protocols::printable(one.participant).c_str());
     return 0;
 }
 
@@ -199,8 +201,10 @@ int checkLogin(const std::string& address, const JsonTarget& target)
                            {"learns", rights.learns},
                            {"refused", rights.refused}});
     } else {
-        std::printf("login %s of the study %s\n", rights.login.c_str(), rights.study.c_str());
-        std::printf("  roles: %s\n  may call: %s\n", listOf(rights.roles).c_str(), listOf(rights.may).c_str());
+        std::printf("login %s of the study %s\n", protocols::printable(rights.login).c_str(),
+                    protocols::printable(rights.study).c_str());
+        std::printf("  roles: %s\n  may call: %s\n", protocols::printable(listOf(rights.roles)).c_str(),
+                    protocols::printable(listOf(rights.may)).c_str());
         for (const std::string& line : rights.refused) std::printf("  refused: %s\n", protocols::printable(line).c_str());
         for (const std::string& line : rights.learns) std::printf("  LEARNS: %s\n", protocols::printable(line).c_str());
         std::printf("%s\n",

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <new>
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
@@ -38,7 +39,7 @@ void tell(const char* key, const std::string& text)
 std::vector<float> soundOf(const Prompt& prompt, SpeechEngine& speech)
 {
     const auto* recording = std::get_if<Recording>(&prompt);
-    return recording ? soundFromWav(protocols::readWholeFile(recording->file), recording->file)
+    return recording ? soundFromWav(protocols::readWholeFile(recording->file, largestWav), recording->file)
                      : speech.spoken(std::get<SpokenText>(prompt).text);
 }
 
@@ -50,6 +51,8 @@ std::vector<std::vector<float>> soundsOf(const PlayPrompts& play, SpeechEngine& 
             sounds.push_back(soundOf(prompt, speech));
         } catch (const protocols::Error& fault) {
             tell("fault", fault.what());
+        } catch (const std::bad_alloc&) {
+            tell("fault", "a prompt needs more memory than there is (expected shorter recordings): close other programs");
         }
     return sounds;
 }

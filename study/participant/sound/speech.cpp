@@ -108,7 +108,7 @@ std::vector<float> SpeechEngine::spoken(const std::string& text)
     if (!isSpoken || QFileInfo(file).size() > static_cast<qint64>(largestWav))
         throw speechFault(std::string(engineName) + " could not speak a sentence", "a sentence within 5 s");
     std::vector<float> sound =
-        soundFromWav(protocols::readWholeFile(file.toStdString()), "the sound of " + std::string(engineName));
+        soundFromWav(protocols::readWholeFile(file.toStdString(), largestWav), "the sound of " + std::string(engineName));
     if (m_kept.size() < mostKept) m_kept[plain] = sound;
     return sound;
 }

@@ -54,7 +54,8 @@ std::string textOf(const std::vector<database::ChainedAct>& acts)
 
 std::string explanation(const std::string& study, const database::LogHead& head, const std::vector<database::ChainedAct>& acts)
 {
-    return "The log of the study " + protocols::printable(study) + "\n\nHead: " + textOf(head) + "\nActs: " + textOf(acts) +
+    return "The log of the study " + protocols::printable(study) + "\n\nHead: " + protocols::printable(textOf(head)) +
+           "\nActs: " + protocols::printable(textOf(acts)) +
            "\n\n"
            "log.csv has one row for each entry of the log, from the first on.\n\n"
            "sequence       number of the entry, from 1 without gaps\n"

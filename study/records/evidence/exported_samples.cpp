@@ -32,14 +32,16 @@ std::string fingerSamplesCsv(const database::StudyStore& store, const protocols:
             names = {entry.fabric.value, entry.condition};
             if (anchored) names.push_back(nameOf(entry.anchor));
         }
-        for (const protocols::FingerSample& sample : record.samples) {
-            std::vector<std::string> cells{record.participant.value,       std::to_string(record.trial.value),
-                                           std::to_string(record.attempt), record.voided ? "1" : "0",
-                                           std::to_string(sample.atNs),    cellOfValue(sample.xMm),
-                                           cellOfValue(sample.yMm),        cellOfValue(sample.forceN)};
+        const auto add = [&](const std::vector<std::string>& values) {
+            std::vector<std::string> cells{record.participant.value, std::to_string(record.trial.value),
+                                           std::to_string(record.attempt), record.voided ? "1" : "0"};
+            cells.insert(cells.end(), values.begin(), values.end());
             cells.insert(cells.end(), names.begin(), names.end());
             text += protocols::csvRow(cells);
-        }
+        };
+        for (const protocols::FingerSample& sample : record.samples)
+            add({std::to_string(sample.atNs), cellOfValue(sample.xMm), cellOfValue(sample.yMm), cellOfValue(sample.forceN)});
+        for (int stretch = 0; stretch < record.unreadable; ++stretch) add({"", "", "", ""});
     });
     return text;
 }

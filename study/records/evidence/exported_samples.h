@@ -10,7 +10,7 @@
 namespace study::records {
 
 /// One row a sample: participant, trial, attempt, voided, at_ns, x_mm, y_mm, force_n; with `naming` also fabric and condition.
-/// `participant`: only theirs; empty: everybody's.
+/// A stored stretch that is damaged has one row without time and values. `participant`: only theirs; empty: everybody's.
 std::string fingerSamplesCsv(const database::StudyStore& store, const protocols::ParticipantId& participant,
                              const std::optional<Naming>& naming);
 

@@ -10,6 +10,7 @@
 #include "database/evidence/finger_records.h"
 #include "database/keys.h"
 #include "database/stored_texts.h"
+#include "database/study_rows.h"
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/number_text.h"
@@ -100,11 +101,11 @@ ordered_json answerRow(const Person& person, const database::LoggedAnswer& answe
     if (question != nullptr) row["answer_kind"] = protocols::nameOf(question->kind);
     if (record.answer) row["answer"] = answerText(question, record);
     if (record.rating) row["rating"] = record.rating->inScaleUnits();
-    row["seconds"] = static_cast<double>(record.answeredAtNs - record.touchedAtNs.value_or(record.readyAtNs)) / 1e9;
+    row["seconds"] = database::secondsOf(record);
     if (answer.responseSeconds) row["response_seconds"] = *answer.responseSeconds;
     if (record.touchedAtNs) row["touched_by"] = record.touchedBy;
     if (record.touchEndedAtNs && record.touchedAtNs)
-        row["touching_seconds"] = static_cast<double>(*record.touchEndedAtNs - *record.touchedAtNs) / 1e9;
+        row["touching_seconds"] = database::secondsBetween(*record.touchedAtNs, *record.touchEndedAtNs);
     if (record.answerBegunAtNs) row["answer_begun_by"] = record.answerBegunBy;
     if (record.entries) row["entries"] = *record.entries;
     row["is_correction"] = record.isCorrection;

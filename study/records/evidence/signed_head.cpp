@@ -19,6 +19,8 @@ namespace {
 constexpr std::string_view firstLine = "vis2hap signed head 1\n";
 constexpr std::string_view signatureName = "signature: ";
 constexpr const char* keySchema = "vis2hap.signing-key/1";
+constexpr const char* keyAlgorithm = "Ed25519";
+constexpr const char* takeTheOriginal = "take the original file, or make a new key with `vis2hap study signing-key`";
 
 std::string line(const std::string& name, const std::string& value) { return name + ": " + protocols::printable(value) + "\n"; }
 
@@ -43,8 +45,11 @@ std::string takeLine(std::string_view& text, const std::string& name, const std:
 /// Mail programs and editors of Windows end lines with carriage returns and write a mark of the byte order.
 std::string withLineFeeds(std::string_view file)
 {
-    std::string text(protocols::withoutByteOrderMark(file));
-    for (std::size_t at = text.find("\r\n"); at != std::string::npos; at = text.find("\r\n", at)) text.erase(at, 1);
+    const std::string_view bytes = protocols::withoutByteOrderMark(file);
+    std::string text;
+    text.reserve(bytes.size());
+    for (std::size_t at = 0; at < bytes.size(); ++at)
+        if (!bytes.substr(at).starts_with("\r\n")) text += bytes[at];
     return text;
 }
 
@@ -55,6 +60,9 @@ database::LogHead headFrom(const std::string& text, const std::string& where)
     const auto [colon, fault] = std::from_chars(text.data(), end, head.sequence);
     if (fault != std::errc() || colon == end || *colon != ':') throw malformed("the signed statement has no head", where);
     head.hash.assign(colon + 1, end);
+    constexpr std::size_t hashLength = 64;  // SHA-256 in hexadecimal
+    if (head.hash.size() != hashLength || head.hash.find_first_not_of("0123456789abcdef") != std::string::npos)
+        throw malformed("the head of the signed statement is not whole", where);
     return head;
 }
 
@@ -120,7 +128,7 @@ std::string signingKeyText(const protocols::SecretKey& seed, const std::optional
 {
     const std::string text =
         nlohmann::ordered_json{
-            {"schema", keySchema}, {"algorithm", "Ed25519"}, {"public_key", protocols::publicKeyOf(seed)}, {"key", seed.hex()}}
+            {"schema", keySchema}, {"algorithm", keyAlgorithm}, {"public_key", protocols::publicKeyOf(seed)}, {"key", seed.hex()}}
             .dump(2) +
         "\n";
     return passphrase ? protocols::sealWithPassphrase(*passphrase, text) : text;
@@ -141,7 +149,14 @@ protocols::SecretKey signingKeyOf(const std::string& text, const std::string& wh
         document = protocols::parseStrictJson(*opened, where);
     }
     if (schemaOf() != keySchema || !document.contains("key") || !document["key"].is_string()) throw noSigningKey(where);
-    return protocols::SecretKey::ofHex(document["key"].get<std::string>(), where);
+    if (document.value("algorithm", nlohmann::json()) != keyAlgorithm)
+        throw protocols::badInput({"the signing key is for another algorithm", where,
+                                   std::string("\"algorithm\": \"") + keyAlgorithm + "\"", takeTheOriginal});
+    const auto seed = protocols::SecretKey::ofHex(document["key"].get<std::string>(), where);
+    if (document.value("public_key", nlohmann::json()) != protocols::publicKeyOf(seed))
+        throw protocols::badInput({"\"public_key\" of the signing key is not that of its \"key\"", where,
+                                   "both as `vis2hap study signing-key` wrote them", takeTheOriginal});
+    return seed;
 }
 
 }  // namespace study::records

@@ -3,6 +3,7 @@
 #include "database/server/server_replies.h"
 
 #include <QTest>
+#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/error_text.h"
@@ -69,6 +70,16 @@ private Q_SLOTS:
         QVERIFY(!familiarisationPosition(protocols::SealedCode("00ff")));
     }
 
+    /// Nanoseconds since 1970 end in 2262.
+    void aClockOfAnotherAgeIsFarAheadOrBehind()
+    {
+        const std::chrono::system_clock::time_point now{std::chrono::seconds(1'800'000'000)};
+        const auto ahead = [&](const char* time) { return clockAheadOf({{"now", time}}, now, now).count(); };
+        QVERIFY(ahead("9999-12-31T23:59:59.000Z") < -7'000'000'000);
+        QVERIFY(ahead("0001-01-01T00:00:00.000Z") >= 1'800'000'000);
+        QVERIFY(ahead("2027-01-15T08:00:30.000Z") == -30);
+    }
+
     void otherRepliesAreRefused_data()
     {
         QTest::addColumn<QString>("error");
@@ -95,6 +106,15 @@ private Q_SLOTS:
         QTest::newRow("another trial") << errorOf([&] { trialFrom(claim()["trials"][1], where, {1}); })
                                        << unread + "trial 2 in place of trial 1";
         QTest::newRow("state") << seen("/places/1/state", "lost") << "the database holds an unknown name";
+        QTest::newRow("slot of 33 bits") << claimed("/slot", 4294967297) << unread + "slot is no whole number that fits";
+        QTest::newRow("slot of 64 bits") << claimed("/slot", 18446744073709551615ULL)
+                                         << unread + "slot is no whole number that fits";
+        QTest::newRow("a fraction") << claimed("/protocol_version", 1.5) << unread + "protocol_version is no whole number";
+        QTest::newRow("phase -1") << claimed("/trials/0/phase", -1) << unread + "phase is negative";
+        QTest::newRow("phase of 64 bits") << claimed("/trials/0/phase", 18446744073709551615ULL) << unread + "phase is no whole";
+        QTest::newRow("deadline") << claimed("/trials/1/deadline_ms", 4294967297) << unread + "deadline_ms is no whole number";
+        QTest::newRow("last entry") << claimed("/head/sequence", 9223372036854775808ULL)
+                                    << unread + "sequence is no whole number";
         QTest::newRow("head") << seen("/head", nullptr) << unread;
         QTest::newRow("what stations owe") << seen("/owed", 5) << unread;
     }

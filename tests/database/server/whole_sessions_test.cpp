@@ -2,7 +2,9 @@
 #include <QElapsedTimer>
 #include <QTemporaryDir>
 #include <QTest>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "database/server/server_connection.h"
 #include "database/server/server_roles.h"
@@ -35,6 +37,7 @@ private Q_SLOTS:
     void onlyTheEndOfASessionFinishesIt();
     void aSessionWithoutAnAnswerIsNotFinished();
     void aFinishedSessionGetsNoVoid();
+    void answersThatNoSessionWritesAreRefused();
     void aReleaseThatIsTakenBackGivesNoImage();
     void theRecordOfAReleaseIsOnTheDisk();
     void anImageIsForItsOwnStation();
@@ -152,6 +155,92 @@ void WholeSessionsTest::aFinishedSessionGetsNoVoid()
     hidden["voids"] = 3;
     QVERIFY(stored(anna, hidden).contains("a trial with the event voided"));
     QCOMPARE(stored(anna, sentEntry("P01", events, "noted")), QString());
+}
+
+/// The log keeps what it has stored. What no report could use must not come into it.
+void WholeSessionsTest::answersThatNoSessionWritesAreRefused()
+{
+    using nlohmann::json;
+    const StudyFolder study = studyOfAnna("rows");
+    const ServerConnection anna(as("anna", "rows")), owner(as("owner", "rows"));
+    anna.call("join_study", {"one", tokenOfOne, "test"});
+    anna.call("claim", {"P01", "human"});
+    anna.run("SELECT * FROM @schema@.presentation(1)");
+    const auto planned = [&](const char* column) {
+        const QString first =
+            "SELECT t.%1 FROM @schema@.trials t JOIN @schema@.participants p ON p.slot = t.slot WHERE t.number = 1";
+        return owner.value(first.arg(column)).toString().toStdString();
+    };
+    const std::string tray = planned("alternatives"), choice = json::parse(tray).at(0);
+    json sound = sentEntry("P01", 0, "answered");
+    sound["event"]["payload"] = json{{"fabric", choice}, {"entries", 2}}.dump();
+    sound["finger"] = {{"trial", 1}, {"began_at", 2}, {"count", 2}, {"left_out", 0}, {"samples", "0,3120,2005,420;50,-12,,-3"}};
+    sound["answers"].push_back({{"trial", 1},
+                                {"question", "Q1"},
+                                {"presentation_code", planned("presentation_code")},
+                                {"alternatives", tray},
+                                {"choice", choice},
+                                {"rating_tenths", nullptr},
+                                {"ready_at", 1},
+                                {"touched_at", 2},
+                                {"touched_by", "display"},
+                                {"touch_ended_at", 3},
+                                {"answer_begun_at", 3},
+                                {"answer_begun_by", "entry"},
+                                {"answered_at", 4},
+                                {"entries", 2},
+                                {"is_correction", false},
+                                {"note", ""}});
+    const std::int64_t most = std::numeric_limits<std::int64_t>::max();
+    const std::tuple<const char*, json, const char*> changes[] = {
+        {"/finger/samples", "-", "finger.samples"},
+        {"/finger/samples", "0,1,2,3;5,1", "finger.samples"},
+        {"/finger/samples", "0,1099511627776,,;1,1099511627776,,", "finger.samples"},
+        {"/finger/count", 3, "finger.samples"},
+        {"/finger/began_at", most, "finger.began_at"},
+        {"/answers/0/ready_at", -most, "answers[0].ready_at"},
+        {"/answers/0/answered_at", most, "answers[0].answered_at"},
+        {"/answers/0/answered_at", 0, "answers[0].answered_at"},
+        {"/answers/0/touched_at", 0, "answers[0].answered_at"},
+        {"/answers/0/touch_ended_at", 1, "answers[0].answered_at"},
+        {"/answers/0/answer_begun_at", 5, "answers[0].answered_at"},
+        {"/answers/0/touched_by", "=cmd|' /C calc'!A0\u202e", "answers[0].touched_by"},
+        {"/answers/0/answer_begun_by", "nobody", "answers[0].answer_begun_by"},
+        {"/answers/0/entries", -7, "answers[0].entries"},
+        {"/answers/0/presentation_code", "\x1b[2J", "answers[0].presentation_code"},
+        {"/answers/0/is_correction", true, "there is no answer to correct"},
+        {"/event/payload", R"({"fabric":"F99"})", "the answer that the payload of the event tells"},
+        {"/event/payload", R"({"tenths":54})", "the answer that the payload of the event tells"},
+        {"/event/payload", "{}", "the answer that the payload of the event tells"},
+        {"/event/kind", "noted", "one answer with the events answered and corrected"},
+        {"/answers", json::array(), "one answer with the events answered and corrected"},
+        {"/event/wall_time", "292277026596-12-04T15:30:08Z\x1b[31m", "event.wall_time"},
+        {"/event/at_ns", most, "event.at_ns"},
+        {"/stored_at", most, "stored_at"},
+    };
+    for (const auto& [place, value, said] : changes) {
+        json changed = sound;
+        changed[json::json_pointer(place)] = value;
+        const QString refusal = stored(anna, changed);
+        QVERIFY2(refusal.contains(said), qPrintable(QString("%1: %2").arg(place, refusal)));
+    }
+    QCOMPARE(stored(anna, sound), QString());
+
+    json corrected = sound;  // as the program sends it, without stamps
+    corrected["id"] = sentEntry("P01", 1, "corrected")["id"];
+    corrected["after"] = 1;
+    corrected["event"]["kind"] = "corrected";
+    corrected["event"]["payload"] = json{{"question", "Q2"}, {"fabric", choice}, {"why", "misheard"}}.dump();
+    corrected["finger"] = nullptr;
+    json& answer = corrected["answers"][0];
+    for (const char* none : {"touched_at", "touched_by", "touch_ended_at", "answer_begun_at", "answer_begun_by", "entries"})
+        answer[none] = nullptr;
+    answer["ready_at"] = answer["answered_at"] = 0;
+    answer["is_correction"] = true;
+    QVERIFY(stored(anna, corrected).contains("the answer that the payload of the event tells"));
+    corrected["event"]["payload"] = json{{"question", "Q1"}, {"fabric", choice}, {"why", "misheard"}}.dump();
+    QCOMPARE(stored(anna, corrected), QString());
+    QCOMPARE(readStudy(study).faults(), std::vector<std::string>());
 }
 
 /// Nobody could see afterwards that the station had had the image.

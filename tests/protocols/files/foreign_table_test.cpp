@@ -98,6 +98,29 @@ private Q_SLOTS:
         QVERIFY(errorOf([&] { foreignTableFrom("force;ms\n0.5;1.988\n", "t.csv"); }).isEmpty());
     }
 
+    void commasThatMayBeThousandsAreRefused_data()
+    {
+        QTest::addColumn<QByteArray>("cells");
+        QTest::addColumn<bool>("isRefused");
+        QTest::newRow("thousands or thousandths") << QByteArray("1,203 999 2,500") << true;
+        QTest::newRow("with signs") << QByteArray("-1,203 +2,104 NA") << true;
+        QTest::newRow("another number of decimals") << QByteArray("1,203 2,5 3") << false;
+        QTest::newRow("below one") << QByteArray("1,203 0,104 3") << false;
+        QTest::newRow("four digits before") << QByteArray("1203,500 999") << false;
+    }
+    void commasThatMayBeThousandsAreRefused()
+    {
+        QFETCH(const QByteArray, cells);
+        QFETCH(const bool, isRefused);
+        std::string text = "t_s\ttaxels\n";
+        for (const auto& cell : cells.split(' ')) text += "0.01\t" + cell.toStdString() + "\n";
+        const QString error = errorOf([&] { foreignTableFrom(text, "t.tsv"); });
+        QCOMPARE(error.contains("may be thousands, because other columns have decimal points"), isRefused);
+        QVERIFY2(isRefused || error.isEmpty(), qPrintable(error));
+        // Without decimal points nothing is in doubt.
+        QCOMPARE(foreignTableFrom("t_s\ttaxels\n1\t1,203\n", "t.tsv").table.rows[0][1], std::string("1.203"));
+    }
+
     /// A name may look like a number with a comma; a column of names is not changed.
     void onlyColumnsOfNumbersLoseTheirCommas()
     {
@@ -114,6 +137,14 @@ private Q_SLOTS:
     void aNamedEncodingWins()
     {
         QCOMPARE(foreignTableFrom("x\n\xE4\xE5\n", "t.csv", "ISO-8859-1").table.rows[0][0], std::string("\u00E4\u00E5"));
+    }
+
+    /// These encodings hold a letter back until the next one. Before, the last letter of a file without a last line end was lost.
+    void theLastLetterIsKeptWithoutALineEnd()
+    {
+        for (const char* encoding : {"CP1258", "TCVN"})
+            QCOMPARE(foreignTableFrom("x\nwa", "t.csv", encoding).table.rows, (Rows{{"wa"}}));
+        QCOMPARE(foreignTableFrom("x\n\xF9", "t.csv", "CP1255").table.rows, (Rows{{"\u05E9"}}));
     }
 
     void faultsSayWhatToDo_data()

@@ -278,6 +278,27 @@ private Q_SLOTS:
                                         nested(200'000), std::string(largestJson + 1, ' ')})
             QVERIFY(storedJson(text).is_discarded() && storedOrderedJson(text).is_discarded());
     }
+
+    /// The payload of one altered entry held an export up: 60,000 keys took 10 s.
+    void manyStoredKeysAreReadInTheirOrder()
+    {
+        std::string text = "{\"z\":0";
+        for (int i = 0; i < 100'000; ++i) text += ",\"" + std::to_string(i) + "\":" + std::to_string(i);
+        QElapsedTimer clock;
+        clock.start();
+        const auto root = storedOrderedJson(text + ",\"z\":7}");
+        QVERIFY2(clock.elapsed() < 5000, qPrintable(QString("%1 ms").arg(clock.elapsed())));
+        QCOMPARE(root.size(), std::size_t{100'001});
+        QVERIFY(root.begin().key() == "z" && *root.begin() == 7 && root.back() == 99'999);
+    }
+
+    /// As the library's own reader does it, which knows nothing of speed.
+    void theLastValueOfADoubledKeyIsStoredInThePlaceOfTheFirst()
+    {
+        for (const char* text : {R"({"b":1,"a":2,"b":{"x":1,"x":[2]},"c":3,"a":4})", R"({"a":{"a":1,"b":2},"a":[{"k":1,"k":2}]})",
+                                 R"([{"\u0061":1,"a":2},{}])", R"({"a":1,"a":2,"a":3})"})
+            QCOMPARE(storedOrderedJson(text).dump(), nlohmann::ordered_json::parse(text).dump());
+    }
 };
 
 QTEST_GUILESS_MAIN(StrictJsonTest)

@@ -1,11 +1,14 @@
 // Numbers and markup as text.
 #include <QTest>
+#include <array>
 #include <clocale>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "protocols/files/markup_text.h"
 #include "protocols/files/number_text.h"
+#include "protocols/files/svg_drawing.h"
 #include "protocols/files/typed_number.h"
 
 using namespace protocols;
@@ -50,6 +53,27 @@ private Q_SLOTS:
         for (const char* text : {"", "1,2,3", "links, rechts", "5,", ",5", "21,5 °C", "1.000,5", "右手"})
             QCOMPARE(typedNumber(text), std::string(text));
         QCOMPARE(typedNumber("  links "), std::string("links"));
+    }
+
+    /// Every drawing takes its ticks from here, so a step that rounding swallows must end the list, not repeat it for ever.
+    void ticksOfAnyAxisEnd()
+    {
+        QCOMPARE(multiplesBetween(-0.25, 1, 0.25), (std::vector<double>{-0.25, 0, 0.25, 0.5, 0.75, 1}));
+        QCOMPARE(multiplesBetween(0.1, 0.3, 0.1).size(), std::size_t(3));  // 3 · 0.1 is above 0.3 by rounding
+        QVERIFY(!std::signbit(multiplesBetween(-0.5, 0.5, 1).front()));
+        constexpr double infinite = std::numeric_limits<double>::infinity(), tiny = std::numeric_limits<double>::denorm_min();
+        QVERIFY(multiplesBetween(1, 1e6, 1e-3).size() == std::size_t(mostTicks));
+        const std::vector<std::array<double, 3>> without{{0.3, std::nextafter(0.3, 1), 1e-17},
+                                                         {1e17, 1e17 + 16, 2},
+                                                         {0, 1, 0},
+                                                         {0, 1, -1},
+                                                         {0, infinite, 1},
+                                                         {-infinite, infinite, infinite},
+                                                         {0, 1, std::nan("")},
+                                                         {std::nan(""), 1, 1},
+                                                         {0, 1, tiny},
+                                                         {2, 1, 0.1}};
+        for (const auto& [low, high, step] : without) QVERIFY(multiplesBetween(low, high, step).empty());
     }
 
     void markupIsEscaped()

@@ -185,7 +185,8 @@ private Q_SLOTS:
         QVERIFY(result->arrays[3].empty());
         for (const std::string& wrong : {bytes.substr(0, bytes.size() - 1), std::string("no head"), std::string("{}\n"),
                                          std::string(R"({"facts":{},"arrays":[[-1,2,5]]})"
-                                                     "\n")})
+                                                     "\n"),
+                                         std::string("{\"facts\":{},\"arrays\":[[1e300,2,5]]}\n")})
             QVERIFY(!unpacked(wrong));
     }
 };

@@ -128,6 +128,13 @@ QByteArray rows(const QList<QPair<QByteArray, QByteArray>>& cells, const QByteAr
     return text;
 }
 
+/// The friction of all 256 levels, where only the last differs, by one unit of rounding.
+QString flatFriction()
+{
+    QStringList values(255, "0.5");
+    return "[" + (values << "0.5000000000000001").join(',') + "]";
+}
+
 }  // namespace
 
 class DisplayResponseTest : public QObject {
@@ -311,6 +318,7 @@ private Q_SLOTS:
         QTest::addColumn<QString>("value");
         QTest::newRow("falls") << "/friction/3"
                                << "0.9";
+        QTest::newRow("flat but for rounding") << "/friction" << flatFriction();
         QTest::newRow("no number") << "/friction/3"
                                    << "\"x\"";
         QTest::newRow("negative") << "/friction/0"
@@ -410,6 +418,9 @@ private Q_SLOTS:
         QTest::newRow("falls") << with(4, "255", "0.3") << "friction falls from 0.5000 at level 192 to 0.3000 at level 255";
         QTest::newRow("flat") << rows({{"0", "0.3"}, {"64", "0.3"}, {"128", "0.3"}, {"192", "0.3"}, {"255", "0.3"}})
                               << "friction does not change";
+        const QList<QPair<QByteArray, QByteArray>> rounded{
+            {"0", "0.5"}, {"64", "0.5"}, {"128", "0.5"}, {"192", "0.5"}, {"255", "0.5000000000000001"}};
+        QTest::newRow("changes by rounding, measured twice") << rows(rounded + rounded) << "a millionth of the mean friction";
         QTest::newRow("no level") << rows(good, "volt,mu") << "no column of grey levels";
         QTest::newRow("no friction") << rows(good, "level,volt") << "no column of friction";
     }

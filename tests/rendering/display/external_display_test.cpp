@@ -411,6 +411,18 @@ private Q_SLOTS:
         QVERIFY(understood > 5000 && understood < 39000);
     }
 
+    /// The time to read a line grows with its length, not with the square of its fields.
+    void linesOfManyFieldsAreReadQuickly()
+    {
+        std::string line = R"({"type":"status","id":3)";
+        for (int i = 0; i < 8000; ++i) line += ",\"" + std::to_string(i) + "\":0";
+        line += "}";
+        QElapsedTimer timer;
+        timer.start();
+        for (int i = 0; i < 40; ++i) QVERIFY(driverMessageFrom(line).has_value());
+        QVERIFY2(timer.elapsed() < 3000, qPrintable(QString::number(timer.elapsed())));
+    }
+
     void messagesAreReadAsTheyAreWritten_data()
     {
         QTest::addColumn<QByteArray>("line");
@@ -418,6 +430,7 @@ private Q_SLOTS:
         QTest::newRow("shown") << QByteArray(R"({"type":"shown","id":3})") << true;
         QTest::newRow("as a float") << QByteArray(R"({"type":"shown","id":3.0,"at_s":12.5})") << true;
         QTest::newRow("more fields") << QByteArray(R"({"type":"status","id":3,"showing":null,"volts":[1,2]})") << true;
+        QTest::newRow("a doubled field: the last counts") << QByteArray(R"({"type":"shown","id":4,"id":3})") << true;
         QTest::newRow("no id") << QByteArray(R"({"type":"shown"})") << false;
         QTest::newRow("half an id") << QByteArray(R"({"type":"shown","id":3.5})") << false;
         QTest::newRow("negative id") << QByteArray(R"({"type":"shown","id":-3})") << false;

@@ -192,6 +192,16 @@ private Q_SLOTS:
                                     << "empty";
         QTest::newRow("open quote") << "t_s,mu\n0,\"0.1\n"
                                     << "quote";
+        QTest::newRow("clock set an hour forward") << "t_s,mu\n0,0.1\n0.01,0.1\n0.02,0.1\n3600.03,0.1\n"
+                                                   << "gap in time of 3600 s";
+        QTest::newRow("row of the gap") << "t_s,mu\n0,0.1\n0.01,0.1\n0.2,0.1\n0.21,0.1\n"
+                                        << "row 3";
+        QTest::newRow("stamps beyond numbers") << "t_s,mu\n-1e308,0.1\n1e308,0.1\n"
+                                               << "sample rate of 0 Hz";
+        QTest::newRow("stamps that hardly differ") << "t_s,mu\n0,0.1\n1e-320,0.1\n"
+                                                   << "sample rate of inf Hz";
+        QTest::newRow("nanoseconds as seconds") << "t_s,mu\n0,0.1\n1000000,0.1\n2000000,0.1\n"
+                                                << "column t_s is in seconds";
     }
 
     void brokenFrictionIsRefusedByRow()
@@ -272,6 +282,15 @@ private Q_SLOTS:
         QVERIFY(contains(refusalOf([&] { readSamplePlaces(m_dataset); }), "column mm_per_pixel"));
     }
 
+    /// Before, the last row counted in trainings and evaluations.
+    void aSampleThatIsListedTwiceIsRefusedWithBothLines()
+    {
+        write(m_dataset.folder / "samples.csv",
+              "fabric,signal,index,x_mm,y_mm,rotation_deg,group\nF01,visual,0,,,,a\nF01,visual,1,,,,a\nF01,visual,0,,,,b\n");
+        const auto refusal = refusalOf([&] { splitBySample(m_dataset, 1); });
+        for (const char* words : {"F01/visual/0 is listed twice", "line 2", "line 4"}) QVERIFY(contains(refusal, words));
+    }
+
     void theHashChangesWithAnySample()
     {
         const std::string before = hashOf(m_dataset);
@@ -347,6 +366,9 @@ private Q_SLOTS:
         QTest::newRow("lost contact") << "contact"
                                       << "F01/friction/000.csv"
                                       << "row 2";
+        QTest::newRow("jump of the clock") << "clock"
+                                           << "F01/friction/000.csv"
+                                           << "gap in time";
         QTest::newRow("height that is not finite") << "nan"
                                                    << "F01/height/000.tiff"
                                                    << "not finite";
@@ -420,6 +442,7 @@ private:
             {"remove", [&] { fs::remove(folder / "F01/friction/001.csv"); }},
             {"extra", [&] { write(folder / "F01/friction/002.csv", "t_s,mu\n0,0.1\n1,0.1\n"); }},
             {"contact", [&] { write(folder / "F01/friction/000.csv", "t_s,normal_n,tangential_n\n0,10,1\n1,0,1\n"); }},
+            {"clock", [&] { write(folder / "F01/friction/000.csv", "t_s,mu\n0,0.1\n0.01,0.1\n0.02,0.1\n3600,0.1\n"); }},
             {"nan", [&] { writeHeight(24, 32, std::numeric_limits<float>::quiet_NaN()); }},
             {"negative", [&] { writeHeight(24, 32, -0.01f); }},
             {"heightsize", [&] { writeHeight(20, 20, 0.1f); }},

@@ -107,6 +107,22 @@ private Q_SLOTS:
         QVERIFY(refusalOf([&] { readClothCheck(file); }).contains("line 1, column 2: malformed JSON"));
         QVERIFY(refusalOf([&] { fitClothCheck(1, 5, 1); }).contains("too few"));
     }
+
+    /// Before, a count beyond 32 bits was cut to another one.
+    void countsOfACheckAreWhole()
+    {
+        QTemporaryDir folder;
+        const std::filesystem::path file = folder.filePath("check.json").toStdString();
+        writeClothCheck(file, shippedClothCheck());
+        const QString sound = QString::fromStdString(protocols::readWholeFile(file));
+        for (const char* altered : {"\"pictures\": 1200.9", "\"pictures\": 4294968496", "\"pictures\": 1e300", "\"seed\": -1"}) {
+            const QString name = QString(altered).section(':', 0, 0);
+            const QString from = name + (name.contains("seed") ? ": 1" : ": 1200");
+            QVERIFY(sound.contains(from));
+            protocols::writeWholeFile(file, QString(sound).replace(from, altered).toStdString());
+            QVERIFY2(refusalOf([&] { readClothCheck(file); }).contains("is no whole number from 0"), altered);
+        }
+    }
 };
 
 QTEST_GUILESS_MAIN(ClothCheckTest)

@@ -14,6 +14,7 @@
 #include "rendering/fabrics/dataset.h"
 #include "rendering/fabrics/friction_record.h"
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
+#include "rendering/models/exchange.h"
 
 using namespace rendering;
 using models::GeneratedSignals;
@@ -291,6 +292,33 @@ private Q_SLOTS:
     {
         const Instead none("/nowhere/vis2hap-nn");
         QVERIFY(generated({}).empty());
+    }
+
+    /// Before, scales and friction of any size went into the images.
+    void answersWithImpossibleNumbersAreRefused()
+    {
+        GeneratedSignals sound;
+        sound.heightMm = cv::Mat(4, 5, CV_32FC1, cv::Scalar(0.25));
+        sound.heightMmPerPixel = sound.traceMmPerSample = 0.05;
+        sound.trace.assign(10, 0.4);
+        sound.meanFriction = 0.4;
+        const auto faultOf = [&](double GeneratedSignals::*number, double value) {
+            GeneratedSignals answer = sound;
+            answer.*number = value;
+            const QTemporaryDir folder;
+            models::AnswerWriter writer(folder.path().toStdString());
+            writer.add(answer);
+            writer.finish();
+            QString line;
+            codeOfFault([&] { models::readAnswers(folder.path().toStdString()); }, &line);
+            return line;
+        };
+        QCOMPARE(faultOf(&GeneratedSignals::meanFriction, 0.4), QString());
+        for (const double value : {-0.4, 0.0, 1e300}) {
+            QVERIFY(faultOf(&GeneratedSignals::heightMmPerPixel, value).contains("height_mm_per_pixel is no number above 0"));
+            QVERIFY(faultOf(&GeneratedSignals::traceMmPerSample, value).contains("trace_mm_per_sample is no number above 0"));
+            QVERIFY(faultOf(&GeneratedSignals::meanFriction, value).contains("mean_friction is no number above 0 and below 1"));
+        }
     }
 
     void wrongPhotographsAreRefused()

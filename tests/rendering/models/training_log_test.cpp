@@ -2,6 +2,7 @@
 // as an uninterrupted one.
 #include "rendering/models/training_log.h"
 
+#include <QElapsedTimer>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QXmlStreamReader>
@@ -14,6 +15,7 @@
 #include "protocols/files/whole_file.h"
 #include "rendering/images/image_png.h"
 #include "rendering/models/training_curves.h"
+#include "rendering/models/training_table.h"
 
 using namespace rendering;
 using models::NamedValue;
@@ -156,6 +158,40 @@ private Q_SLOTS:
         log.validation(1, std::vector<NamedValue>{{"one", -3}});
         const QString svg = QString::fromStdString(protocols::readWholeFile(at("even") / "curves.svg"));
         QVERIFY(!svg.contains("nan") && !svg.contains("inf\"") && svg.contains("no finite values"));
+    }
+
+    /// A loss that has converged: its last values differ by rounding only. The training must go on after its validation.
+    void curvesOfNearlyEvenAndOfHugeValuesAreDrawn_data()
+    {
+        QTest::addColumn<double>("first");
+        QTest::addColumn<double>("second");
+        QTest::newRow("one unit of rounding") << 0.3 << std::nextafter(0.3, 1);
+        QTest::newRow("the same of a large number") << 1e17 << std::nextafter(1e17, 1e18);
+        QTest::newRow("as wide as numbers are") << -1e308 << 1e308;
+        QTest::newRow("as small as numbers are") << 0.0 << 5e-324;
+        QTest::newRow("600 decades") << 1e-300 << 1e300;
+    }
+    void curvesOfNearlyEvenAndOfHugeValuesAreDrawn()
+    {
+        QFETCH(double, first);
+        QFETCH(double, second);
+        models::TrainingTable table;
+        table.put(1, std::vector<NamedValue>{{"a", first}});
+        table.put(2, std::vector<NamedValue>{{"a", second}});
+        const QString svg = QString::fromStdString(models::curvesSvg(table, {}));
+        QVERIFY(!svg.contains("nan") && !svg.contains("inf"));
+        QVERIFY2(svg.count("<line") < 15, qPrintable(QString::number(svg.count("<line"))));
+    }
+
+    void curvesOfALongTrainingAreDrawnAtOnce()
+    {
+        models::TrainingTable table;
+        for (int step = 1; step <= 200'000; ++step) table.rows[step] = {1.0 / step};
+        table.names = {"a"};
+        QElapsedTimer clock;
+        clock.start();
+        models::curvesSvg(table, {});
+        QVERIFY2(clock.elapsed() < 5000, qPrintable(QString::number(clock.elapsed())));  // 40,000 steps took as long before
     }
 
     void samplesShareOneScaleARow()

@@ -117,6 +117,21 @@ private Q_SLOTS:
                  QString::fromStdString(bytesOf(models::cardOf(models::shippedModel()))));
     }
 
+    /// Before, 24 + 2^32 and 24.9 channels were taken as 24.
+    void countsOfACardAreWhole()
+    {
+        const QString sound = QString::fromStdString(bytesOf(models::cardOf(models::shippedModel())));
+        for (const char* altered :
+             {"\"base_channels\": 4294967320", "\"base_channels\": 24.9", "\"steps\": -1e300", "\"seed\": -1"}) {
+            const QString name = QString(altered).section(':', 0, 0);
+            const QString from = name + (name.contains("base") ? ": 24" : name.contains("steps") ? ": 3600" : ": 31");
+            QVERIFY(sound.contains(from));
+            write(models::cardOf(model()), QString(sound).replace(from, altered).toStdString());
+            const QString fault = faultOfGenerating();
+            QVERIFY2(fault.startsWith("2 ") && fault.contains("is no whole number from 0"), qPrintable(fault));
+        }
+    }
+
     void unusableWeightsAreRefused_data()
     {
         QTest::addColumn<QString>("harm");

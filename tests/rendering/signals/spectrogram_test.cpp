@@ -296,6 +296,10 @@ private Q_SLOTS:
                                         << "do not increase";
         QTest::newRow("no rate") << "rate"
                                  << "sample rate";
+        QTest::newRow("clock set an hour forward") << "jump"
+                                                   << "gap in time";
+        QTest::newRow("stamps that hardly differ") << "tiny"
+                                                   << "sample rate of inf Hz";
     }
     void unusableRecordIsRefusedByName()
     {
@@ -306,6 +310,9 @@ private Q_SLOTS:
         if (kind == "nan") record.values[7] = std::numeric_limits<double>::quiet_NaN();
         if (kind == "back") record.timeS[20] = record.timeS[19];
         if (kind == "rate") record.sampleRateHz = 0;
+        if (kind == "jump") record.timeS.back() += 3600;
+        if (kind == "tiny")
+            for (std::size_t i = 0; i < record.timeS.size(); ++i) record.timeS[i] = 1e-320 * static_cast<double>(i);
         const auto refusal = refusalOf([&] { frictionTrace(record, "F02/friction/004.csv"); });
         QVERIFY2(refusal.contains(said) && refusal.contains("F02/friction/004.csv"), qPrintable(refusal));
     }

@@ -3,6 +3,7 @@
 
 #include <QElapsedTimer>
 #include <QTest>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "study/analyse/analyse_formula.h"
@@ -134,20 +135,20 @@ private Q_SLOTS:
                                    << "the recipe's shape has a side of 99999999999999999999";
         QTest::newRow("a product of 2^64") << "a=k, k row-major, 4611686018427387904 rows x 4 cols"
                                            << "the recipe's shape has a side of 4611686018427387904";
-        QTest::newRow("a large product") << "a=k, k row-major, 200000000 rows x 200000000 cols"
-                                         << "asks for 40000000000000000 entries of 1 array";
+        QTest::newRow("a large product") << "a=k, k row-major, 10000000 rows x 10000000 cols"
+                                         << "asks for 100000000000000 entries of 1 array";
         QTest::newRow("a range beyond 64 bits") << "a=i, i=0..2^100"
                                                 << "is not a whole number below 9e15";
         QTest::newRow("both ends far away") << "a=i, i=0-2^63..2^63-1"
                                             << "is not a whole number below 9e15";
         QTest::newRow("backwards") << "a=i, i=3..0"
                                    << "asks for -2 entries";
-        QTest::newRow("each array counts") << "a=i, b=i, c=i, i=1..100000000"
-                                           << "entries of 3 arrays; expected 0 to 200000000 in all";
+        QTest::newRow("each array counts") << "a=i, b=i, c=i, i=1..5000000"
+                                           << "entries of 3 arrays; expected 0 to 10000000 in all";
         QTest::newRow("n") << "a=i"
-                           << "the recipe's n is outside 0 to 200000000";
-        QTest::newRow("hours of work") << "a=i" + QString("+1").repeated(4000) + ", i=1..100000000"
-                                       << "is too long for 100000000";
+                           << "the recipe's n is outside 0 to 10000000";
+        QTest::newRow("hours of work") << "a=i" + QString("+1").repeated(4000) + ", i=1..1000000"
+                                       << "is too long for 1000000";
         QTest::newRow("twice") << "a=i, a=2, i=0..1"
                                << "defines a twice";
         QTest::newRow("range against shape") << "a=i, b=i, i=0..3, 800 rows x 1280 cols"
@@ -160,6 +161,103 @@ private Q_SLOTS:
         QFETCH(const QString, said);
         const auto answer = answerTo("t_test", {{"kind", "one_sample"}, {"x", {{"recipe", recipe.toStdString()}, {"n", 1e300}}}});
         QVERIFY2(saysError(answer, said), answer.dump().c_str());
+    }
+
+    /// Before, each recipe had a limit of its own, so that 20 rows asked for 16 GB.
+    void theRecipesOfARequestShareOneLimit()
+    {
+        const json half{{"recipe", "x=i, i=0..4999999"}};
+        QVERIFY(saysError(answerTo("friedman", {{"rows", json::array({half, half, half})}}),
+                          "15000000 entries of all recipes; expected smaller inputs, at most 10000000"));
+        const json slow{{"recipe", "x=i" + std::string(8'000, ' ') + ", i=0..69999"}};
+        QVERIFY(saysError(answerTo("t_test", {{"kind", "paired"}, {"x", slow}, {"y", slow}}), "entries x characters"));
+    }
+
+    void smallRequestsOfTooMuchAreRefused_data()
+    {
+        QTest::addColumn<QString>("analysis");
+        QTest::addColumn<QString>("inputs");
+        QTest::addColumn<QString>("options");
+        QTest::addColumn<QString>("said");
+        const auto row = [](const char* name, const char* analysis, const json& inputs, const json& options, const char* said) {
+            QTest::newRow(name) << QString(analysis) << QString::fromStdString(inputs.dump())
+                                << QString::fromStdString(options.dump()) << QString(said);
+        };
+        json ids = json::array(), ones = json::array(), two = json::array();
+        for (int i = 0; i < 2400; ++i) {
+            ids.push_back("c" + std::to_string(i));
+            ones.push_back(i % 2);
+            two.push_back("c" + std::to_string(i % 2));
+        }
+        const json none = json::object();
+        const std::map<const char*, const char*> models{{"linear_mixed", "value"},
+                                                        {"logistic_mixed", "correct"},
+                                                        {"ordinal_mixed", "rating"},
+                                                        {"r_squared", "value"},
+                                                        {"claims", "value"}};
+        for (const auto& [model, field] : models)
+            row(model, model, {{field, ones}, {"condition", ids}, {"participant", ids}}, none,
+                "2400 conditions; expected smaller inputs, at most 100");
+        const json timed{{"seconds", ones}, {"correct", ones}, {"condition", ids}, {"participant", ids}};
+        row("speed_contrasts", "speed_contrasts", timed, none, "2400 conditions");
+        json pairs = json::array();
+        for (int i = 0; i < 5001; ++i) pairs.push_back(json::array({"c0", "c1"}));
+        const json few{{"value", ones}, {"condition", two}, {"participant", ids}};
+        row("pairs", "claims", few, {{"contrasts", pairs}}, "5001 contrasts; expected smaller inputs, at most 5000");
+        const json long3{{"recipe", "x=i*i mod 101, i=0..1000"}};
+        row("rm_anova", "rm_anova_oneway", {{"rows", {long3, long3, long3}}}, none, "1001 conditions");
+        json a = json::array(), b = json::array();
+        for (int i = 0; i < 2400; ++i) {
+            a.push_back("a" + std::to_string(i / 40 % 30));
+            b.push_back(i % 40);
+        }
+        const json within{{"value", ones}, {"a", a}, {"b", b}, {"participant", two}};
+        row("two_way_anova", "two_way_anova", within, {{"design", "within"}}, "1200 measures of a participant");
+        row("resamples", "bca_bootstrap_mean", {{"x", {1, 2, 4}}}, {{"n_resamples", 100000000}}, "100000000 resamples");
+        row("draws", "bca_bootstrap_mean", {{"x", {{"recipe", "x=i, i=0..299999"}}}}, none, "3000000000 resamples x values");
+        const json million{{"recipe", "x=0.5, i=0..1000000"}};
+        row("p_adjust", "p_adjust", {{"p", million}}, none, "1000001 p values");
+        row("bis", "bis", {{"pc", million}, {"rt", million}}, none, "1000001 cells");
+        const json many{{"recipe", "x=i-i+4, i=0..100000"}};
+        row("mafc_probit", "mafc_probit", {{"level", many}, {"k", many}, {"n", many}, {"m", 3}}, none, "100001 levels");
+        const json trace{{"recipe", "x=i mod 7, i=0..99999"}};
+        row("spectrum", "spectrum_distance", {{"generated", trace}, {"truth", trace}}, {{"segment", 65536}}, "values x segment");
+        row("shifts", "registered_ssim", {{"recipe", "a=i mod 7, b=i mod 5, 500 rows x 500 cols"}},
+            {{"data_range", 7}, {"most_shift", 200}}, "pixels x shifts");
+    }
+
+    /// Before, each took gigabytes or many seconds for a request of some kilobytes.
+    void smallRequestsOfTooMuchAreRefused()
+    {
+        QFETCH(const QString, analysis);
+        QFETCH(const QString, inputs);
+        QFETCH(const QString, options);
+        QFETCH(const QString, said);
+        QElapsedTimer clock;
+        clock.start();
+        const auto answer = answerTo(qPrintable(analysis), json::parse(inputs.toStdString()), json::parse(options.toStdString()));
+        QVERIFY2(saysError(answer, said), answer.dump().substr(0, 300).c_str());
+        QVERIFY2(saysError(answer, "expected smaller inputs"), answer.dump().substr(0, 300).c_str());
+        QVERIFY2(clock.elapsed() < 2000, qPrintable(QString("%1 ms").arg(clock.elapsed())));
+    }
+
+    /// Before, the time grew with the square of the number of ids, and of that of the groups.
+    void manyIdsAndGroupsTakeNoLonger()
+    {
+        QElapsedTimer clock;
+        clock.start();
+        std::string cases, groups;
+        for (int i = 0; i < 50000; ++i) {
+            cases += std::string(i == 0 ? "" : ",") + "{\"id\":\"request " + std::to_string(i) + "\"}";
+            groups += (i == 0 ? "" : ",") + std::string("\"g") + std::to_string(i / 2) + "\"";
+        }
+        const auto answers = study::analyse::answersTo("{\"cases\":[" + cases + "]}", "requests.json", ".");
+        QCOMPARE(answers.size(), std::size_t{50000});
+        QVERIFY(answers.back() == answers.front());
+        const json y{{"recipe", "y=i*i mod 101, i=0..49999"}};
+        const auto anova = answerTo("anova_oneway", {{"y", y}, {"group", json::parse("[" + groups + "]")}});
+        QCOMPARE(anova["k"].get<int>(), 25000);
+        QVERIFY2(clock.elapsed() < 10000, qPrintable(QString("%1 ms").arg(clock.elapsed())));
     }
 
     /// Before, one such recipe ended the run, and no request was answered.

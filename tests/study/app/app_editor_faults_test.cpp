@@ -56,6 +56,9 @@ private Q_SLOTS:
     void largeProtocolOpensWithinSeconds();
     void narrowWindowSwitches();
     void questionsKeepTheirSentences();
+    void placesThatLeadNowhereAreLeftAlone();
+    void anUnknownKeyIsRemovedAsItStands_data();
+    void anUnknownKeyIsRemovedAsItStands();
 };
 
 void AppEditorFaultsTest::faultsOfAFileHaveLinesAndColumns()
@@ -432,6 +435,54 @@ void AppEditorFaultsTest::questionsKeepTheirSentences()
     QVERIFY(phaseKindOf(draft, 0) == PhaseKind::OwnWords);
     setPhaseKind(draft, 0, PhaseKind::Words);
     QVERIFY(phaseKindOf(draft, 0) == PhaseKind::Words && !draft.has("phases[0].free_text"));
+}
+
+void AppEditorFaultsTest::placesThatLeadNowhereAreLeftAlone()
+{
+    ProtocolDraft draft =
+        ProtocolDraft::fromText(R"({"phases": [{"questions": ["Q1"]}], "phases[0]": 1, "a.b": 2, "": 3, "n": null})", "here");
+    const ProtocolDraft begun = draft;
+    for (const char* place :
+         {"phases[foo", "phases[]", "phases[-1]", "phases[1x]", "phases[99999999999999999999]", "[", "", "."}) {
+        QVERIFY2(place[0] == '\0' || place[0] == '.' || !draft.has(place), place);
+        draft.erase(place);
+        QVERIFY2(draft == begun, place);
+    }
+    QVERIFY(!draft.eraseKey("phases[7]", "questions") && !draft.eraseKey("phases[foo", "x") && !draft.eraseKey("phases", "0"));
+    QVERIFY(draft == begun);
+    for (const char* key : {"phases[0]", "a.b", "", "n"}) QVERIFY2(draft.eraseKey("", key), key);
+    QCOMPARE(draft.document(), Json::parse(R"({"phases": [{"questions": ["Q1"]}]})"));
+    QVERIFY(draft.eraseKey("phases[0]", "questions"));
+    QCOMPARE(draft.document(), Json::parse(R"({"phases": [{}]})"));
+}
+
+void AppEditorFaultsTest::anUnknownKeyIsRemovedAsItStands_data()
+{
+    QTest::addColumn<QString>("key");
+    QTest::newRow("a bracket that never closes") << "phases[foo";
+    QTest::newRow("the name of a place") << "phases[0]";
+    QTest::newRow("a key behind a quote") << "x'phases";
+    QTest::newRow("a path") << "phases[0].questions";
+    QTest::newRow("nothing") << "";
+}
+
+void AppEditorFaultsTest::anUnknownKeyIsRemovedAsItStands()
+{
+    QFETCH(const QString, key);
+    ProtocolDraft sound;
+    for (const auto& example : protocols::shipped::examples())
+        if (example.name == "two_choice_likert") sound = ProtocolDraft::fromText(example.json, "example");
+    sound.erase("$schema");
+    Json document = sound.document();
+    document[key.toStdString()] = 1;
+    ShownEditor shown;
+    QVERIFY(QTest::qWaitForWindowActive(&shown.window));
+    shown.page().edit(ProtocolDraft::fromText(document.dump(), "here"), {});
+    shown.check();
+    QCOMPARE(shown.faults().size(), qsizetype(1));
+    shown.gui.click("goToFault1");
+    QTRY_COMPARE(shown.faults(), QStringList());
+    QCOMPARE(shown.page().draft(), sound);
 }
 
 QTEST_MAIN(AppEditorFaultsTest)

@@ -13,7 +13,7 @@
 #include <map>
 #include <set>
 
-#include "database/station_key.h"
+#include "database/disk/station_key.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/display/stimulus_bank.h"
@@ -43,7 +43,7 @@ struct SeenFolder {
     explicit SeenFolder(const fs::path& folder)
     {
         const database::StudyStore store({folder}, database::StudyStore::Access::Read);
-        const auto key = database::readStationKey(store);
+        const auto key = database::readStationKey(store.folder(), store.facts().stationKeySha256);
         rendering::StimulusBank bank(store.folder().stimuli(), store.stimulusHashes(), key);
         keyText = key.hex();
         for (const auto& [code, hash] : store.stimulusHashes()) {

@@ -1,5 +1,6 @@
 // Evidence that leaves the study: the log in exports, the data sheet; and the rule for names of people.
 #include <QCryptographicHash>
+#include <QDir>
 #include <QFile>
 #include <QProcess>
 #include <QStandardPaths>
@@ -265,6 +266,39 @@ private Q_SLOTS:
         QCOMPARE(run.exitCode, 2);
         QVERIFY2(run.err.contains(fault), qPrintable(run.err));
         QVERIFY2(!run.err.contains('\x1b') && run.err.count('\n') == 1, qPrintable(run.err));
+    }
+
+    /// Whoever writes into study.db could otherwise change what the terminal shows, and add lines to a certificate. Studies with
+    /// such a name were made by earlier versions.
+    void alteredCellsSteerNoTerminal()
+    {
+        const QString study = playedStudy();
+        mustRun({"export", study, "--out", at("altered-act")});
+        {
+            tests::support::RawSqlite raw((study + "/study.db").toStdString());
+            raw.dropTriggers();
+            for (const char* sql :
+                 {"UPDATE study SET name = 'a' || char(27) || '[2J' || char(10) || 'Log head: 1:forged' || printf('%.*c', 800, "
+                  "'x')",
+                  "UPDATE events SET hash = char(27) || '[2J' || hash WHERE sequence = (SELECT MAX(sequence) FROM events)",
+                  "UPDATE acts SET hash = char(27) || '[2J' || hash, details = json_set(details, '$.host', 'h' || char(10) || "
+                  "'Forged: x' || char(27) || 'c')"})
+                QCOMPARE(raw.run(sql), std::string());
+        }
+        const auto verified = runProgram({"verify", study});
+        QVERIFY2(verified.out.contains(":\\x1b[2J"), qPrintable(verified.out));
+        const auto status = mustRun({"study", "status", study});
+        QVERIFY2(status.out.contains("x (blinded)\n") && !status.out.contains("\nLog head: 1:forged"), qPrintable(status.out));
+        const QString erased = runProgram({"erase", study, "--participant", "P1", "--who", "Ada", "--why", "on request"}).out;
+        const QDir erasures(study + "/erasures");
+        QCOMPARE(erasures.entryList(QDir::Files).size(), 1);
+        const QString certificate = bytesOf(erasures.filePath(erasures.entryList(QDir::Files).front()));
+        QVERIFY2(!certificate.contains("\nLog head: 1:forged") && !certificate.contains("\nForged: x"), qPrintable(certificate));
+        QVERIFY2(certificate.contains("on h Forged: x\\x1bc, "), qPrintable(certificate));
+        for (const QString& text : {verified.out, verified.err, status.out, erased, certificate,
+                                    runProgram({"export", study, "--out", at("altered")}).out,
+                                    runProgram({"backup", study, "--out", at("altered.tar")}).out})
+            QVERIFY2(!text.contains('\x1b'), qPrintable(text));
     }
 };
 

@@ -103,6 +103,25 @@ private Q_SLOTS:
             QVERIFY2(!messages[0].contains(inside), qPrintable(messages[0]));
     }
 
+    void scalesThatNoProtocolMayHaveAreRefused_data()
+    {
+        QTest::addColumn<QString>("scale");
+        for (const char* scale : {"0,1e300", "0,214748365", "2.96,5.04", "-10001,5", "0,0.05", "inf,5"})
+            QTest::newRow(scale) << scale;
+    }
+    void scalesThatNoProtocolMayHaveAreRefused()
+    {
+        QFETCH(const QString, scale);
+        const QTemporaryDir folder;
+        protocols::writeWholeFile(folder.filePath("a.csv").toStdString(),
+                                  "participant,fabric,condition,Q2\nP1,F1,a,3\nP1,F1,b,4\nP2,F1,a,3\nP2,F1,b,5\n");
+        const ProgramResult ended =
+            runProgram({"report", "--from", folder.filePath("a.csv"), "--out", folder.filePath("out"), "--scale=" + scale});
+        QCOMPARE(ended.exitCode, 2);
+        QVERIFY2(ended.err.contains("\"" + scale + "\"") && ended.err.contains("--scale"), qPrintable(ended.err));
+        QVERIFY(!fs::exists(folder.filePath("out").toStdString()));
+    }
+
     void tooFewOpenFilesAreNamedWithTheirLimit()
     {
         const QTemporaryDir folder;

@@ -97,6 +97,25 @@ private Q_SLOTS:
         stored.write(counts.dump().c_str());
         stored.close();
         QVERIFY(powerOf(call) == answer);
+        const auto store = [&stored](const json& altered) {
+            QVERIFY(stored.open(QIODevice::WriteOnly));
+            stored.write(altered.dump().c_str());
+            stored.close();
+        };
+        // A name from the file gives the terminal no orders.
+        json named = counts;
+        named["planted"]["finished"].front()[0]["name"] = "a\x1b[2J";
+        store(named);
+        const QString text = support::mustRun(QStringList{"power", "--studies", "20"} + call).out;
+        QVERIFY(!text.contains(QChar(0x1b)) && text.contains("a\\x1b[2J"));
+        // Three studies do not stand for a hundred.
+        json few = counts;
+        for (auto& truth : few["calibrate"]["finished"]) truth[0] = json::array({3, 3, 0});
+        store(few);
+        const auto refused = support::runProgram(QStringList{"power", "--studies", "20"} + call);
+        QCOMPARE(refused.exitCode, 2);
+        QVERIFY2(refused.err.contains("the counts are those of 3 studies") && refused.err.contains("counts of 100 studies"),
+                 qPrintable(refused.err));
         // Other settings would be mixed with these; a damaged file would be believed.
         QCOMPARE(support::runProgram(QStringList{"power", "--studies", "20", "--seed", "7"} + call).exitCode, 2);
         QVERIFY(stored.open(QIODevice::WriteOnly));

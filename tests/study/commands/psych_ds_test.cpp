@@ -17,6 +17,7 @@
 #include "tests/study/commands/psych_ds_files.h"
 #include "tests/support/played_session.h"
 #include "tests/support/program.h"
+#include "tests/support/raw_sqlite.h"
 #include "tests/support/study_builder.h"
 
 using nlohmann::json;
@@ -54,7 +55,7 @@ std::string hostileProtocol()
                   "instructions": [{"id": "quick", "aim": "speed"}, {"id": "slow", "text": "Take 1 s.", "deadline_seconds": 1}]},
                  {"questions": ["Same"], "same_different": true}],
       "question_texts": {"Feel": "How close?", "Why": "What did you feel?", "Same": "Is it the same?"}, "dead_time_seconds": 0})");
-    protocol["name"] = hostileName;
+    protocol["name"] = "hostile";
     return protocol.dump();
 }
 
@@ -107,6 +108,7 @@ private Q_SLOTS:
         const QString sealed = played("sealed", {.passphrase = "open sesame"}, {"P01"});
         const QString plain = played("plain", {.participants = 14}, allButOne);
         const QString hostile = played("hostile", {.protocol = hostileProtocol()}, hostilePeople);
+        renameAsBefore((hostile + "/study.db").toStdString(), hostileName);
         json lengthy = json::parse(protocolText({}));
         lengthy["name"] = QString(500, u'ü').toStdString();
         const QString longNamed = played("long", {.protocol = lengthy.dump()}, {});
@@ -153,7 +155,9 @@ private Q_SLOTS:
     }
     void materialsHoldTheProtocol()
     {
-        QCOMPARE(dataset("hostile").files.at("materials/protocol-1.json"), hostileProtocol());
+        json stored = json::parse(hostileProtocol());
+        stored["name"] = hostileName;
+        QVERIFY(json::parse(dataset("hostile").files.at("materials/protocol-1.json")) == stored);
         QVERIFY(!dataset("hostile-labels").files.contains("materials/protocol-1.json"));
     }
     void rawDataStayApartFromDataFiles()

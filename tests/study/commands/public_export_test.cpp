@@ -15,6 +15,7 @@
 #include "tests/study/commands/psych_ds_files.h"
 #include "tests/support/played_session.h"
 #include "tests/support/program.h"
+#include "tests/support/raw_sqlite.h"
 #include "tests/support/study_builder.h"
 
 using nlohmann::json;
@@ -117,13 +118,14 @@ class PublicExportTest : public QObject {
     QString study(const QString& name, const Design& design, const QStringList& people)
     {
         const QString folder = at(QString("study%1").arg(++m_studies));
-        buildStudy(folder.toStdString(), {.protocol = protocolOf(name, design)});
+        buildStudy(folder.toStdString(), {.protocol = protocolOf("Plain", design)});
         for (const QString& person : people) {
             OpenSession session({folder.toStdString()}, person.toStdString());
             session.stepUntil("Presenting");
             session.send(study::session::Noted{"=a note", true});
             session.playToEnd();
         }
+        renameAsBefore((folder + "/study.db").toStdString(), name.toStdString());
         mustRun({"unblind", folder, "--who", "M", "--why", "done"});
         return folder;
     }

@@ -153,6 +153,46 @@ private Q_SLOTS:
         QVERIFY2(run.out.contains("entries were cut off, or an earlier database was put back"), qPrintable(run.out));
     }
 
+    /// A key that was pieced together would sign under a public key that is not its own.
+    void aKeyWhosePartsDisagreeIsRefused()
+    {
+        const QString study = playedStudy(), key = at("whole"), changed = at("changed");
+        mustRun({"study", "signing-key", "--out", key, "--no-passphrase"});
+        const auto refusalWith = [&](const char* field, const std::string& value) {
+            json document = tests::evidence::jsonOf(key);
+            document[field] = value;
+            QFile file(changed);
+            if (file.open(QIODevice::WriteOnly)) file.write(QByteArray::fromStdString(document.dump()));
+            file.close();
+            const auto run = runProgram({"study", "sign", study, "--key", changed, "--out", at("never.txt")});
+            return run.exitCode == 2 ? run.err : QString("exit %1").arg(run.exitCode);
+        };
+        const QString other = refusalWith("public_key", std::string(64, '0'));
+        QVERIFY2(other.contains("is not that of its \"key\""), qPrintable(other));
+        const QString algorithm = refusalWith("algorithm", "RSA");
+        QVERIFY2(algorithm.contains("for another algorithm") && algorithm.contains("Ed25519"), qPrintable(algorithm));
+        QVERIFY(!QFile::exists(at("never.txt")));
+    }
+
+    /// The name of the study stands in the statement, too.
+    void aNameThatLooksLikeAHeadIsNone()
+    {
+        const QString study = at("named"), statement = at("named.txt");
+        const std::string name = "Batch 7:0123456789abcdef";
+        std::string protocol = tests::evidence::askingProtocol;
+        protocol.replace(protocol.find("A <study> of touch"), std::strlen("A <study> of touch"), name);
+        tests::evidence::playStudy(study.toStdString(), protocol);
+        mustRun({"study", "signing-key", "--out", at("key4"), "--no-passphrase"});
+        mustRun({"study", "sign", study, "--key", at("key4"), "--out", statement});
+        QVERIFY(bytesOf(statement).contains("study: " + QString::fromStdString(name)));
+        for (const QStringList& key : {QStringList{"--public-key", at("key4.pub")}, QStringList{}}) {
+            const json result =
+                json::parse(mustRun(QStringList{"verify", study, "--against", statement, "--json"} + key).out.toStdString());
+            QCOMPARE(result["against"].size(), std::size_t{1});
+            QCOMPARE(QString::fromStdString(result["against"][0]["head"].get<std::string>()), headIn(study));
+        }
+    }
+
     void onlySoundStudiesAreSigned()
     {
         const QString study = playedStudy();

@@ -22,6 +22,7 @@
 #include "study/records/evidence/exported_log.h"
 #include "study/records/evidence/participant_data.h"
 #include "study/records/folder_audit.h"
+#include "tests/support/error_text.h"
 #include "tests/support/played_session.h"
 #include "tests/support/program.h"
 #include "tests/support/raw_sqlite.h"
@@ -357,6 +358,24 @@ private Q_SLOTS:
         RawSqlite(study.folder.database())
             .run("CREATE VIEW endless AS WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT i FROM n");
         QVERIFY_THROWS_EXCEPTION(protocols::Error, tablesOfDatabase(study.folder.database()));
+    }
+
+    void missingFabricsAreNamed_data()
+    {
+        QTest::addColumn<QString>("sql");
+        QTest::newRow("one") << "DELETE FROM fabrics WHERE position = 3";
+        QTest::newRow("all") << "DELETE FROM fabrics";
+    }
+    void missingFabricsAreNamed()
+    {
+        QFETCH(const QString, sql);
+        const PaperStudy study(1, secretSeeds[0]);
+        RawSqlite raw(study.folder.database());
+        raw.dropTriggers();
+        QCOMPARE(raw.run("PRAGMA foreign_keys = 0; " + sql.toStdString()), "");
+        const auto tables = tablesOfDatabase(study.folder.database());
+        const QString said = errorOf([&] { featuresOf(seenStudy(tables), tables, study.folder.database()); });
+        for (const char* part : {"1: ", "fabrics", "run vis2hap verify"}) QVERIFY2(said.contains(part), qPrintable(said));
     }
 
     void nothingIsCountedWithoutTheKey()

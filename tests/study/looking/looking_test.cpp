@@ -9,6 +9,7 @@
 #include "rendering/images/image_io.h"
 #include "study/looking/dataset_sheet.h"
 #include "study/looking/open_study.h"
+#include "study/looking/picture_decoder.h"
 #include "study/looking/read_signal.h"
 #include "study/looking/relief_picture.h"
 #include "study/looking/sheet.h"
@@ -182,6 +183,23 @@ private Q_SLOTS:
         QCOMPARE(mapOf(seen).values.size(), cv::Size(6, 5));
     }
 
+    /// Qt decides by the content. A drawing that is program text is no photograph, whatever its name.
+    void onlyFormatsOfPhotographsAreDecoded()
+    {
+        QImage image(24, 20, QImage::Format_RGB32);
+        image.fill(Qt::darkCyan);
+        for (const char* format : {"JPG", "PNG", "BMP", "PPM"}) {
+            QVERIFY(image.save(QString::fromStdString(at("photo.jpg").string()), format));
+            QCOMPARE(decodeByQt(at("photo.jpg")).size(), cv::Size(24, 20));
+        }
+        for (const char* format : {"XPM", "XBM"}) {
+            QVERIFY(image.save(QString::fromStdString(at("photo.jpg").string()), format));
+            const auto refusal = refusalOf([&] { decodeByQt(at("photo.jpg")); });
+            QVERIFY2(contains(refusal, "none of the formats of photographs") && contains(refusal, "PNG, JPEG, BMP, GIF"),
+                     refusal.c_str());
+        }
+    }
+
     void heightsBelowZeroInADataSetGiveAWarning()
     {
         fabric_files::smallDataset(at("low"));
@@ -209,6 +227,51 @@ private Q_SLOTS:
         QVERIFY(trace.values[0] == 0.5 && std::isnan(trace.values[1]) && std::isnan(trace.values[2]) && trace.values[3] == 0.25);
         QCOMPARE(trace.sampleRateHz.value(), 1.0);
         QVERIFY2(warningsIn(seen).contains("50 % of the samples are missing: not in contact"), qPrintable(warningsIn(seen)));
+    }
+
+    /// A lab keeps both strokes in one file, so its time begins again at 0.
+    void aSecondStrokeIsNotPartOfTheRate()
+    {
+        std::string stroke;
+        for (int i = 0; i < 100; ++i) stroke += QStringLiteral("%1,0.3\n").arg(i * 0.01, 0, 'f', 2).toStdString();
+        fabric_files::write(at("two.csv"), "t_s,mu\n" + stroke + stroke);
+        const auto seen = readSignal(at("two.csv"));
+        QCOMPARE(figure(std::get<SeenTrace>(seen.what).sampleRateHz.value()), std::string("100"));
+        QVERIFY2(contains(seen.kind, "100 samples, 100 Hz"), seen.kind.c_str());
+        QVERIFY2(warningsIn(seen).contains("100 rows are not shown"), qPrintable(warningsIn(seen)));
+    }
+
+    /// Such files come from loggers that write their memory as it is. The program must answer, not draw for ever.
+    void recordsThatNoAxisCanShowAreRefused_data()
+    {
+        QTest::addColumn<QByteArray>("rows");
+        QTest::addColumn<QString>("told");
+        QTest::newRow("far stamps") << QByteArray("-1e308,0.5\n1e308,0.6\n") << "times or places";
+        QTest::newRow("stamps that hardly differ") << QByteArray("0,0.5\n1e-320,0.6\n2e-320,0.5\n") << "times or places";
+        QTest::newRow("huge values") << QByteArray("0,-1e308\n1,1e308\n") << "values up to 1.00e+100";
+    }
+    void recordsThatNoAxisCanShowAreRefused()
+    {
+        QFETCH(QByteArray, rows);
+        QFETCH(QString, told);
+        fabric_files::write(at("odd.csv"), "t_s,mu\n" + rows.toStdString());
+        const auto refusal = refusalOf([&] { readSignal(at("odd.csv")); });
+        QVERIFY2(contains(refusal, "odd.csv") && contains(refusal, told.toStdString()), refusal.c_str());
+    }
+
+    void curveWithPlacesOutsideNumbersIsDrawn()
+    {
+        QImage picture(64, 32, QImage::Format_RGB32);
+        picture.fill(Qt::white);
+        QPainter painter(&picture);
+        const double infinite = std::numeric_limits<double>::infinity();
+        for (const PlotAxis& x :
+             {PlotAxis{0, 1, {}}, PlotAxis{-1e308, 1e308, {}}, PlotAxis{0, 5e-324, {}}, PlotAxis{0, infinite, {}}})
+            drawCurve(painter, QRectF(2, 2, 60, 28), x, {0, 1, {}}, {-1e308, 0, nothing, 5e-324, 1e308},
+                      {0.1, 0.2, 0.3, nothing, 1}, lightSheet());
+        for (const auto& [low, high] :
+             {std::pair(-infinite, infinite), std::pair(0.3, std::nextafter(0.3, 1)), std::pair(0.0, 5e-324)})
+            QVERIFY(ticksBetween(low, high, 6).size() < 20);
     }
 
     void recordsOfOtherQuantitiesKeepTheirName_data()

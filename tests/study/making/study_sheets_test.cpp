@@ -7,8 +7,11 @@
 #include <QTest>
 #include <algorithm>
 #include <filesystem>
+#include <stdexcept>
 
 #include "protocols/files/whole_file.h"
+#include "tests/support/error_text.h"
+#include "tests/support/raw_sqlite.h"
 #include "tests/support/study_builder.h"
 
 namespace {
@@ -33,6 +36,20 @@ class StudySheetsTest : public QObject {
     int m_folders = 0;
 
     fs::path newPlace(const char* name) { return m_place.filePath(name + QString::number(++m_folders)).toStdString(); }
+
+    /// A study whose rows somebody altered.
+    database::StudyFolder alteredStudy(const char* sql)
+    {
+        tests::support::StudyRecipe recipe;
+        recipe.protocol = freshCodes;
+        recipe.hasSwatchCodes = true;
+        const auto folder = tests::support::buildStudy(newPlace("study"), recipe);
+        tests::support::RawSqlite raw(folder.database());
+        raw.dropTriggers();
+        const std::string fault = raw.run(std::string("PRAGMA ignore_check_constraints = 1; PRAGMA foreign_keys = 0; ") + sql);
+        if (!fault.empty()) throw std::runtime_error(fault);
+        return folder;
+    }
 
     void writeSheets(const char* protocol, const fs::path& out)
     {
@@ -124,6 +141,27 @@ private Q_SLOTS:
         QVERIFY2(last >= 60, qPrintable(QString::number(last)));
         QCOMPARE(last, widest);
         QCOMPARE(page.count("<th>"), 4);
+    }
+
+    void alteredCodesAreNoMarkup()
+    {
+        const auto folder = alteredStudy("UPDATE swatches SET code = '<script>alert(1)</script>'");
+        const fs::path out = newPlace("sheets");
+        study::making::writeSheets({folder, database::StudyStore::Access::Read}, out);
+        for (const char* name : {"labels.html", "preparation.html"}) {
+            const QString page = QString::fromStdString(protocols::readWholeFile(out / name));
+            QVERIFY2(!page.contains("<script>") && page.contains("&lt;script&gt;alert(1)"), name);
+        }
+    }
+
+    void aCodeWithoutItsFabricIsNamed()
+    {
+        const auto folder = alteredStudy("DELETE FROM fabrics");
+        const QString said = tests::support::errorOf([&] {
+            study::making::writeSheets({folder, database::StudyStore::Access::Read}, newPlace("sheets"));
+        });
+        for (const char* part : {"1: ", "which the study does not have", "study.db", "vis2hap verify"})
+            QVERIFY2(said.contains(part), qPrintable(said));
     }
 
     void sheetsOfAnotherStudyDoNotStay()

@@ -9,6 +9,7 @@
 #include "study/participant/session/present_instruction.h"
 #include "study/session/session_moves.h"
 #include "study/session/session_record.h"
+#include "tests/support/error_text.h"
 #include "tests/support/played_session.h"
 #include "tests/support/study_builder.h"
 #include "tests/support/whole_protocol.h"
@@ -192,6 +193,22 @@ private Q_SLOTS:
         const auto scale = instructionFor(view, likert).scale.value();
         QCOMPARE(scale.tap, std::string("Tap the place of 2, perhaps."));
         QCOMPARE(scale.high, std::string("3, yes"));
+    }
+
+    void aNumberThatDoesNotFitIsRefused_data()
+    {
+        QTest::addColumn<QString>("number");
+        for (const char* number : {"18446744073709551615", "9223372036854775808", "4294967297", "-9223372036854775808", "1.5"})
+            QTest::newRow(number) << number;
+    }
+
+    /// 2^64 - 1 became -1.
+    void aNumberThatDoesNotFitIsRefused()
+    {
+        QFETCH(QString, number);
+        const std::string text = R"({"task":"read","title":"Break","lines":[],"break_seconds":)" + number.toStdString() + "}";
+        const QString error = tests::support::errorOf([&] { (void)instructionFromJson(text, "JSON"); });
+        QVERIFY2(error.startsWith("2: ") && error.contains("break_seconds is no whole number"), qPrintable(error));
     }
 
     void theStudySpeaksItsOwnLanguage()

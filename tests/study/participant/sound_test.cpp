@@ -336,17 +336,21 @@ private Q_SLOTS:
     {
         const std::string folder = m_folder.path().toStdString();
         protocols::writeWholeFile(folder + "/tone.wav", wavOf(tone(0.5, 0.5)));
+        QFile large(m_folder.filePath("large.wav"));  // 2 GB without a block on the disk
+        QVERIFY(large.open(QIODevice::WriteOnly) && large.resize(qint64{2} << 30));
         QProcess program;
         program.start(QFileInfo(VIS2HAP_PROGRAM).path() + "/vis2hap-sound", {"--to", m_folder.filePath("heard.wav")});
         QVERIFY(program.waitForStarted(5000));
-        for (const LineToSound& line :
-             {LineToSound(NoiseLevel{0.1}),
-              LineToSound(PlayPrompts{{Recording{folder + "/tone.wav"}, Recording{folder + "/none.wav"}}})})
+        for (const LineToSound& line : {LineToSound(NoiseLevel{0.1}),
+                                        LineToSound(PlayPrompts{{Recording{folder + "/tone.wav"}, Recording{folder + "/none.wav"},
+                                                                 Recording{folder + "/large.wav"}}})})
             program.write(QByteArray::fromStdString(lineOf(line) + "\n"));
         program.closeWriteChannel();
         QVERIFY(program.waitForFinished(10000));
         QVERIFY2(program.exitCode() == 0, program.readAllStandardError().constData());
-        QVERIFY(program.readAllStandardOutput().contains("none.wav"));  // told, and left out
+        const QByteArray faults = program.readAllStandardOutput();
+        QVERIFY(faults.contains("none.wav"));                                     // told, and left out
+        QVERIFY2(faults.contains("at most 33554432 bytes"), faults.constData());  // so nothing of it was read
         const auto heard = soundFromWav(protocols::readWholeFile(folder + "/heard.wav"), "heard.wav");
         QVERIFY(heard.size() > 1.9 * mixRateHz && heard.size() < 2.1 * mixRateHz);
         const std::span<const float> all(heard);

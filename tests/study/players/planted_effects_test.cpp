@@ -185,6 +185,8 @@ private Q_SLOTS:
         row("a rating planted as a choice", "\"S1\"", "\"Q3\"", "question Q3 has no right answer");
         row("a choice planted as a rating", "\"Q2\"", "\"Q1\"", "question Q1 is no rating");
         row("unknown condition", "\"h&f\"", "\"h&g\"", "the study has no condition 'h&g'; expected one of v_grey, h&f, mine");
+        row("one condition under two spellings", "{\"h&f\": 3}", "{\"h&f\": 3, \"h+f\": -3}",
+            "condition 'h&f' has two effects, under two spellings; expected each condition once");
         row("a condition that is not in the study", "\"h&f\"", "\"h\"", "the study has no condition 'h'");
         row("above certainty", "0.4", "0.6", "0.6 is out of range; expected a number from -0.5 to 0.5");
         row("beyond the scale", "{\"h&f\": 3}", "{\"h&f\": 7}", "7 is out of range; expected a number from -4 to 6");

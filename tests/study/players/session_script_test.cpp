@@ -9,7 +9,11 @@
 #include "protocols/files/whole_file.h"
 #include "study/players/script.h"
 #include "study/players/scripted_participant.h"
+#include "tests/support/error_text.h"
+#include "tests/support/played_session.h"
+#include "tests/support/raw_sqlite.h"
 #include "tests/support/server/engine_session.h"
+#include "tests/support/study_builder.h"
 
 using namespace study::session;
 using namespace tests::support;
@@ -124,6 +128,24 @@ private Q_SLOTS:
         QVERIFY(rows.size() > 24u);
         for (std::size_t i = 0; i < std::min(rows.size(), again.size()); ++i) QCOMPARE(again[i], rows[i]);
         QCOMPARE(again.size(), rows.size());
+    }
+
+    /// The log then belongs to a place without trials.
+    void aParticipantMovedToAnotherSlotIsNamed()
+    {
+        if (EngineUnderTest::isServer()) QSKIP("the rows of a server are not altered here");
+        const auto folder = buildStudy(newPath());
+        OpenSession(folder, "S01").playToEnd();
+        RawSqlite raw(folder.database());
+        raw.dropTriggers();
+        QCOMPARE(raw.run("PRAGMA foreign_keys = 0; PRAGMA ignore_check_constraints = 1;"
+                         "UPDATE participants SET slot = 99 WHERE id = 'S01'"),
+                 "");
+        const auto out = newPath();
+        std::filesystem::create_directory(out);
+        const database::StudyStore store(folder, database::StudyStore::Access::Read);
+        const QString said = errorOf([&] { study::players::writeScripts(store, nullptr, out); });
+        QVERIFY2(said.startsWith("1: "), qPrintable(said));
     }
 
     void whatAScriptExpectsIsChecked_data()

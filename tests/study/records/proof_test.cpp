@@ -11,6 +11,7 @@
 #include "study/records/evidence/data_sheet_text.h"
 #include "study/records/evidence/data_words.h"
 #include "study/records/evidence/signed_head.h"
+#include "study/records/participants_sentence.h"
 #include "tests/support/played_session.h"
 #include "tests/support/raw_sqlite.h"
 #include "tests/support/study_builder.h"
@@ -274,6 +275,30 @@ private Q_SLOTS:
         QVERIFY(faultWith("{}", std::nullopt).find("no signing key") != std::string::npos);
         QVERIFY(faultWith("[1]", std::nullopt).find("no signing key") != std::string::npos);
         QVERIFY(!faultWith(protocols::pemOf(protocols::publicKeyOf(seed)), std::nullopt).empty());
+    }
+
+    /// The 309 digits of 1e308 were cut to 63, which is another number.
+    void anEnormousFactIsAWord_data()
+    {
+        QTest::addColumn<QString>("facts");
+        QTest::addColumn<QString>("sentence");
+        QTest::newRow("ages") << "('P1', 'age', '23'), ('P2', 'age', '25')"
+                              << "2 participants (age mean 24.0, SD 1.4, 23.0 to 25.0).";
+        QTest::newRow("enormous") << "('P1', 'income', '1e308'), ('P2', 'income', '1e308')"
+                                  << "2 participants (income: 2 1e308).";
+        QTest::newRow("below zero") << "('P1', 'income', '-1e16'), ('P2', 'income', '4')"
+                                    << "2 participants (income: 1 -1e16, 1 4).";
+    }
+    void anEnormousFactIsAWord()
+    {
+        QFETCH(const QString, facts);
+        QFETCH(const QString, sentence);
+        const StudyFolder folder = playedStudy();
+        QCOMPARE(RawSqlite(folder.database())
+                     .run("DELETE FROM participant_facts; INSERT INTO participant_facts(participant, fact, value) VALUES " +
+                          facts.toStdString()),
+                 std::string());
+        QCOMPARE(QString::fromStdString(participantsSentence(StudyStore(folder, StudyStore::Access::Read))), sentence);
     }
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
+#include <limits>
 #include <sstream>
 
 #include "study/session/clock.h"
@@ -443,6 +444,26 @@ Withdrawn Q1  | 1 of 9 | 0 of 11 | left 0 sitting 0.25 break in 0 | -
         QCOMPARE(fault(-3), std::string("-0.3 is not on the scale: from -0.5 to 10 in steps of 0.5."));
         QCOMPARE(fault(-10), std::string("-1 is not on the scale: from -0.5 to 10 in steps of 0.5."));
         QCOMPARE(fault(105), std::string("10.5 is not on the scale: from -0.5 to 10 in steps of 0.5."));
+    }
+
+    /// An altered log may hold any number of 64 bits.
+    void noNumberOfAnAlteredLogOverflows()
+    {
+        using Limits = std::numeric_limits<std::int64_t>;
+        constexpr std::int64_t ready = 5 * secondNs, now = 9 * secondNs;
+        QCOMPARE(stampOf(now, secondNs, ready), 8 * secondNs);
+        QCOMPARE(stampOf(now, 7 * secondNs, ready), ready);
+        QCOMPARE(stampOf(now, -secondNs, ready), now);
+        QCOMPARE(stampOf(now, Limits::min(), ready), now);
+        QCOMPARE(stampOf(now, Limits::max(), ready), ready);
+        QCOMPARE(stampOf(ready, 0, now), now);  // the clock went back
+        QVERIFY(isStamp(0) && isStamp(-now) && !isStamp(Limits::max()) && !isStamp(Limits::min()));
+        const protocols::RatingScale scale{Tenths{0}, Tenths{100}, Tenths{1}, 10, {}};
+        QVERIFY(isRightPlace(scale, Tenths{50}, Tenths{55}) && !isRightPlace(scale, Tenths{50}, Tenths{56}));
+        for (const int named : {std::numeric_limits<int>::max(), std::numeric_limits<int>::min()})
+            QVERIFY(!isRightPlace(scale, Tenths{50}, Tenths{named}));
+        const auto outcome = apply(sevenChoices(), {}, {SittingStarted{}, Limits::max(), EventSource::Log});
+        QVERIFY(std::holds_alternative<Refusal>(outcome));
     }
 
     /// Computed with the draws of tests/protocols/random_reference.py.

@@ -3,6 +3,8 @@
 #include <QRegularExpression>
 #include <QVBoxLayout>
 #include <cmath>
+#include <optional>
+#include <string_view>
 
 #include "study/app/language/app_text.h"
 #include "study/app/language/below.h"
@@ -29,6 +31,23 @@ QString whatIsWrong(const QString& said)
 
 constexpr std::size_t mostFaults = 40;
 
+constexpr std::string_view unknownKey = ": unknown key '";
+
+/// A key that no protocol has, and the place of its object: "" for the protocol.
+struct UnknownKey {
+    std::string object, key;
+};
+
+/// None where the fault is another one. The key may hold quotes, brackets and points.
+std::optional<UnknownKey> unknownKeyIn(const protocols::ProtocolFault& fault)
+{
+    const std::size_t at = fault.text.find(unknownKey), from = at + unknownKey.size();
+    if (at == std::string::npos || !fault.text.ends_with('\'') || fault.text.size() <= from) return std::nullopt;
+    std::string object = fault.text.substr(0, at);
+    if (object == "the protocol") object.clear();
+    return UnknownKey{object, fault.text.substr(from, fault.text.size() - 1 - from)};
+}
+
 /// The key between the last quotes.
 std::string quotedKeyIn(const std::string& text)
 {
@@ -40,9 +59,14 @@ std::string quotedKeyIn(const std::string& text)
 /// The place of a fault, which begins with it: "phases[0].scale.max: …"; of a missing or unknown key its own place.
 std::string placeIn(const protocols::ProtocolFault& fault)
 {
+    if (const auto unknown = unknownKeyIn(fault)) {
+        // A key with brackets or points would look like the place of another value.
+        const bool isPlain = unknown->key.find_first_of("[].") == std::string::npos;
+        return unknown->object + (unknown->object.empty() ? "" : ".") + (isPlain ? unknown->key : "?");
+    }
     std::string place = fault.text.substr(0, fault.text.find(": "));
     if (place == "the protocol") place.clear();
-    if (!fault.text.ends_with("' is missing") && fault.text.find(": unknown key '") == std::string::npos) return place;
+    if (!fault.text.ends_with("' is missing")) return place;
     return place + (place.empty() ? "" : ".") + quotedKeyIn(fault.text);
 }
 
@@ -134,14 +158,14 @@ void CheckPanel::showFaults()
         text->setText(words);
         // The sentence of a question stands beside its name; a key that no protocol has can only be removed.
         const bool isSentence = m_faults[i].text.find("has no text") != std::string::npos;
-        const bool isUnknown = m_faults[i].text.find("unknown key") != std::string::npos;
+        const auto unknown = unknownKeyIn(m_faults[i]);
         const QString place = QString::fromStdString(placeIn(m_faults[i]) + (isSentence ? ".text" : ""));
-        auto* go = button(qPrintable(QStringLiteral("goToFault%1").arg(i + 1)), isUnknown ? tr("Remove it") : tr("Go to"), row);
+        auto* go = button(qPrintable(QStringLiteral("goToFault%1").arg(i + 1)), unknown ? tr("Remove it") : tr("Go to"), row);
         setType(*go, Type::Plain);
-        go->setAccessibleName(isUnknown ? tr("Remove it: %1").arg(words) : tr("Go to: %1").arg(words));
-        connect(go, &QPushButton::clicked, this, [this, place, isUnknown] {
-            if (isUnknown)
-                Q_EMIT removeRequested(place);
+        go->setAccessibleName(unknown ? tr("Remove it: %1").arg(words) : tr("Go to: %1").arg(words));
+        connect(go, &QPushButton::clicked, this, [this, place, unknown] {
+            if (unknown)
+                Q_EMIT removeRequested(QString::fromStdString(unknown->object), QString::fromStdString(unknown->key));
             else
                 Q_EMIT jumpRequested(place);
         });

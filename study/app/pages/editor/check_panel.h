@@ -35,8 +35,8 @@ public:
 
 Q_SIGNALS:
     void jumpRequested(const QString& place);
-    /// The operator removes a key that no protocol has.
-    void removeRequested(const QString& place);
+    /// The operator removes a key that no protocol has from the object at a place, "" for the protocol.
+    void removeRequested(const QString& object, const QString& key);
 
 private:
     void showFaults();

@@ -157,10 +157,7 @@ void EditorPage::connectParts()
     connect(m_phases, &PhasesSection::chosenChanged, this, &EditorPage::checkSoon);
     connect(m_panel, &CheckPanel::jumpRequested, this, &EditorPage::jumpTo);
     // Queued, because the step destroys the button that asks for it.
-    connect(
-        m_panel, &CheckPanel::removeRequested, this,
-        [this](const QString& place) { m_fields->change([&](ProtocolDraft& draft) { draft.erase(place.toStdString()); }); },
-        Qt::QueuedConnection);
+    connect(m_panel, &CheckPanel::removeRequested, this, &EditorPage::removeKey, Qt::QueuedConnection);
     connect(m_summary, &QPushButton::clicked, this, [this] { showPanel(!m_isPanelShown); });
     connect(m_save, &QPushButton::clicked, this, &EditorPage::save);
     connect(m_saveAs, &QPushButton::clicked, this, &EditorPage::saveAs);
@@ -375,6 +372,16 @@ void EditorPage::jumpTo(const QString& place)
     }
     bound->control->setFocus(Qt::OtherFocusReason);
     if (auto* line = qobject_cast<QLineEdit*>(bound->control)) line->selectAll();
+}
+
+void EditorPage::removeKey(const QString& object, const QString& key)
+{
+    ProtocolDraft changed = draft();
+    if (!changed.eraseKey(object.toStdString(), key.toStdString())) {
+        m_message->showHint(tr("This page cannot remove that key. Nothing was changed. Remove it in a text editor."));
+        return;
+    }
+    m_fields->change([&](ProtocolDraft& draft) { draft = changed; });
 }
 
 void EditorPage::checkSoon()

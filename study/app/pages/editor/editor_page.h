@@ -71,6 +71,7 @@ private:
     void buildBars(QWidget& editor);
     void connectParts();
     void jumpTo(const QString& place);
+    void removeKey(const QString& object, const QString& key);
     void checkSoon();
     void check();
     void arrange();

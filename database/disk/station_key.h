@@ -2,7 +2,9 @@
 // not to a fabric or a condition. It lies in station-key.json (mode 0600).
 #pragma once
 
-#include "database/study_store.h"
+#include <string>
+
+#include "database/disk/study_folder.h"
 #include "protocols/secrets/secret_key.h"
 
 namespace database {
@@ -13,7 +15,7 @@ std::string writeStationKey(const StudyFolder& folder, const protocols::SecretKe
 /// The key in the text of the file, which `where` names in errors. Throws badInput.
 protocols::SecretKey stationKeyFromJson(const std::string& text, const std::string& where);
 
-/// Throws workFailed where the file is missing or is not the one committed in the database.
-protocols::SecretKey readStationKey(const StudyStore& store);
+/// Throws workFailed where the file is missing or is not the one committed in the database, `committed` (its SHA-256).
+protocols::SecretKey readStationKey(const StudyFolder& folder, const std::string& committed);
 
 }  // namespace database

@@ -1,4 +1,4 @@
-#include "protocols/files/opened_files.h"
+#include "protocols/process/opened_files.h"
 
 #include <sys/inotify.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "database/station_key.h"
+#include "database/disk/station_key.h"
 
 #include <nlohmann/json.hpp>
 
@@ -33,17 +33,16 @@ protocols::SecretKey stationKeyFromJson(const std::string& text, const std::stri
     return protocols::SecretKey::ofHex(document["key"].get<std::string>(), where);
 }
 
-protocols::SecretKey readStationKey(const StudyStore& store)
+protocols::SecretKey readStationKey(const StudyFolder& folder, const std::string& committed)
 {
-    const std::filesystem::path file = store.folder().stationKey();
+    const std::filesystem::path file = folder.stationKey();
     const auto text = protocols::readIfPossible(file);
     const auto refused = [&](const std::string& what) {
         return protocols::workFailed({what, file.string(), "the file that was made with the study",
                                       "restore it from a backup; the owner's passphrase opens the reports without it"});
     };
     if (!text) throw refused("the station key cannot be read");
-    if (protocols::sha256(*text) != store.facts().stationKeySha256)
-        throw refused("the station key is not the one committed in the database");
+    if (protocols::sha256(*text) != committed) throw refused("the station key is not the one committed in the database");
     return stationKeyFromJson(*text, file.string());
 }
 

@@ -1,9 +1,11 @@
 #include "database/event_chain.h"
 
 #include <QSqlRecord>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/canonical_bytes.h"
+#include "protocols/files/errors.h"
 #include "protocols/files/strict_json.h"
 #include "protocols/secrets/secret_key.h"
 
@@ -153,7 +155,12 @@ std::int64_t store(const SqliteConnection& connection, LogEntry entry)
     entry.event.sequence = 1;
     if (auto last = connection.runKept(QStringLiteral("SELECT sequence, hash FROM events ORDER BY sequence DESC LIMIT 1"));
         last.next()) {
-        entry.event.sequence = last.value(0).toLongLong() + 1;
+        const std::int64_t before = last.value(0).toLongLong();
+        if (before == std::numeric_limits<std::int64_t>::max())
+            throw protocols::workFailed({"the last entry of the log has the largest number that there is",
+                                         connection.file().string(), "entries that are numbered from 1",
+                                         "see `vis2hap verify`; restore the study from a backup"});
+        entry.event.sequence = before + 1;
         previous = fromQt(last.value(1));
     }
     if (!isOfTrial(entry.event)) nameLastAct(connection, entry.event);

@@ -147,6 +147,9 @@ private Q_SLOTS:
                                       << "the stored log is inconsistent: The time stamp";
         QTest::newRow("earliest stamp") << "UPDATE events SET at_ns = -9223372036854775807 - 1 WHERE participant = 'S02'"
                                         << "the stored log is inconsistent: The time stamp";
+        QTest::newRow("last number of an entry")
+            << "UPDATE events SET sequence = 9223372036854775807 WHERE sequence = (SELECT max(sequence) FROM events)"
+            << "the last entry of the log has the largest number";
     }
 
     void noSessionBeginsWithAnAlteredList()

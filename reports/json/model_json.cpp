@@ -5,7 +5,7 @@
 namespace reports {
 namespace {
 
-void putLeftOut(Json& part, const std::vector<stats::LeftOut>& leftOut)
+void putLeftOutEffects(Json& part, const std::vector<stats::LeftOut>& leftOut)
 {
     for (const stats::LeftOut& effect : leftOut) part["left_out"][effect.name] = effect.why;
 }
@@ -16,7 +16,7 @@ Json ratingModelJson(const stats::RatingModel& fitted)
 {
     const stats::MixedModel& model = fitted.model;
     Json part{{"formula", fitted.formula}};
-    putLeftOut(part, fitted.leftOut);
+    putLeftOutEffects(part, fitted.leftOut);
     if (!model.why.empty()) {
         putNull(part, "F", model.why);
         return part;
@@ -120,7 +120,7 @@ Json choiceModelJson(const stats::ChoiceModel& fitted)
 {
     const stats::LogisticMixedModel& model = fitted.model;
     Json part{{"method", "Laplace"}, {"formula", fitted.formula}};
-    putLeftOut(part, fitted.leftOut);
+    putLeftOutEffects(part, fitted.leftOut);
     if (!model.why.empty()) {
         putNull(part, "lrt_chi2", model.why);
         return part;

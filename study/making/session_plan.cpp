@@ -7,6 +7,7 @@
 #include "protocols/files/number_text.h"
 #include "protocols/orders/counterbalancing.h"
 #include "protocols/records/balance.h"
+#include "reports/text/plain_words.h"
 #include "stats/power/power.h"
 #include "study/analyse/power/planned_power.h"
 
@@ -17,10 +18,9 @@ namespace {
 using nlohmann::ordered_json;
 using protocols::Phase;
 using protocols::Protocol;
+using reports::counted;
 
 constexpr std::uint64_t shownSeed = 1;
-
-std::string counted(int n, const std::string& what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); }
 
 std::string answersText(const protocols::AnswerKind& kind)
 {
@@ -172,7 +172,7 @@ ordered_json detectableEffects(const Protocol& protocol)
 std::string textOf(const ordered_json& plan)
 {
     std::string text = word(plan, "name") + "\n" + counted(plan["participants"], "participant") + ", " +
-                       counted(plan["fabrics"], "fabric") + ", " + counted(int(plan["conditions"].size()), "condition") + ":";
+                       counted(plan["fabrics"], "fabric") + ", " + counted(plan["conditions"].size(), "condition") + ":";
     for (const auto& id : plan["conditions"]) text += " " + id.get<std::string>();
     for (const auto& id : plan.value("programs", ordered_json::array()))
         text += "\n" + id.get<std::string>() + " comes from a program of yours: `vis2hap study new --program " +

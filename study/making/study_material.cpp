@@ -56,7 +56,7 @@ std::vector<protocols::FabricId> fabricsFor(const protocols::Protocol& protocol,
     return fabrics;
 }
 
-std::string counted(std::size_t conditions)
+std::string conditionsShow(std::size_t conditions)
 {
     return conditions == 1 ? "1 condition shows" : std::to_string(conditions) + " conditions show";
 }
@@ -120,7 +120,7 @@ StudyMaterial materialFor(const NewStudy& request)
     material.render.generation.model = request.model;
     material.render.cache = request.cache;
     if (!material.own.images.empty())
-        material.stamps.push_back(counted(material.own.images.size()) +
+        material.stamps.push_back(conditionsShow(material.own.images.size()) +
                                   " ready images that this program did not make. How they were made is not known to it.");
     readDisplayResponse(request, material);
     return material;
@@ -135,7 +135,7 @@ void addProgramImages(const NewStudy& request, StudyMaterial& material,
     material.own.images.merge(made.own.images);
     material.own.sha256.merge(made.own.sha256);
     material.own.warnings.insert(material.own.warnings.end(), made.own.warnings.begin(), made.own.warnings.end());
-    material.stamps.push_back(counted(made.used.size()) +
+    material.stamps.push_back(conditionsShow(made.used.size()) +
                               " images of a program of the laboratory. How they were made is not known to this program.");
     material.programs = std::move(made.used);
 }

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "rendering/fabrics/friction_record.h"
+
 namespace rendering::fabrics {
 
 /// Column of forces; a `sign` of -1 reverses its direction.
@@ -36,7 +38,7 @@ struct FrictionOptions {
 };
 
 /// Bounds of a sample rate in Hz: of a record's own, and of the one that the options state.
-inline constexpr double leastRateHz = 1e-3, mostRateHz = 1e7;
+inline constexpr double leastRateHz = leastRecordHz, mostRateHz = 1e7;
 
 /// Reads "auto", "none" or "FROM,TO" in seconds. Throws badInput naming `option`.
 Selection selectionFrom(std::string_view text, std::string_view option, TimeInterval& interval);

@@ -15,10 +15,15 @@ ordered_json jsonOfMean(const stats::StudyMean& mean)
     return json;
 }
 
-/// A count of studies; fails for a negative number and for a fraction.
+/// More than any run makes; sums of such counts stay whole numbers.
+constexpr std::size_t mostStudies = 1'000'000'000'000;
+
+/// A count of studies; fails for a negative number, a fraction and more than mostStudies.
 std::size_t countAt(const ordered_json& json, std::size_t place)
 {
-    return json.at(place).get_ref<const ordered_json::number_unsigned_t&>();
+    const std::size_t count = json.at(place).get_ref<const ordered_json::number_unsigned_t&>();
+    if (count > mostStudies) throw ordered_json::other_error::create(501, "impossible counts", nullptr);
+    return count;
 }
 
 stats::StudyMean studyMeanOf(const ordered_json& json)

@@ -116,6 +116,12 @@ private Q_SLOTS:
         QCOMPARE(refused.exitCode, 2);
         QVERIFY2(refused.err.contains("the counts are those of 3 studies") && refused.err.contains("counts of 100 studies"),
                  qPrintable(refused.err));
+        // Sums of such counts would begin at 0 again.
+        json forged = counts;
+        for (auto& truth : forged["calibrate"]["finished"]) truth[0] = json::array({std::uint64_t{1} << 63, 0, 0});
+        store(forged);
+        const auto huge = support::runProgram(QStringList{"power", "--studies", "20"} + call);
+        QVERIFY2(huge.exitCode == 2 && huge.err.contains("the counts are damaged"), qPrintable(huge.err));
         // Other settings would be mixed with these; a damaged file would be believed.
         QCOMPARE(support::runProgram(QStringList{"power", "--studies", "20", "--seed", "7"} + call).exitCode, 2);
         QVERIFY(stored.open(QIODevice::WriteOnly));

@@ -3,9 +3,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <QSqlRecord>
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
+#include <functional>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -29,7 +31,8 @@ namespace {
 
 constexpr const char* emptiedTables[] = {"responses", "voids", "notes", "finger_samples", "events"};
 constexpr const char* certifiedKind = "certified";
-constexpr std::size_t shortestText = 8;  // a shorter one may stand in a file by chance
+constexpr const char* foundField = "found";  // of a certificate's entry: the files that still held something
+constexpr std::size_t shortestText = 8;      // a shorter one may stand in a file by chance
 constexpr std::uintmax_t spareBytes = std::uintmax_t{1} << 20;
 
 std::vector<std::string> textsFrom(const SqliteConnection& sqlite, const char* select, const std::string& participant)
@@ -40,38 +43,66 @@ std::vector<std::string> textsFrom(const SqliteConnection& sqlite, const char* s
     return texts;
 }
 
-/// Texts that only this participant's data hold: their facts, and with the answers also notes, words and salts.
-std::set<std::string> textsOnlyOf(const SqliteConnection& sqlite, const Erasure& erasure)
+/// What the erasure removes, as texts: facts, and with the answers also notes, words and salts.
+std::set<std::string> textsToRemove(const SqliteConnection& sqlite, const Erasure& erasure)
 {
     struct Source {
-        const char* own;
-        const char* others;
+        const char* select;
         bool isAnswer;
     };
     constexpr Source sources[] = {
-        {"SELECT value FROM participant_facts WHERE participant = ?",
-         "SELECT value FROM participant_facts WHERE participant <> ?", false},
-        {"SELECT salt FROM participant_facts WHERE participant = ?", "SELECT salt FROM participant_facts WHERE participant <> ?",
-         false},
-        {"SELECT text FROM notes WHERE participant = ?", "SELECT text FROM notes WHERE participant <> ?", true},
-        {"SELECT choice FROM responses WHERE participant = ? AND choice IS NOT NULL",
-         "SELECT choice FROM responses WHERE participant <> ? AND choice IS NOT NULL", true},
+        {"SELECT value FROM participant_facts WHERE participant = ?", false},
+        {"SELECT salt FROM participant_facts WHERE participant = ?", false},
+        {"SELECT text FROM notes WHERE participant = ?", true},
+        {"SELECT choice FROM responses WHERE participant = ? AND choice IS NOT NULL", true},
         // A long text lies in several pages of the file, and its beginning in one.
-        {"SELECT substr(samples, 1, 64) FROM finger_samples WHERE participant = ?",
-         "SELECT substr(samples, 1, 64) FROM finger_samples WHERE participant <> ?", true},
-        {"SELECT salt FROM events WHERE participant = ?", "SELECT salt FROM events WHERE participant <> ?", true},
+        {"SELECT substr(samples, 1, 64) FROM finger_samples WHERE participant = ?", true},
+        {"SELECT salt FROM events WHERE participant = ?", true},
     };
-    std::set<std::string> only;
+    std::set<std::string> texts;
     for (const Source& source : sources) {
         if (source.isAnswer && !erasure.answersToo) continue;
-        for (std::string& text : textsFrom(sqlite, source.own, erasure.participant.value))
-            if (text.size() >= shortestText) only.insert(std::move(text));
+        for (std::string& text : textsFrom(sqlite, source.select, erasure.participant.value))
+            if (text.size() >= shortestText) texts.insert(std::move(text));
     }
-    for (const Source& source : sources)
-        for (const std::string& text : textsFrom(sqlite, source.others, erasure.participant.value)) only.erase(text);
-    for (const protocols::FabricId& fabric : factsIn(sqlite).fabrics) only.erase(fabric.value);
-    only.erase("different");  // an answer that every protocol with such a question names, too
-    return only;
+    return texts;
+}
+
+/// Calls `give` with each text that the study holds, but for the participant's rows in `ownTable`, or in every table where that
+/// is null.
+void giveTexts(const SqliteConnection& sqlite, const char* ownTable, const std::string& participant,
+               const std::function<void(const std::string&)>& give)
+{
+    std::vector<QString> tables{QStringLiteral("sqlite_master")};
+    QSqlQuery table = sqlite.run(QStringLiteral("SELECT name FROM sqlite_master WHERE type = 'table'"));
+    while (table.next()) tables.push_back(table.value(0).toString());
+    for (QString& name : tables) {
+        const bool isOwn = ownTable == nullptr || name == QLatin1String(ownTable);
+        QSqlQuery row = sqlite.run(QStringLiteral("SELECT * FROM \"%1\"").arg(name.replace('"', QLatin1String("\"\""))));
+        const int columns = row.record().count(), owner = row.record().indexOf(QStringLiteral("participant"));
+        while (row.next()) {
+            if (isOwn && owner >= 0 && fromQt(row.value(owner)) == participant) continue;
+            for (int column = 0; column < columns; ++column)
+                if (const QVariant value = row.value(column); value.typeId() == QMetaType::QString) give(fromQt(value));
+        }
+    }
+}
+
+/// Texts of which the search compares a part that the study still holds: others said the same or more, or the protocol and the
+/// reason of the erasure say it. A file that holds such a text proves nothing. In rows that the erasure emptied nothing may stay.
+std::set<std::string> textsThatStay(const SqliteConnection& sqlite, const Erasure& erasure, const std::set<std::string>& texts)
+{
+    const protocols::ByteSequences wanted({texts.begin(), texts.end()});
+    std::set<std::string> stay;
+    if (texts.contains("different")) stay.insert("different");  // every protocol with such a question names it, too
+    giveTexts(sqlite, erasure.answersToo ? nullptr : "participant_facts", erasure.participant.value,
+              [&](const std::string& value) {
+                  wanted.findIn(value, [&](const std::string& text) {
+                      stay.insert(text);
+                      return true;
+                  });
+              });
+    return stay;
 }
 
 int removed(const SqliteConnection& sqlite, const char* table, const std::string& participant)
@@ -146,6 +177,28 @@ std::vector<std::int64_t> interruptedErasures(const SqliteConnection& sqlite, co
     }
     std::erase_if(open, [&](std::int64_t erasure) { return erasure <= lastCertain; });
     return open;
+}
+
+/// Files that the certificate of an earlier erasure of this participant names, and that still stand there. What was removed then
+/// can no longer be searched for in them. The search and the look at rows answer for study.db itself.
+std::vector<std::string> namedBefore(const SqliteConnection& sqlite, const std::string& participant, const StudyFolder& study)
+{
+    std::set<std::int64_t> erasures;
+    QSqlQuery row = sqlite.run(QStringLiteral("SELECT event FROM erasures WHERE participant = ?"), {toQt(participant)});
+    while (row.next()) erasures.insert(row.value(0).toLongLong());
+    std::vector<std::string> files;
+    row = sqlite.run(QStringLiteral("SELECT payload FROM events WHERE kind = ? AND participant = ''"), {toQt(certifiedKind)});
+    while (row.next()) {
+        const nlohmann::json payload = payloadIn(fromQt(row.value(0)));
+        if (!erasures.contains(numberIn(payload, "erasure", 0)) || !payload.contains(foundField)) continue;
+        for (const auto& name : payload.at(foundField)) {
+            std::error_code gone;
+            const std::string file = name.is_string() ? name.get<std::string>() : std::string();
+            if (file.empty() || file.starts_with("study.db") || !std::filesystem::exists(study.folder / file, gone)) continue;
+            if (std::ranges::find(files, file) == files.end()) files.push_back(file);
+        }
+    }
+    return files;
 }
 
 protocols::Error noRoom(const std::filesystem::path& place, std::uintmax_t bytes, int reason)
@@ -236,7 +289,7 @@ ErasureRecord eraseFrom(const SqliteConnection& sqlite, const Erasure& erasure)
     requireRoom(sqlite.file());
     ErasureRecord record;
     record.interrupted = interruptedErasures(sqlite, erasure.participant.value);
-    const std::set<std::string> texts = textsOnlyOf(sqlite, erasure);
+    std::set<std::string> texts = textsToRemove(sqlite, erasure);
     // SQLite overwrites what it frees; VACUUM then writes every page anew.
     sqlite.run(QStringLiteral("PRAGMA secure_delete = ON"));
     removeFromTables(sqlite, erasure, record);
@@ -245,6 +298,9 @@ ErasureRecord eraseFrom(const SqliteConnection& sqlite, const Erasure& erasure)
         throw protocols::environmentFault({"the data are removed, but another program keeps an older state of the study", folder,
                                            "no open monitor, report or database browser",
                                            "close it and run the command again, which completes the erasure"});
+    const std::set<std::string> stay = textsThatStay(sqlite, erasure, texts);
+    for (const std::string& text : stay) texts.erase(text);
+    record.sharedTexts = stay.size();
     const StudyFolder study{sqlite.file().parent_path()};
     const protocols::ByteSearch search =
         protocols::searchFiles(study.folder, {texts.begin(), texts.end()}, rescueFilesAround(study));
@@ -255,16 +311,19 @@ ErasureRecord eraseFrom(const SqliteConnection& sqlite, const Erasure& erasure)
     auto copies = copiesBeforeUpgradeOf(erasure.participant.value, study);
     const bool answersToo = erasure.answersToo || !record.interrupted.empty();
     std::ranges::copy(databasesAbout(erasure.participant.value, answersToo, study), std::back_inserter(copies));
+    std::ranges::copy(namedBefore(sqlite, erasure.participant.value, study), std::back_inserter(copies));
     for (const std::string& copy : copies)
         if (std::ranges::find(record.found, copy) == record.found.end()) record.found.push_back(copy);
     return record;
 }
 
-void recordCertificate(const StudyStore& store, std::int64_t erasure, const std::string& sha256)
+void recordCertificate(const StudyStore& store, const ErasureRecord& record, const std::string& sha256)
 {
     const SqliteConnection sqlite(store.folder().database(), SqliteConnection::Mode::Write);
+    nlohmann::ordered_json payload{{"erasure", record.event}, {"sha256", sha256}};
+    if (!record.found.empty()) payload[foundField] = record.found;
     Transaction transaction(sqlite);
-    database::store(sqlite, actOnStudy(certifiedKind, {{"erasure", erasure}, {"sha256", sha256}}, wallTimeNow()));
+    database::store(sqlite, actOnStudy(certifiedKind, payload, wallTimeNow()));
     transaction.commit();
 }
 

@@ -14,8 +14,8 @@ namespace database {
 /// As StudyStore::erase.
 ErasureRecord eraseFrom(const SqliteConnection& sqlite, const Erasure& erasure);
 
-/// Records that a certificate of the erasure with this entry was written. `sha256`: of the file.
-void recordCertificate(const StudyStore& store, std::int64_t erasure, const std::string& sha256);
+/// Records that a certificate of this erasure was written, and the files that it names. `sha256`: of the certificate.
+void recordCertificate(const StudyStore& store, const ErasureRecord& record, const std::string& sha256);
 
 /// The first recorded hash of each certificate, by the entry of its erasure. Certificates of earlier versions have none.
 std::map<std::int64_t, std::string> certificatesOf(const StudyStore& store);

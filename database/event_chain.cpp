@@ -1,6 +1,7 @@
 #include "database/event_chain.h"
 
 #include <QSqlRecord>
+#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -176,6 +177,51 @@ std::string storeUnderItsNumber(const SqliteConnection& connection, const LogEnt
     links.hash = chainHash(previous, entry.event, links.places, links.commitment);
     insertEvent(connection, entry.event, links);
     return links.hash;
+}
+
+std::string chainHash(const ChainedAct& act)
+{
+    protocols::CanonicalBytes bytes;
+    bytes << std::string("act") << act.previous << act.number << act.kind << act.details << act.wallTime;
+    return bytes.hash();
+}
+
+std::vector<ChainedAct> chainedActsIn(const SqliteConnection& connection)
+{
+    std::vector<ChainedAct> acts;
+    QSqlQuery row =
+        connection.run(QStringLiteral("SELECT number, kind, wall_time, details, previous_hash, hash FROM acts ORDER BY number"));
+    while (row.next())
+        acts.push_back({row.value(0).toLongLong(), fromQt(row.value(1)), fromQt(row.value(2)), fromQt(row.value(3)),
+                        fromQt(row.value(4)), fromQt(row.value(5))});
+    return acts;
+}
+
+void appendAct(const SqliteConnection& connection, ChainedAct act)
+{
+    QSqlQuery last = connection.run(QStringLiteral("SELECT number, hash FROM acts ORDER BY number DESC LIMIT 1"));
+    const bool isFirst = !last.next();
+    act.number = isFirst ? 1 : last.value(0).toLongLong() + 1;
+    act.previous = isFirst ? std::string() : fromQt(last.value(1));
+    act.hash = chainHash(act);
+    connection.run(
+        QStringLiteral("INSERT INTO acts(number, kind, details, wall_time, previous_hash, hash) VALUES (?, ?, ?, ?, ?, ?)"),
+        {qlonglong(act.number), toQt(act.kind), toQt(act.details), toQt(act.wallTime), toQt(act.previous), toQt(act.hash)});
+}
+
+std::size_t keepActsOf(const SqliteConnection& earlier, const SqliteConnection& into)
+{
+    const std::vector<ChainedAct> present = chainedActsIn(earlier), kept = chainedActsIn(into);
+    const auto differing = std::ranges::mismatch(present, kept, {}, &ChainedAct::hash, &ChainedAct::hash).in1;
+    std::size_t added = 0;
+    Transaction transaction(into);
+    for (auto act = differing; act != present.end(); ++act) {
+        if (chainHash(*act) != act->hash) continue;
+        appendAct(into, *act);
+        ++added;
+    }
+    transaction.commit();
+    return added;
 }
 
 std::string drawnSalt() { return protocols::drawHex(saltBytes); }

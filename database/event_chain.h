@@ -82,6 +82,23 @@ std::int64_t store(const SqliteConnection& connection, LogEntry entry);
 std::string storeUnderItsNumber(const SqliteConnection& connection, const LogEntry& entry, const std::string& previous,
                                 const std::string& salt);
 
+/// An act on the study (evidence/acts.h) as its own chain covers it.
+struct ChainedAct {
+    std::int64_t number = 0;     ///< from 1 without gaps
+    std::string kind, wallTime;  ///< as in Act
+    std::string details;         ///< JSON: who, program, host, path, entry and hash of the log's head at that time, note
+    std::string previous, hash;
+};
+/// SHA-256 of "act", previous, number, kind, details and wallTime.
+std::string chainHash(const ChainedAct& act);
+/// In the order of their numbers.
+std::vector<ChainedAct> chainedActsIn(const SqliteConnection& connection);
+/// Stores the act behind the last one, in the caller's transaction; its number and hashes are set here.
+void appendAct(const SqliteConnection& connection, ChainedAct act);
+/// Adds the acts of a database that is put aside, which `into` lacks. Where `into` has every act before them, they keep their
+/// hashes, so that heads given out for them still verify. Altered acts are left out. Returns how many were added.
+std::size_t keepActsOf(const SqliteConnection& earlier, const SqliteConnection& into);
+
 /// 32 random bytes, in hexadecimal.
 std::string drawnSalt();
 

@@ -15,6 +15,7 @@
 #include "database/audit.h"
 #include "database/disk/server_note.h"
 #include "database/erasure.h"
+#include "database/event_chain.h"
 #include "database/rescue_files.h"
 #include "database/schema.h"
 #include "database/study_rows.h"
@@ -106,7 +107,8 @@ protocols::Error refused(const std::string& what, const fs::path& rescue, const 
 /// The log of the present study.db must be the beginning of the rescued one.
 void requireBeginning(const StudyFolder& folder, const LogHead& present, const SqliteConnection& rescued)
 {
-    if (hashOfEntry(rescued, present.sequence) == present.hash) return;
+    // An entry that is missing has no hash, and so is the same as an altered one without.
+    if (!present.hash.empty() && hashOfEntry(rescued, present.sequence) == present.hash) return;
     const SqliteConnection study(folder.database(), SqliteConnection::Mode::Read);
     const std::string continues = "a rescue file that continues " + folder.database().string();
     if (hashOfEntry(rescued, 1) != hashOfEntry(study, 1))
@@ -219,6 +221,15 @@ void writeWhole(const SqliteConnection& rescued, const fs::path& file)
                                      "entry " + std::to_string(expected.sequence), "do it again; nothing was changed"});
 }
 
+/// Adds the acts of the present study.db that the new one lacks, and leaves the new one complete without its other files.
+std::size_t keepActs(const StudyFolder& folder, const fs::path& file)
+{
+    const SqliteConnection made(file, SqliteConnection::Mode::Write);
+    const std::size_t kept = keepActsOf(SqliteConnection(folder.database(), SqliteConnection::Mode::Read), made);
+    made.run(QStringLiteral("PRAGMA wal_checkpoint(TRUNCATE)"));
+    return kept;
+}
+
 /// Renames study.db, with its write-ahead log where that may hold something. Returns its new name.
 fs::path movePresentAside(const StudyFolder& folder)
 {
@@ -276,11 +287,13 @@ Rescue bringBack(const StudyFolder& folder, const std::filesystem::path& rescue)
     if (hasPresent) requireRegular(folder.database(), "the database of a study, or no file of this name");
     Rescue result;
     const NewDatabase made{freeName(folder.folder, ".rescued-")};
+    bool continuesPresent = false;
     {
         const SqliteConnection rescued(rescue, SqliteConnection::Mode::Read);
         requireSound(rescued);
         result.events = static_cast<std::size_t>(headIn(rescued).sequence);
         if (const auto present = hasPresent ? headOfPresent(folder) : std::nullopt; present && present->sequence > 0) {
+            continuesPresent = true;
             requireBeginning(folder, *present, rescued);
             result.events -= static_cast<std::size_t>(present->sequence);
             makeComplete(folder);
@@ -290,6 +303,7 @@ Rescue bringBack(const StudyFolder& folder, const std::filesystem::path& rescue)
         }
         writeWhole(rescued, made.file);
     }
+    if (continuesPresent) result.acts = keepActs(folder, made.file);
     if (hasPresent) result.earlier = movePresentAside(folder);
     for (const char* ending : {"-wal", "-shm"}) fs::remove(folder.database().string() + ending, ignored);
     protocols::putFileInPlace(made.file, folder.database());

@@ -28,13 +28,14 @@ bool holdsAllOf(const PageCopy& copy, const std::filesystem::path& database, Fac
 struct Rescue {
     std::size_t events = 0;         ///< entries of the log that the study gained
     std::filesystem::path earlier;  ///< the database that stood there, kept under another name; empty where there was none
+    std::size_t acts = 0;           ///< of that database, which the rescue file lacked: the study keeps them
 };
 
 /// Puts what the rescue file and its write-ahead log hold in the place of study.db. The log of the present study.db must be the
-/// beginning of the rescued one. A study.db that is damaged, or no study, is only put aside; then the keys in the folder must be
-/// those of the rescued study, and no certificate of an erasure may be newer. Throws badInput where that is not so, where the
-/// file is no database of a study, and for a study on a server; nothing is changed then. A file that isLeftBy() the folder is
-/// gone afterwards, any other one stays. The caller holds the write lock.
+/// beginning of the rescued one; its exports and other acts are kept. A study.db that is damaged, or no study, is only put aside;
+/// then the keys in the folder must be those of the rescued study, and no certificate of an erasure may be newer. Throws badInput
+/// where that is not so, where the file is no database of a study, and for a study on a server; nothing is changed then. A file
+/// that isLeftBy() the folder is gone afterwards, any other one stays. The caller holds the write lock.
 Rescue bringBack(const StudyFolder& folder, const std::filesystem::path& rescue);
 
 }  // namespace database

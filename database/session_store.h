@@ -150,8 +150,9 @@ struct ErasureRecord {
     std::int64_t fingerSamples = 0;
     std::string wallTime;
     std::size_t searchedFiles = 0;   ///< files of the study in which the removed texts were looked for
-    std::size_t searchedTexts = 0;   ///< salts, facts, notes and words that no other participant has
-    std::vector<std::string> found;  ///< files that still hold one of them, relative to the study
+    std::size_t searchedTexts = 0;   ///< salts, facts, notes and words that nothing else in the study holds
+    std::size_t sharedTexts = 0;     ///< others, which the study still holds, so that no file can be searched for them
+    std::vector<std::string> found;  ///< files that still hold one of them, relative to the study, also by earlier certificates
     /// Earlier erasures of this participant, by their entries, that ended before the search: their texts are no longer known.
     std::vector<std::int64_t> interrupted;
 };

@@ -142,7 +142,7 @@ std::unique_ptr<protocols::TemporaryFolder> upgraded(const StudyFolder& folder, 
     std::fprintf(stderr,
                  "%s: an earlier version of this program made this study. This command reads an upgraded copy. Open the study in "
                  "the app to upgrade it.\n",
-                 folder.folder.c_str());
+                 protocols::printable(folder.folder.string()).c_str());
     return upgradedCopy(folder);
 }
 
@@ -290,7 +290,7 @@ StudyStore::Rescued StudyStore::rescue(const StudyFolder& folder, const std::fil
 {
     const WriteLock lock(folder);
     const Rescue done = bringBack(folder, file);
-    return {done.events, done.earlier};
+    return {done.events, done.earlier, done.acts};
 }
 
 void StudyStore::takeProtocol(const std::string& json, const std::string& who, const std::string& why)

@@ -28,6 +28,7 @@ public:
     struct Rescued {
         std::size_t events = 0;         ///< entries of the log that the study gained
         std::filesystem::path earlier;  ///< the database that stood there, kept under another name
+        std::size_t acts = 0;  ///< exports and other acts of that database, which the rescue file lacked and the study keeps
     };
     static Rescued rescue(const StudyFolder& folder, const std::filesystem::path& file);
 

@@ -135,18 +135,18 @@ void chainAnew(const SqliteConnection& made, const OlderStudy& study)
 }
 
 /// The logs of version 0.1.0 do not say that a session is finished, so that the upgrade says it.
-nlohmann::ordered_json statesIn(const SqliteConnection& made)
+std::map<std::string, std::string> statesIn(const SqliteConnection& made)
 {
-    auto states = nlohmann::ordered_json::object();
-    QSqlQuery row = made.run(QStringLiteral("SELECT id, state FROM participants ORDER BY slot"));
+    std::map<std::string, std::string> states;
+    QSqlQuery row = made.run(QStringLiteral("SELECT id, state FROM participants"));
     while (row.next()) states[fromQt(row.value(0))] = fromQt(row.value(1));
     return states;
 }
 
 /// Gives each fact a salt. The upgrade's entry holds the hashes, because the older log does not.
-nlohmann::ordered_json committedFacts(const SqliteConnection& made)
+std::map<std::string, std::map<std::string, std::string>> committedFacts(const SqliteConnection& made)
 {
-    auto hashes = nlohmann::ordered_json::object();
+    std::map<std::string, std::map<std::string, std::string>> hashes;  // an ordered object would look through all keys for each
     std::vector<std::array<std::string, 3>> facts;
     QSqlQuery row = made.run(QStringLiteral("SELECT participant, fact, value FROM participant_facts ORDER BY participant, fact"));
     while (row.next()) facts.push_back({fromQt(row.value(0)), fromQt(row.value(1)), fromQt(row.value(2))});

@@ -133,4 +133,17 @@ WriteLock::~WriteLock()
     ::close(m_descriptor);
 }
 
+void requireNoOtherComputer(const StudyFolder& folder)
+{
+    const int descriptor = ::open(folder.lock().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    if (descriptor < 0) return;  // nobody has written since the study was made, or the folder cannot be read
+    try {
+        requireNotHeldElsewhere(folder, descriptor);
+    } catch (...) {
+        ::close(descriptor);
+        throw;
+    }
+    ::close(descriptor);
+}
+
 }  // namespace database

@@ -23,4 +23,8 @@ private:
     int m_descriptor = -1;
 };
 
+/// For a short transaction without the lock. Throws environmentFault where the folder lies on a disk of other computers, and its
+/// lock names another one than this: neither computer may see what the other one writes.
+void requireNoOtherComputer(const StudyFolder& folder);
+
 }  // namespace database

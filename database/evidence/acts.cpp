@@ -2,9 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "database/disk/write_lock.h"
+#include "database/event_chain.h"
 #include "database/sqlite_connection.h"
 #include "database/stored_texts.h"
-#include "protocols/files/canonical_bytes.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/strict_json.h"
 #include "protocols/json_count.h"
@@ -12,24 +13,6 @@
 namespace database {
 
 namespace {
-
-std::string hashOf(const ChainedAct& act)
-{
-    protocols::CanonicalBytes bytes;
-    bytes << std::string("act") << act.previous << act.number << act.kind << act.details << act.wallTime;
-    return bytes.hash();
-}
-
-std::vector<ChainedAct> rowsIn(const SqliteConnection& sqlite)
-{
-    std::vector<ChainedAct> rows;
-    QSqlQuery row =
-        sqlite.run(QStringLiteral("SELECT number, kind, wall_time, details, previous_hash, hash FROM acts ORDER BY number"));
-    while (row.next())
-        rows.push_back({row.value(0).toLongLong(), fromQt(row.value(1)), fromQt(row.value(2)), fromQt(row.value(3)),
-                        fromQt(row.value(4)), fromQt(row.value(5))});
-    return rows;
-}
 
 /// Empty where the details cannot be read.
 std::optional<Act> actOf(const ChainedAct& row)
@@ -52,16 +35,7 @@ std::optional<Act> actOf(const ChainedAct& row)
 void insert(const SqliteConnection& sqlite, const Act& act)
 {
     Transaction transaction(sqlite);
-    const std::vector<ChainedAct> earlier = rowsIn(sqlite);
-    ChainedAct row;
-    row.number = earlier.empty() ? 1 : earlier.back().number + 1;
-    row.kind = act.kind;
-    row.details = detailsOf(act);
-    row.wallTime = act.wallTime;
-    row.previous = earlier.empty() ? "" : earlier.back().hash;
-    sqlite.run(
-        QStringLiteral("INSERT INTO acts(number, kind, details, wall_time, previous_hash, hash) VALUES (?, ?, ?, ?, ?, ?)"),
-        {qlonglong(row.number), toQt(row.kind), toQt(row.details), toQt(row.wallTime), toQt(row.previous), toQt(hashOf(row))});
+    appendAct(sqlite, {0, act.kind, act.wallTime, detailsOf(act), {}, {}});
     transaction.commit();
     // A reader closes the database last and cannot empty the write-ahead log. Do not make a session wait for it.
     sqlite.run(QStringLiteral("PRAGMA busy_timeout = 100"));
@@ -82,6 +56,7 @@ std::optional<std::string> recordAct(const StudyFolder& folder, Act act)
 {
     if (act.wallTime.empty()) act.wallTime = wallTimeNow();
     try {
+        requireNoOtherComputer(folder);
         insert(SqliteConnection(folder.database(), SqliteConnection::Mode::Write), act);
         return std::nullopt;
     } catch (const protocols::Error& fault) {
@@ -93,7 +68,7 @@ std::vector<Act> actsOf(const StudyStore& store)
 {
     const SqliteConnection sqlite(store.folder().database(), SqliteConnection::Mode::Read);
     std::vector<Act> acts;
-    for (const ChainedAct& row : rowsIn(sqlite)) {
+    for (const ChainedAct& row : chainedActsIn(sqlite)) {
         auto act = actOf(row);
         if (!act)
             throw protocols::workFailed({"act " + std::to_string(row.number) + " cannot be read", sqlite.file().string(), "",
@@ -105,7 +80,7 @@ std::vector<Act> actsOf(const StudyStore& store)
 
 std::vector<ChainedAct> chainedActsOf(const StudyStore& store)
 {
-    return rowsIn(SqliteConnection(store.folder().database(), SqliteConnection::Mode::Read));
+    return chainedActsIn(SqliteConnection(store.folder().database(), SqliteConnection::Mode::Read));
 }
 
 LogHead headOfActs(const StudyStore& store)
@@ -132,11 +107,11 @@ std::vector<std::string> faultsOfActs(const StudyStore& store)
     std::vector<std::string> faults;
     std::string previous;
     std::int64_t last = 0;
-    for (const ChainedAct& row : rowsIn(sqlite)) {
+    for (const ChainedAct& row : chainedActsIn(sqlite)) {
         const std::string name = "act " + std::to_string(row.number) + " (" + row.kind + ")";
         const auto act = actOf(row);
         if (row.number != last + 1 || row.previous != previous) faults.push_back(name + ": does not follow the act before it");
-        if (!act || hashOf(row) != row.hash)
+        if (!act || chainHash(row) != row.hash)
             faults.push_back(name + ": was altered");
         else if (fromQt(sqlite.value(QStringLiteral("SELECT hash FROM events WHERE sequence = ?"),
                                      {qlonglong(act->head.sequence)})) != act->head.hash)

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "database/event_chain.h"
 #include "database/study_store.h"
 
 namespace database {
@@ -27,20 +28,13 @@ struct Act {
 /// The JSON of an act in its chain.
 std::string detailsOf(const Act& act);
 
-/// Returns why the act could not be recorded (a read-only folder, a locked database), or nothing. Never throws for that, because
-/// the act itself is done.
+/// Returns why the act could not be recorded (a read-only folder, a locked database, a share on which another computer writes),
+/// or nothing. Never throws for that, because the act itself is done.
 std::optional<std::string> recordAct(const StudyFolder& folder, Act act);
 
 /// In the order in which they were done.
 std::vector<Act> actsOf(const StudyStore& store);
 
-/// An act as its chain covers it. The hash is the SHA-256 of "act", previous, number, kind, details and wallTime.
-struct ChainedAct {
-    std::int64_t number = 0;     ///< from 1 without gaps
-    std::string kind, wallTime;  ///< as in Act
-    std::string details;         ///< JSON: who, program, host, path, entry and hash of the log's head at that time, note
-    std::string previous, hash;
-};
 /// Every act in its order, also where its details cannot be read.
 std::vector<ChainedAct> chainedActsOf(const StudyStore& store);
 

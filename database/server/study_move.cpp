@@ -254,6 +254,8 @@ void recordStay(const StudyFolder& folder, Act act, const std::string& address, 
                                      folder.folder.string(), "", "run the same command again"});
 }
 
+/// A link keeps its target, which may be anywhere, and what is neither file, folder nor link stays behind: `verify` looks at the
+/// folder itself.
 void copyFilesBeside(const StudyFolder& folder, const StudyFolder& copy)
 {
     for (const auto& entry : fs::directory_iterator(folder.folder)) {
@@ -261,9 +263,12 @@ void copyFilesBeside(const StudyFolder& folder, const StudyFolder& copy)
         if (name.starts_with("study.db") || name == ".lock" || name.starts_with("queue.db") ||
             entry.path() == serverNoteOf(folder.folder))
             continue;
+        const fs::file_type type = entry.symlink_status().type();
+        if (type != fs::file_type::regular && type != fs::file_type::directory && type != fs::file_type::symlink) continue;
         fs::copy(entry.path(), copy.folder / name, fs::copy_options::recursive | fs::copy_options::copy_symlinks);
+        if (type == fs::file_type::symlink) continue;
         fs::permissions(copy.folder / name,
-                        entry.is_directory() ? fs::perms::owner_all : fs::perms::owner_read | fs::perms::owner_write);
+                        type == fs::file_type::directory ? fs::perms::owner_all : fs::perms::owner_read | fs::perms::owner_write);
     }
 }
 

@@ -1,8 +1,6 @@
 #include "protocols/files/byte_search.h"
 
 #include <algorithm>
-#include <map>
-#include <string_view>
 
 #include "protocols/files/whole_file.h"
 
@@ -13,46 +11,14 @@ namespace {
 constexpr std::size_t comparedBytes = 24;
 constexpr std::size_t keyBytes = 3;
 
-/// Sequences by their first bytes.
-class Sequences {
-public:
-    explicit Sequences(const std::vector<std::string>& all) : m_starts(std::size_t{1} << (8 * keyBytes), false)
-    {
-        for (const std::string& one : all) {
-            if (one.size() < keyBytes) continue;
-            m_longest = std::max(m_longest, std::min(one.size(), comparedBytes));
-            m_starts[keyOf(one.data())] = true;
-            m_byKey[keyOf(one.data())].push_back(one.substr(0, comparedBytes));
-        }
-    }
+std::size_t keyOf(const char* bytes)
+{
+    std::size_t key = 0;
+    for (std::size_t i = 0; i < keyBytes; ++i) key = key << 8 | static_cast<unsigned char>(bytes[i]);
+    return key;
+}
 
-    std::size_t longest() const { return m_longest; }
-
-    bool areIn(std::string_view bytes) const
-    {
-        for (std::size_t at = 0; at + keyBytes <= bytes.size(); ++at) {
-            const std::size_t key = keyOf(bytes.data() + at);
-            if (m_starts[key] &&
-                std::ranges::any_of(m_byKey.at(key), [&](const std::string& one) { return bytes.substr(at, one.size()) == one; }))
-                return true;
-        }
-        return false;
-    }
-
-private:
-    static std::size_t keyOf(const char* bytes)
-    {
-        std::size_t key = 0;
-        for (std::size_t i = 0; i < keyBytes; ++i) key = key << 8 | static_cast<unsigned char>(bytes[i]);
-        return key;
-    }
-
-    std::vector<bool> m_starts;
-    std::map<std::size_t, std::vector<std::string>> m_byKey;
-    std::size_t m_longest = 0;
-};
-
-bool holds(const std::filesystem::path& file, const Sequences& sequences)
+bool holds(const std::filesystem::path& file, const ByteSequences& sequences)
 {
     bool isFound = false;
     std::string carried;  // the end of the block before, for a sequence that two blocks share
@@ -68,11 +34,38 @@ bool holds(const std::filesystem::path& file, const Sequences& sequences)
 
 }  // namespace
 
+ByteSequences::ByteSequences(const std::vector<std::string>& all) : m_starts(std::size_t{1} << (8 * keyBytes), false)
+{
+    for (const std::string& one : all) {
+        if (one.size() < keyBytes) continue;
+        m_longest = std::max(m_longest, std::min(one.size(), comparedBytes));
+        m_starts[keyOf(one.data())] = true;
+        m_byKey[keyOf(one.data())].push_back(one);
+    }
+}
+
+void ByteSequences::findIn(std::string_view bytes, const std::function<bool(const std::string&)>& found) const
+{
+    for (std::size_t at = 0; at + keyBytes <= bytes.size(); ++at) {
+        const std::size_t key = keyOf(bytes.data() + at);
+        if (!m_starts[key]) continue;
+        for (const std::string& one : m_byKey.at(key))
+            if (bytes.substr(at).starts_with(std::string_view(one).substr(0, comparedBytes)) && !found(one)) return;
+    }
+}
+
+bool ByteSequences::areIn(std::string_view bytes) const
+{
+    bool isFound = false;
+    findIn(bytes, [&](const std::string&) { return !(isFound = true); });
+    return isFound;
+}
+
 ByteSearch searchFiles(const std::filesystem::path& folder, const std::vector<std::string>& sequences,
                        const std::vector<std::filesystem::path>& others)
 {
     ByteSearch search;
-    const Sequences wanted(sequences);
+    const ByteSequences wanted(sequences);
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
         if (!entry.is_regular_file() || entry.is_symlink()) continue;
         ++search.files;

@@ -18,6 +18,9 @@ constexpr std::size_t tagBytes = crypto_aead_xchacha20poly1305_ietf_ABYTES;
 static_assert(nonceBytes + tagBytes == sealBytes);
 constexpr std::uint64_t mostMemory = std::uint64_t{1} << 30;
 constexpr std::uint64_t mostPasses = 16;
+/// Passes over 1 GiB take some seconds each. No level of libsodium needs more, and a key that somebody made may not hold up a
+/// program for minutes.
+constexpr std::uint64_t mostWork = 4 * mostMemory;
 
 const unsigned char* bytesOf(std::string_view text) { return reinterpret_cast<const unsigned char*>(text.data()); }
 
@@ -74,6 +77,9 @@ SealedParts sealedParts(std::string_view sealed, const std::string& where)
         throw badInput({"the salt has a wrong length", where, "32 hexadecimal digits", "restore the file from a backup"});
     parts.derivation.passes = numberIn(document, "passes", crypto_pwhash_OPSLIMIT_MIN, mostPasses, where);
     parts.derivation.memory = numberIn(document, "memory_bytes", crypto_pwhash_MEMLIMIT_MIN, mostMemory, where);
+    if (parts.derivation.passes * parts.derivation.memory > mostWork)
+        throw badInput({"\"passes\" and \"memory_bytes\" ask for too much work", where,
+                        "a product of at most " + std::to_string(mostWork), "restore the file from a backup"});
     parts.box = ofHexText(textOf(document, "box", where), where);
     return parts;
 }

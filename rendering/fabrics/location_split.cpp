@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/random.h"
 
@@ -22,17 +23,28 @@ struct PixelSize {
     double width = 0, height = 0;
 };
 
-/// Reads the size from the first 24 bytes; decoding thousands of pictures for their size would take minutes.
-std::optional<PixelSize> pngSize(const std::filesystem::path& file)
+protocols::Error noPngHeader(const std::filesystem::path& file)
+{
+    return protocols::badInput(
+        {"does not begin like a PNG, so its size is unknown", file.string(), "a PNG image", "export it again as PNG"});
+}
+
+/// Reads the size from the first 24 bytes; decoding thousands of pictures for their size would take minutes. Throws badInput:
+/// without its size a picture would overlap none, and parts of one place could fall into training and testing.
+PixelSize pngSize(const std::filesystem::path& file)
 {
     constexpr std::size_t bytesToTheSize = 24;
+    constexpr double mostSidePx = 1 << 20;
     const std::string head = protocols::beginningOf(file, bytesToTheSize);
-    if (head.size() < bytesToTheSize || head[1] != 'P' || head[2] != 'N') return {};
+    if (head.size() < bytesToTheSize || !head.starts_with("\x89PNG\r\n\x1a\n") || head.compare(12, 4, "IHDR") != 0)
+        throw noPngHeader(file);
     const auto byte = [&](std::size_t at) { return static_cast<double>(static_cast<unsigned char>(head[at])); };
     const auto number = [&](std::size_t at) {
         return ((byte(at) * 256 + byte(at + 1)) * 256 + byte(at + 2)) * 256 + byte(at + 3);
     };
-    return PixelSize{number(16), number(20)};
+    const PixelSize size{number(16), number(20)};
+    if (!(size.width >= 1 && size.height >= 1 && size.width <= mostSidePx && size.height <= mostSidePx)) throw noPngHeader(file);
+    return size;
 }
 
 Footprint squareForEveryAngle(Footprint footprint)
@@ -172,10 +184,10 @@ std::optional<Footprint> footprintOf(const Dataset& dataset, const SamplePlace& 
         return footprint;
     }
     const auto pitch = place.modality == Modality::Visual ? photographPitch(dataset, place) : dataset.tactileMmPerPixel;
-    const auto size = pngSize(samplePath(dataset, place.fabric, place.modality, place.index));
-    if (!pitch || !size) return {};
-    footprint.widthMm = size->width * *pitch;
-    footprint.heightMm = size->height * *pitch;
+    if (!pitch) return {};
+    const PixelSize size = pngSize(samplePath(dataset, place.fabric, place.modality, place.index));
+    footprint.widthMm = size.width * *pitch;
+    footprint.heightMm = size.height * *pitch;
     return place.rotationDeg ? footprint : squareForEveryAngle(footprint);
 }
 

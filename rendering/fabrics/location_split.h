@@ -19,8 +19,8 @@ struct Footprint {
 };
 
 /// Photographs and presses: pixels times pitch, centred on their place. Strokes: 1 mm wide, starting at their place.
-/// Without a rotation the footprint is the square that holds the sample at every angle. Returns nullopt where the place,
-/// the pitch or the size of the picture is unknown.
+/// Without a rotation the footprint is the square that holds the sample at every angle. Returns nullopt where the place
+/// or the pitch is unknown. Throws badInput for a picture that does not begin like a PNG.
 std::optional<Footprint> footprintOf(const Dataset& dataset, const SamplePlace& place);
 
 /// True where the rectangles share an area; touching is not enough.

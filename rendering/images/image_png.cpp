@@ -21,6 +21,7 @@ namespace rendering {
 namespace {
 
 constexpr std::uint64_t mostPngPixels = 1ull << 28;
+constexpr std::uint64_t mostPngBytes = 3 * mostPngPixels;  // decoded: as many as the largest image in 8-bit RGB has
 constexpr int compressionLevel = 3;  // Higher levels take several times as long for a few percent of the size.
 
 struct ByteSource {
@@ -36,7 +37,8 @@ struct Decoding {
     char message[120] = {};
     png_uint_32 width = 0, height = 0;
     int bitDepth = 0, channels = 0;
-    png_bytep exif = nullptr;  ///< owned by libpng
+    std::size_t storedRowBytes = 0;  ///< before palettes and single bits are expanded
+    png_bytep exif = nullptr;        ///< owned by libpng
     png_uint_32 exifSize = 0;
 };
 
@@ -58,12 +60,23 @@ void takeBytes(png_structp png, png_bytep to, png_size_t count)
     source->position += count;
 }
 
+/// Skips what describes the image, except the orientation mark and transparency. Compressed texts and profiles would be unpacked:
+/// up to 1000 of them, 8 MB each.
+void skipDescriptions(png_structp png)
+{
+    constexpr int allKnown = -1;  // libpng keeps PLTE, tRNS, IDAT and the like out of this list.
+    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, allKnown);
+    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_AS_DEFAULT, reinterpret_cast<png_const_bytep>("eXIf"), 1);
+}
+
 bool readHeader(Decoding& decoding)
 {
     if (setjmp(png_jmpbuf(decoding.png))) return false;
     png_set_read_fn(decoding.png, &decoding.source, takeBytes);
     png_set_user_limits(decoding.png, 1u << 20, 1u << 20);
+    skipDescriptions(decoding.png);
     png_read_info(decoding.png, decoding.info);
+    decoding.storedRowBytes = png_get_rowbytes(decoding.png, decoding.info);
     const int type = png_get_color_type(decoding.png, decoding.info);
     if (type == PNG_COLOR_TYPE_PALETTE || png_get_bit_depth(decoding.png, decoding.info) < 8) png_set_expand(decoding.png);
     if ((type & PNG_COLOR_MASK_ALPHA) != 0 || png_get_valid(decoding.png, decoding.info, PNG_INFO_tRNS) != 0)
@@ -137,6 +150,23 @@ protocols::Error notAPng(const std::filesystem::path& file, const std::string& w
     return protocols::badInput({"is not a readable PNG (" + why + ")", file.string(), "a complete PNG image", "export it again"});
 }
 
+/// Refuses an image that is too large for the memory, and a header that promises more than the file can hold.
+void requirePngSize(const Decoding& decoding, std::size_t fileBytes, const std::filesystem::path& file)
+{
+    const std::uint64_t pixels = std::uint64_t(decoding.width) * decoding.height;
+    const std::uint64_t pixelBytes = unsigned(decoding.channels * decoding.bitDepth / 8);
+    if (pixels > mostPngPixels || pixels * pixelBytes > mostPngBytes)
+        throw protocols::badInput(
+            {"has " + std::to_string(decoding.width) + " x " + std::to_string(decoding.height) + " pixels of " +
+                 std::to_string(pixelBytes) + (pixelBytes == 1 ? " byte" : " bytes"),
+             file.string(),
+             "at most " + std::to_string(mostPngPixels) + " pixels and " + std::to_string(mostPngBytes) + " bytes when decoded",
+             "reduce the image, or export it with 8 bits"});
+    // Deflate shrinks data by at most about 1032:1. Each stored row begins with the byte of its filter.
+    const std::uint64_t stored = (std::uint64_t(decoding.storedRowBytes) + 1) * decoding.height;
+    if (stored > fileBytes * 1100ull + (1u << 20)) throw notAPng(file, "the file is truncated");
+}
+
 struct ReadHandle {
     Decoding decoding;
     ReadHandle()
@@ -176,11 +206,7 @@ cv::Mat readPng(const std::filesystem::path& file)
             {"not enough memory to decode the image", file.string(), "", "close other programs and try again"});
     decoding.source = {reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), 0};
     if (!readHeader(decoding)) throw notAPng(file, decoding.message);
-    const std::uint64_t pixels = std::uint64_t(decoding.width) * decoding.height;
-    if (pixels > mostPngPixels)
-        throw notAPng(file, std::to_string(decoding.width) + " x " + std::to_string(decoding.height) + " pixels are too many");
-    // Deflate shrinks data by at most about 1032:1. A header that promises more is false: refuse it before allocating.
-    if (pixels * unsigned(decoding.channels) > bytes.size() * 1100ull + (1u << 20)) throw notAPng(file, "the file is truncated");
+    requirePngSize(decoding, bytes.size(), file);
     const int depth = decoding.bitDepth == 16 ? CV_16U : CV_8U;
     cv::Mat image(int(decoding.height), int(decoding.width), CV_MAKETYPE(depth, decoding.channels));
     std::vector<png_bytep> rows(decoding.height);

@@ -9,7 +9,8 @@
 namespace rendering {
 
 /// An image as CV_8UC1, CV_8UC3 (RGB), CV_16UC1 or CV_16UC3. Palettes are expanded, transparency is dropped.
-/// Throws badInput naming the file: missing, not a PNG, truncated, or larger than 2^28 pixels.
+/// Throws badInput naming the file: missing, not a PNG, truncated, larger than 2^28 pixels, or more than 3 * 2^28 bytes when
+/// decoded. Texts, colour profiles and other descriptions are skipped.
 cv::Mat readPng(const std::filesystem::path& file);
 
 /// Writes 8 or 16 bits, grey or RGB, as a whole file. Throws environmentFault.

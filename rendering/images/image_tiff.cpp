@@ -22,6 +22,7 @@ namespace rendering {
 namespace {
 
 constexpr std::uint64_t mostTiffPixels = 1ull << 28;
+constexpr std::uint64_t mostTiffBytes = 4 * mostTiffPixels;  // decoded: as many as the largest map of 32-bit float has
 
 struct Memory {
     std::string bytes;
@@ -142,6 +143,11 @@ cv::Mat readPixels(const std::filesystem::path& file, bool mayHaveColours)
     const std::uint64_t pixels = std::uint64_t(width) * height;
     if (pixels == 0 || pixels > mostTiffPixels)
         throw notATiff(file, std::to_string(width) + " x " + std::to_string(height) + " pixels");
+    if (pixels * CV_ELEM_SIZE(type) > mostTiffBytes)
+        throw protocols::badInput({"has " + std::to_string(width) + " x " + std::to_string(height) + " pixels of " +
+                                       std::to_string(CV_ELEM_SIZE(type)) + " bytes",
+                                   file.string(), "at most " + std::to_string(mostTiffBytes) + " bytes when decoded",
+                                   "reduce the image, or export it with 8 bits"});
     if (TIFFIsTiled(tiff.get())) throw notATiff(file, "tiled", mayHaveColours);
     if (pixels * CV_ELEM_SIZE(type) > memory.bytes.size() * 1100ull + (1u << 20)) throw notATiff(file, "the file is truncated");
     cv::Mat image(int(height), int(width), type);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
@@ -13,6 +15,9 @@
 namespace rendering::models {
 
 namespace {
+
+/// Largest file of a training log, bytes: 400,000 steps of eight losses. A row of nothing but commas takes eight times its bytes.
+constexpr std::uint64_t largestTrainingTable = std::uint64_t{1} << 26;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
@@ -38,7 +43,9 @@ void readRow(TrainingTable& table, const std::vector<std::string>& cells, const 
     std::vector<double> values(table.names.size(), none);
     for (std::size_t i = 0; i < values.size(); ++i)
         if (!cells[i + 1].empty() && !numberFrom(cells[i + 1], values[i])) throw notReadable(place);
-    table.rows[step] = values;
+    if (!table.rows.emplace(step, std::move(values)).second)
+        throw protocols::badInput({"the step " + std::to_string(step) + " occurs twice", place, "each step once",
+                                   "remove one of its two rows, or move the folder away"});
 }
 
 }  // namespace
@@ -84,7 +91,7 @@ TrainingTable readTrainingTable(const std::filesystem::path& file)
 {
     TrainingTable table;
     if (!std::filesystem::exists(file)) return table;
-    const std::string text = protocols::readWholeFile(file);
+    const std::string text = protocols::readWholeFile(file, largestTrainingTable);
     protocols::CsvReader reader(text, file.string());
     table.names = reader.columns();
     if (table.names.front() != "step") throw notReadable(file.string() + ", line 1");

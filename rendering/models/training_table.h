@@ -26,6 +26,7 @@ struct TrainingTable {
 
 /// Numbers in the shortest form that reads back exactly; empty cells for missing values, "inf" and "-inf" for infinite ones.
 std::string csvText(const TrainingTable& table);
-TrainingTable readTrainingTable(const std::filesystem::path& file);  ///< empty for a missing file; throws badInput
+/// Empty for a missing file. Throws badInput for a malformed row, a step that occurs twice, and a file of more than 64 MiB.
+TrainingTable readTrainingTable(const std::filesystem::path& file);
 
 }  // namespace rendering::models

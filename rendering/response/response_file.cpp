@@ -17,7 +17,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::uint64_t largestResponseFile = 1 << 20;
 constexpr const char* hashField = "sha256";
 
 protocols::Error noResponse(const std::string& where, const std::string& what, const std::string& expected)

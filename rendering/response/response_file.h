@@ -1,6 +1,7 @@
 // The file of a response, response.json. README, "The display's response", describes its fields.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -10,6 +11,7 @@
 namespace rendering {
 
 inline constexpr const char* responseSchema = "vis2hap.display-response/1";
+inline constexpr std::uint64_t largestResponseFile = 1 << 20;  ///< bytes
 
 /// The text of the file. Its field sha256 is the hash of everything else, so that an edit by hand is noticed.
 std::string responseJson(const DisplayResponse& response);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
@@ -17,8 +18,9 @@ namespace rendering::scans {
 namespace {
 
 constexpr int leastSidePx = 64;
-constexpr double mostShapeError = 0.01;  ///< of the ratio of the sides of two images of one fabric
-constexpr double mostSeamRatio = 1.6;    ///< difference across a border that meets, over that of inner neighbours
+constexpr int mostSideRatio = mostScanSidePx / leastSidePx;  ///< a longer image would be too narrow once it is reduced
+constexpr double mostShapeError = 0.01;                      ///< of the ratio of the sides of two images of one fabric
+constexpr double mostSeamRatio = 1.6;  ///< difference across a border that meets, over that of inner neighbours
 
 std::string sizeText(const cv::Mat& image) { return std::to_string(image.cols) + " x " + std::to_string(image.rows) + " px"; }
 
@@ -41,6 +43,10 @@ cv::Mat readMap(const std::filesystem::path& file, const fabrics::DecodeOther& d
     if (std::min(image.rows, image.cols) < leastSidePx)
         throw protocols::badInput(
             {"is " + sizeText(image), file.string(), "at least 64 px a side", "export it at a larger size"});
+    if (std::max(image.rows, image.cols) > mostSideRatio * std::min(image.rows, image.cols))
+        throw protocols::badInput({"is " + sizeText(image) + ", a narrow strip", file.string(),
+                                   "a longer side of at most " + std::to_string(mostSideRatio) + " times the shorter one",
+                                   "cut out a part that is nearer to a square"});
     const double factor = double(mostScanSidePx) / std::max(image.rows, image.cols);
     return factor < 1 ? resized(image, {int(std::lround(image.cols * factor)), int(std::lround(image.rows * factor))}) : image;
 }
@@ -92,11 +98,14 @@ cv::Mat unitDisplacement(const ReadMap& map)
     cv::Mat values;
     map.pixels.convertTo(values, CV_32F);
     if (values.channels() == 3) cv::extractChannel(values, values, 0);
+    if (!cv::checkRange(values))  // minMaxLoc skips NaN, and one would spread over the whole surface.
+        throw protocols::badInput({"holds heights that are not finite", map.source.file.string(), "a number in every pixel",
+                                   "export the displacement again, without gaps"});
     double lowest = 0, highest = 0;
     cv::minMaxLoc(values, &lowest, &highest);
-    if (!(highest > lowest) || !std::isfinite(highest - lowest))
-        throw protocols::badInput({"has the same height everywhere, or heights that are not finite", map.source.file.string(),
-                                   "a displacement map", "choose the displacement of the fabric"});
+    if (!(highest - lowest >= std::numeric_limits<float>::min()))
+        throw protocols::badInput({"has the same height everywhere", map.source.file.string(), "a displacement map",
+                                   "choose the displacement of the fabric"});
     values.convertTo(values, CV_32F, 1 / (highest - lowest), -lowest / (highest - lowest));
     return values;
 }

@@ -30,7 +30,7 @@ inline constexpr double assumedRmsSlope = 0.15;
 /// Reads the files of a fabric whose tile is `tileMm` wide. The surface has the grid of the normals (else of the displacement),
 /// or that of the colour where this is coarser. The sign of the green channel comes from the agreement of the slopes and from
 /// the displacement; the file name decides only where both leave it open. Throws badInput naming the file: not an image, not a
-/// normal map, another shape than the colour, a constant displacement.
+/// normal map, a narrow strip, another shape than the colour, a displacement that is constant or not finite.
 Scan readScan(const ScanFiles& files, double tileMm, const fabrics::DecodeOther& decodeOther);
 
 }  // namespace rendering::scans

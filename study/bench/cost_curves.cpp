@@ -8,6 +8,7 @@
 #include <opencv2/core.hpp>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/orders/allocation.h"
 #include "protocols/orders/counterbalancing.h"
 #include "protocols/protocol_json.h"
@@ -271,13 +272,15 @@ std::string tableOf(const std::vector<CostCurve>& curves)
 {
     std::string text;
     for (const CostCurve& curve : curves) {
-        text += curve.work + ": time ~ " + curve.sizeIs + "^" + (curve.exponent ? number(*curve.exponent, "%.2f") : "?");
+        const std::string sizeIs = protocols::printable(curve.sizeIs);  // both may come from another lab's shard
+        text += protocols::printable(curve.work) + ": time ~ " + sizeIs + "^" +
+                (curve.exponent ? number(*curve.exponent, "%.2f") : "?");
         if (curve.ci95)
             text += " (95 % interval " + number(curve.ci95->low, "%.2f") + " to " + number(curve.ci95->high, "%.2f") + ")";
         if (curve.isLinear) text += "; linear work, promised at most 1.05";
         text += "\n";
         for (const CostPoint& point : curve.points)
-            text += "  " + number(point.size, "%10.0f") + " " + curve.sizeIs + number(point.milliseconds, "%14.3f ms") +
+            text += "  " + number(point.size, "%10.0f") + " " + sizeIs + number(point.milliseconds, "%14.3f ms") +
                     (point.megabytes ? number(*point.megabytes, "%10.1f MB") : "") + "\n";
     }
     return text;

@@ -32,6 +32,9 @@ int erase(const std::string& study, const database::Erasure& erasure)
                 erasure.answersToo ? "facts, debriefing, answers and notes" : "facts and debriefing",
                 erasure.participant.value.c_str());
     for (const auto& file : record.found) std::printf("  still in %s\n", protocols::printable(file).c_str());
+    if (record.sharedTexts > 0)
+        std::printf("  not searched for: %zu removed texts, because what stays in the study holds the same words\n",
+                    record.sharedTexts);
     for (const auto& file : database::rescueFilesOfOthers(store.folder()))
         std::printf("note: %s belongs to another account, so its rows were not read; ask its owner to delete it\n",
                     protocols::printable(file.string()).c_str());
@@ -93,6 +96,8 @@ int rescue(const std::string& study, const std::string& from)
                 protocols::printable(file.string()).c_str(), done.events);
     if (!done.earlier.empty())
         std::printf("  the database that stood there is now %s\n", protocols::printable(done.earlier.string()).c_str());
+    if (done.acts > 0)
+        std::printf("  exports and other acts that were recorded there since: %zu; the study keeps them\n", done.acts);
     return 0;
 }
 

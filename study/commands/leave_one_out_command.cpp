@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/safe_text.h"
@@ -83,6 +85,15 @@ ordered_json optionsOf(const LeaveOneOutCall& call, const Dataset& dataset)
             {"fabrics", fabrics},      {"arguments", call.arguments}, {"threads", stats::threadCount(call.threads)}};
 }
 
+/// The values of each shard, sorted: an object that keeps the order of its keys looks through all of them for each.
+std::vector<std::map<std::string, const ordered_json*>> valuesByName(const shards::ShardedRun& run)
+{
+    std::vector<std::map<std::string, const ordered_json*>> all(run.shards.size());
+    for (std::size_t shard = 0; shard < run.shards.size(); ++shard)
+        for (const auto& [name, value] : run.shards[shard].values.items()) all[shard][name] = &value;
+    return all;
+}
+
 }  // namespace
 
 int leaveOneOut(const LeaveOneOutCall& call)
@@ -120,11 +131,16 @@ void mergeLeaveOneOut(const shards::ShardedRun& run, const MergeOutput& output)
     evaluation::LeaveOneOut result;
     try {
         result.dataset = run.options().at("dataset").get<std::string>();
+        const auto valuesOf = valuesByName(run);
+        std::set<std::string> named;
         std::size_t place = 0;
         for (const ordered_json& fabric : run.options().at("fabrics")) {
             const std::size_t shard = place++ % run.shards.size();
-            result.fabrics.push_back(
-                evaluation::leftOutFrom(run.shards[shard].values.at(fabric.get<std::string>()), run.files[shard].string()));
+            const auto name = fabric.get<std::string>();
+            const auto value = valuesOf[shard].find(name);
+            if (!named.insert(name).second || value == valuesOf[shard].end())
+                throw ordered_json::other_error::create(501, "a fabric twice, or one that is missing", nullptr);
+            result.fabrics.push_back(evaluation::leftOutFrom(*value->second, run.files[shard].string()));
             if (result.fabrics.back().predictors.size() != result.fabrics.front().predictors.size())
                 throw ordered_json::other_error::create(501, "other predictors", nullptr);
         }

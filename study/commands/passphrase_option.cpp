@@ -89,11 +89,13 @@ std::string withoutLineEnd(std::string text)
     return text;
 }
 
+constexpr std::uint64_t largestPassphraseFile = std::uint64_t{1} << 20;  // a larger one was named by mistake
+
 /// The first line of the file, without its end. Windows writes such files in UTF-16, too.
 std::string firstLineOf(const std::string& file)
 {
-    std::string text = protocols::decodedText(protocols::readWholeFile(file), file).text;
-    return withoutLineEnd(text.substr(0, text.find('\n')));
+    const std::string text = protocols::decodedText(protocols::readWholeFile(file, largestPassphraseFile), file).text;
+    return text.substr(0, text.find_first_of("\r\n"));
 }
 
 std::optional<std::string> givenBeforehand(const PassphraseOption& option)

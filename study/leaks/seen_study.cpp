@@ -228,6 +228,13 @@ private:
         return column == "payload" && (kind == "answered" || kind == "corrected");
     }
 
+    /// Empty where the difference of two stamps that somebody altered has no number.
+    static std::string timeBetween(long long earlier, long long later)
+    {
+        long long difference = 0;
+        return __builtin_sub_overflow(later, earlier, &difference) ? std::string() : std::to_string(difference);
+    }
+
     /// Differences of stamps, without those that hold a participant's response time.
     void addTimes()
     {
@@ -240,10 +247,10 @@ private:
             if (!trial) return;
             auto& before = storedBefore[cell("participant")];
             if (seen.insert(*trial).second) {
-                if (before > 0) changing[*trial] = std::to_string(whole(cell("ready_at")) - before);
+                if (before > 0) changing[*trial] = timeBetween(before, whole(cell("ready_at")));
                 if (!cell("touched_at").empty())
-                    touching[*trial] = std::to_string(whole(cell("touched_at")) - whole(cell("ready_at")));
-                storing[*trial] = std::to_string(whole(cell("stored_at")) - whole(cell("answered_at")));
+                    touching[*trial] = timeBetween(whole(cell("ready_at")), whole(cell("touched_at")));
+                storing[*trial] = timeBetween(whole(cell("answered_at")), whole(cell("stored_at")));
             }
             before = whole(cell("stored_at"));
         });

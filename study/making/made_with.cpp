@@ -5,6 +5,7 @@
 #include <opencv2/core/version.hpp>
 
 #include "database/sqlite_connection.h"
+#include "protocols/files/json_in_order.h"
 #include "protocols/files/sha256.h"
 #include "protocols/secrets/sealing.h"
 #include "rendering/composition/render_json.h"
@@ -51,7 +52,7 @@ std::string madeWith(const NewStudy& request, const std::string& weightsSha256, 
     for (const auto& [key, bytes] : prompts) made["prompts_sha256"][key] = protocols::sha256(bytes);
     if (!material.own.sha256.empty()) made["own_images_sha256"] = material.own.sha256;
     for (const UsedProgram& used : material.programs) made["programs"][used.program.condition.value] = jsonOf(used, request);
-    if (!material.responseJson.empty()) made[records::displayResponseField] = ordered_json::parse(material.responseJson);
+    if (!material.responseJson.empty()) made[records::displayResponseField] = protocols::jsonInOrder(material.responseJson);
     return made.dump();
 }
 

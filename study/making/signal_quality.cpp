@@ -43,8 +43,11 @@ HeightPair commonCrop(const FabricSignals& signals, const cv::Mat& generated, co
     cv::Mat resampled = generated;
     const double ratio =
         signals.generatedMmPerPixel.value_or(1) / signals.tactileMmPerPixel.value_or(signals.generatedMmPerPixel.value_or(1));
+    const auto scaled = [&](int side) { return std::max(1, cvRound(side * ratio)); };
+    const bool isStrip = std::min(generated.cols, generated.rows) * ratio < 1;  // of which no row would be left
+    const cv::Size kept = isStrip ? cv::Size(scaled(generated.cols), scaled(generated.rows)) : cv::Size();
     if (std::abs(ratio - 1) > 1e-6)
-        cv::resize(generated, resampled, {}, ratio, ratio, ratio < 1 ? cv::INTER_AREA : cv::INTER_CUBIC);
+        cv::resize(generated, resampled, kept, ratio, ratio, ratio < 1 ? cv::INTER_AREA : cv::INTER_CUBIC);
     const cv::Size size(std::min(resampled.cols, measured.cols), std::min(resampled.rows, measured.rows));
     const auto centre = [&](const cv::Mat& map) {
         cv::Mat crop;

@@ -77,7 +77,7 @@ void readModel(const NewStudy& request, StudyMaterial& material)
 void readDisplayResponse(const NewStudy& request, StudyMaterial& material)
 {
     if (request.response.empty()) return;
-    material.responseJson = protocols::readWholeFile(request.response, protocols::largestJson);
+    material.responseJson = protocols::readRegularFile(request.response, rendering::largestResponseFile);
     material.render.mapping.response = std::make_shared<rendering::DisplayResponse>(
         rendering::responseFromJson(material.responseJson, request.response.string()));
     if (!material.own.images.empty() || !request.programs.empty())

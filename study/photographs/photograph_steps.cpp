@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <opencv2/imgproc.hpp>
 
@@ -51,7 +52,8 @@ app::SeenPhotograph see(const fs::path& file, int mostPx)
     cv::Mat pixels = pixelsOf(file);
     const QSize size(pixels.cols, pixels.rows);
     const double shrink = 1.0 * mostPx / std::max(pixels.cols, pixels.rows);
-    if (shrink < 1) cv::resize(pixels, pixels, {}, shrink, shrink, cv::INTER_AREA);
+    const auto shrunk = [&](int side) { return std::max(1, static_cast<int>(std::lround(side * shrink))); };
+    if (shrink < 1) cv::resize(pixels, pixels, {shrunk(pixels.cols), shrunk(pixels.rows)}, 0, 0, cv::INTER_AREA);
     const QImage view(pixels.data, pixels.cols, pixels.rows, static_cast<qsizetype>(pixels.step), QImage::Format_RGB888);
     return {view.copy(), size};
 }

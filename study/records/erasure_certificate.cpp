@@ -74,6 +74,9 @@ std::filesystem::path writeErasureCertificate(const database::StudyStore& store,
     text += line("Log head", textOf(store.head()));
     text += line("Files searched for " + std::to_string(record.searchedTexts) + " removed texts",
                  std::to_string(record.searchedFiles));
+    if (record.sharedTexts > 0)
+        text += line("Not searched for, because what stays in the study holds the same words",
+                     std::to_string(record.sharedTexts) + " removed texts");
     text += line("Found in", whereFound(record.found));
     for (const auto& file : database::rescueFilesOfOthers(store.folder()))
         text += line("Rows not read, because another account owns it", file.string());
@@ -89,7 +92,7 @@ std::filesystem::path writeErasureCertificate(const database::StudyStore& store,
     const auto file = database::certificateFile(store.folder(), record.event);
     protocols::writeWholeFile(file, text, protocols::Sync::Now, protocols::Readers::OwnerOnly);
     // A certificate that is not recorded after a crash is noted by `verify`; a recorded one that is missing is a fault.
-    database::recordCertificate(store, record.event, protocols::sha256(text));
+    database::recordCertificate(store, record, protocols::sha256(text));
     return file;
 }
 

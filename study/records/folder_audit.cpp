@@ -31,6 +31,7 @@ namespace fs = std::filesystem;
 constexpr const char* knownFiles[] = {"study.db",      "study.db-wal",        "study.db-shm",    ".lock",
                                       "protocol.json", "allocation-key.json", "station-key.json"};
 constexpr const char* knownFolders[] = {"stimuli", "erasures", "prompts"};
+constexpr const char* serverNote = "server.json";
 
 /// True for PREFIX, a number and ENDING.
 bool isNumbered(std::string_view name, std::string_view prefix, std::string_view ending)
@@ -262,7 +263,30 @@ void checkKeptDatabases(const database::StudyStore& store, FolderFindings& findi
     }
 }
 
-/// Looks at the folder that was opened: of a study that needs an upgrade, the store reads a copy, which lacks links and folders.
+/// The folders of studies from before an upgrade, which hold the files of the study of that time.
+void lookBeforeUpgrades(const database::StudyStore& store, const fs::path& top, Search& search)
+{
+    std::error_code unreadable;
+    std::vector<fs::path> copies;
+    for (const auto& entry : fs::directory_iterator(top, unreadable))
+        if (isCopyBeforeUpgrade(entry.path().filename().string(), store.folder()) && !entry.is_symlink(unreadable) &&
+            entry.is_directory(unreadable))
+            copies.push_back(entry.path());
+    if (copies.empty() || store.eventsOfKind(database::upgradedKind).empty()) return;
+    std::ranges::sort(copies);
+    const auto registered = registeredFiles(store);
+    for (const fs::path& copy : copies)
+        search.look(
+            copy,
+            [&](const std::string& name) {
+                return name == "masked-key.json" || name == "allocation-key.sealed" || isOneOf(knownFiles, name) ||
+                       registered.contains(name) || belongsToKeptDatabase(name, copy);
+            },
+            [](const std::string& name) { return name == "stimuli"; });
+}
+
+/// Looks at the folder that was opened: of a study that needs an upgrade or lies on a server, the store reads a copy, which lacks
+/// links and folders, and whose modes are those of a copy.
 void lookAtTop(const database::StudyStore& store, const fs::path& top, Search& search, FolderFindings& findings)
 {
     const auto registered = registeredFiles(store);
@@ -272,6 +296,7 @@ void lookAtTop(const database::StudyStore& store, const fs::path& top, Search& s
         [&](const std::string& name) {
             if (name == "allocation-key.sealed") return hasPassphrase;
             if (name == "masked-key.json") return store.isUpgradedCopy();
+            if (name == serverNote) return !store.serverFolder().empty();
             return isOneOf(knownFiles, name) || registered.contains(name) || belongsToKeptDatabase(name, top);
         },
         [&](const std::string& name) {
@@ -297,9 +322,10 @@ FolderFindings findingsInFolder(const database::StudyStore& store)
     std::set<std::string> stimuli;
     for (const auto& [code, hash] : store.stimulusHashes()) stimuli.insert(code.value + ".sealed");
 
-    const fs::path top = store.isUpgradedCopy() ? store.namedFolder() : folder.folder;
+    const fs::path top = store.namedFolder();
     Search ofTop(top, findings);
     lookAtTop(store, top, ofTop, findings);
+    lookBeforeUpgrades(store, top, ofTop);
     Search search(folder.folder, findings);
     if (fs::is_directory(folder.stimuli()))
         search.look(

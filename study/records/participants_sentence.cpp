@@ -61,19 +61,6 @@ std::string counted(const std::string& fact, const std::vector<std::string>& val
     return fact + ": " + text;
 }
 
-/// The values of one fact, from participants whose answers are analysed.
-std::vector<std::string> valuesOf(const database::StudyStore& store, const std::string& fact)
-{
-    const auto facts = store.personalFacts();
-    std::vector<std::string> values;
-    for (const auto& enrolment : store.enrolments()) {
-        const auto known = facts.find(enrolment.participant);
-        if (enrolment.state == database::SlotState::Withdrawn || known == facts.end() || !known->second.contains(fact)) continue;
-        values.push_back(known->second.at(fact));
-    }
-    return values;
-}
-
 std::string clauseOf(const std::string& fact, const std::vector<std::string>& values, std::size_t people)
 {
     std::vector<double> numbers;
@@ -86,17 +73,19 @@ std::string clauseOf(const std::string& fact, const std::vector<std::string>& va
 
 std::string participantsSentence(const database::StudyStore& store)
 {
-    std::set<std::string> names;
-    for (const auto& [participant, facts] : store.personalFacts())
-        for (const auto& [fact, value] : facts)
-            if (fact != session::debriefingFact) names.insert(fact);
-    const auto enrolments = store.enrolments();
-    const auto people = static_cast<std::size_t>(std::count_if(
-        enrolments.begin(), enrolments.end(), [](const auto& e) { return e.state != database::SlotState::Withdrawn; }));
+    const auto facts = store.personalFacts();
+    std::size_t people = 0;
+    std::map<std::string, std::vector<std::string>> valuesOf;  // by fact, of participants whose answers are analysed
+    for (const auto& enrolment : store.enrolments()) {
+        if (enrolment.state == database::SlotState::Withdrawn) continue;
+        ++people;
+        const auto known = facts.find(enrolment.participant);
+        if (known == facts.end()) continue;
+        for (const auto& [fact, value] : known->second)
+            if (fact != session::debriefingFact) valuesOf[fact].push_back(value);
+    }
     std::string clauses;
-    for (const auto& name : names)
-        if (const auto values = valuesOf(store, name); !values.empty())
-            clauses += (clauses.empty() ? "" : "; ") + clauseOf(name, values, people);
+    for (const auto& [fact, values] : valuesOf) clauses += (clauses.empty() ? "" : "; ") + clauseOf(fact, values, people);
     if (clauses.empty()) return {};
     return std::to_string(people) + (people == 1 ? " participant (" : " participants (") + clauses + ").";
 }

@@ -81,14 +81,16 @@ bool hasEveryAnswer(const std::vector<protocols::BlindedTrial>& trials, const pr
     });
 }
 
-/// Participants whose answers may have been in means that were given out, and who are in none any more.
+/// Participants whose answers may have been in means that were given out, and who are in none any more: who withdrew, and who was
+/// erased with every answer.
 std::size_t withdrawnAfterTheEnd(const database::StudyStore& store)
 {
-    std::set<protocols::ParticipantId> ended, withdrawn;
+    std::set<protocols::ParticipantId> ended;
     for (const auto& event : store.eventsOfKind("debriefed")) ended.insert(event.participant);
-    for (const auto& event : store.eventsOfKind("withdrawn"))
-        if (ended.contains(event.participant)) withdrawn.insert(event.participant);
-    return withdrawn.size();
+    const auto enrolments = store.enrolments();
+    return static_cast<std::size_t>(std::ranges::count_if(enrolments, [&](const database::Enrolment& enrolment) {
+        return enrolment.state == database::SlotState::Withdrawn && ended.contains(enrolment.participant);
+    }));
 }
 
 /// Finds the participants who ended their session with every answer, and the running orders that have none. Who withdrew after

@@ -38,10 +38,12 @@ std::optional<std::size_t> wholeNumber(std::string_view text)
 /// The name of the first option in which two runs differ.
 std::string firstDifference(const ordered_json& a, const ordered_json& b)
 {
+    // Sorted, because an object that keeps the order of its keys looks through all of them for each.
+    const nlohmann::json ofA = a, ofB = b;
     for (const auto& [name, value] : a.items())
-        if (!b.contains(name) || b.at(name) != value) return name;
+        if (!ofB.contains(name) || ofB.at(name) != ofA.at(name)) return name;
     for (const auto& [name, value] : b.items())
-        if (!a.contains(name)) return name;
+        if (!ofA.contains(name)) return name;
     return {};
 }
 

@@ -1,8 +1,10 @@
 #include "study/simulation/simulation_shard.h"
 
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "protocols/files/errors.h"
 #include "protocols/protocol_json.h"
@@ -43,15 +45,29 @@ int countIn(const ordered_json& json, const char* key, int most = mostSimulated)
     return static_cast<int>(number);
 }
 
-std::size_t valuesOfParticipant(const MemoryStudy& study)
+/// Whether a participant can have given this number to the question.
+bool isPossible(const protocols::AnswerKind& kind, std::int16_t value)
 {
-    std::size_t questions = 0;
-    for (const auto& phase : study.protocol.phases) questions += phase.questions.size();
-    return questions * study.protocol.conditions.size() * study.fabrics.size();
+    if (value == SimulatedAnswers::none) return true;
+    if (std::holds_alternative<protocols::FreeText>(kind)) return false;
+    const auto* rating = std::get_if<protocols::Rating>(&kind);
+    return rating != nullptr ? rating->scale.holds({value}) : value == 0 || value == 1;
 }
 
-SimulatedAnswers answersOfOne(const ordered_json& json, std::size_t values)
+bool isPossibleTime(double seconds) { return std::isnan(seconds) || (std::isfinite(seconds) && seconds >= 0); }
+
+std::vector<const protocols::AnswerKind*> kindsIn(const protocols::Protocol& protocol)
 {
+    std::vector<const protocols::AnswerKind*> kinds;
+    for (const auto& phase : protocol.phases)
+        for (const auto& question : phase.questions) kinds.push_back(&question.kind);
+    return kinds;
+}
+
+SimulatedAnswers answersOfOne(const ordered_json& json, const MemoryStudy& study)
+{
+    const auto kinds = kindsIn(study.protocol);
+    const std::size_t ofQuestion = study.protocol.conditions.size() * study.fabrics.size(), values = kinds.size() * ofQuestion;
     SimulatedAnswers one;
     one.number = countIn(json, "participant");
     one.hasWithdrawn = json.at("withdrawn").get<bool>();
@@ -60,6 +76,9 @@ SimulatedAnswers answersOfOne(const ordered_json& json, std::size_t values)
     one.refusals = countIn(json, "refusals");
     one.values = numbersFrom<std::int16_t>(json.at("values"), values);
     one.seconds = numbersFrom<double>(json.at("seconds"), values);
+    for (std::size_t i = 0; i < values; ++i)
+        if (!isPossible(*kinds[i / ofQuestion], one.values[i]) || !isPossibleTime(one.seconds[i]))
+            throw ordered_json::other_error::create(501, "an impossible answer", nullptr);
     return one;
 }
 
@@ -109,7 +128,12 @@ SharedSimulation sharedSimulationFrom(const ordered_json& options, const std::st
         study.protocolSha256 = options.at("protocol_sha256").get<std::string>();
         study.protocol = protocols::keptProtocolFromJson(options.at("protocol").get<std::string>(), where,
                                                          options.at("made_by").get<std::string>());
-        for (const ordered_json& fabric : options.at("fabrics")) study.fabrics.emplace_back(fabric.get<std::string>());
+        std::set<std::string> named;
+        for (const ordered_json& fabric : options.at("fabrics")) {
+            study.fabrics.emplace_back(fabric.get<std::string>());
+            if (!named.insert(study.fabrics.back().value).second)
+                throw ordered_json::other_error::create(501, "a fabric twice", nullptr);
+        }
         simulation.madeWith = options.at("made_with").get<std::string>();
         simulation.participants = countIn(options, "participants");
         simulation.hasMishaps = options.at("mishaps").get<bool>();
@@ -138,8 +162,7 @@ std::vector<SimulatedAnswers> answersFrom(const ordered_json& json, const Shared
 {
     std::vector<SimulatedAnswers> answers;
     try {
-        const std::size_t values = valuesOfParticipant(simulation.study);
-        for (const ordered_json& one : json) answers.push_back(answersOfOne(one, values));
+        for (const ordered_json& one : json) answers.push_back(answersOfOne(one, simulation.study));
     } catch (const ordered_json::exception&) {
         throw otherShard("the answers of the shard are damaged", where);
     } catch (const protocols::Error&) {

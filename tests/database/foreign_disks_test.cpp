@@ -15,6 +15,7 @@
 #include <memory>
 
 #include "database/disk/write_lock.h"
+#include "database/evidence/acts.h"
 #include "database/rescue_files.h"
 #include "protocols/files/whole_file.h"
 #include "study/records/study_faults.h"
@@ -284,6 +285,20 @@ private Q_SLOTS:
         QCOMPARE(protocols::readWholeFile(folder.lock()), text.toStdString());
         fs::remove(folder.lock());
         const WriteLock lock(folder);
+    }
+
+    /// An act takes no lock, and writes all the same.
+    void anActIsNotRecordedWhileAnotherComputerWrites()
+    {
+        const StudyFolder folder = newStudy();
+        const Act act{"export", "Ada", "test", "here", "/out", StudyStore(folder, StudyStore::Access::Read).head(), {}};
+        protocols::writeWholeFile(folder.lock(), "4711 lab-2.example\n");
+        disk.isShare = true;
+        const std::string why = recordAct(folder, act).value_or("");
+        QVERIFY2(why.find("process 4711 on lab-2.example") != std::string::npos, why.c_str());
+        QVERIFY(actsOf(StudyStore(folder, StudyStore::Access::Read)).empty());
+        fs::remove(folder.lock());
+        QCOMPARE(recordAct(folder, act), std::nullopt);
     }
 
     /// As on shares that map no memory for two processes.

@@ -92,6 +92,23 @@ private Q_SLOTS:
         QCOMPARE(fs::exists(folder.database()), present != "none");
     }
 
+    /// An entry that the rescue file lacks has no hash, either.
+    void aStudyWhoseLastHashIsGoneIsNotReplaced()
+    {
+        const StudyFolder folder = newStudy(3);
+        const fs::path file = folder.folder / "rescue-1.db";
+        copyDatabase(folder, file);
+        OpenSession(folder, "S01").playUntilAnswers(5);
+        {
+            RawSqlite raw(folder.database());
+            raw.dropTriggers();
+            QCOMPARE(raw.run("UPDATE events SET hash = '' WHERE sequence = (SELECT MAX(sequence) FROM events)"), std::string());
+        }
+        const QString told = errorOf([&] { StudyStore::rescue(folder, file); });
+        QVERIFY2(told.contains("every entry of the rescue file already"), qPrintable(told));
+        QVERIFY(fs::exists(file));
+    }
+
     void aFolderWithoutKeysIsNoPlaceForAStudy()
     {
         const StudyFolder folder = newStudy(3);

@@ -14,6 +14,7 @@
 #include "database/rescue_files.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
+#include "study/records/erasure_certificate.h"
 #include "tests/support/error_text.h"
 #include "tests/support/folder_harm.h"
 #include "tests/support/new_studies.h"
@@ -149,6 +150,36 @@ private Q_SLOTS:
         const auto done = StudyStore::rescue(folder, rescue);
         QVERIFY(done.events > 0 && std::filesystem::exists(done.earlier));
         QCOMPARE(StudyStore(folder, StudyStore::Access::Read).answers().size(), 6u);
+    }
+
+    /// Somebody exports from an older study.db while the rescue file waits. A later certificate of erasure must name this copy.
+    void actsOfTheReplacedDatabaseAreKept()
+    {
+        const StudyFolder folder = newStudy();
+        const std::filesystem::path older = folder.folder.string() + "-older.db";
+        const auto act = [&](const char* path) {
+            const auto head = StudyStore(folder, StudyStore::Access::Read).head();
+            QCOMPARE(recordAct(folder, {"export", "Ada", "test", "here", path, head, {}}), std::nullopt);
+        };
+        act("/first");
+        {
+            OpenSession session(folder, "S01");
+            session.playUntilAnswers(3);
+            session.store.copyTo(older);
+            session.playUntilAnswers(6);
+            std::filesystem::remove(folder.database());
+            errorOf([&] { session.playUntilAnswers(7); });
+        }
+        putInPlace(older, folder);
+        act("/second");
+        const auto known = headOfActs(StudyStore(folder, StudyStore::Access::Read));
+        QCOMPARE(StudyStore::rescue(folder, rescueFiles(folder).front()).acts, std::size_t{1});
+        const StudyStore store(folder, StudyStore::Access::Read);
+        QVERIFY(headOfActs(store) == known);  // `verify --against` knows it
+        QCOMPARE(actsOf(store).back().path, std::string("/second"));
+        QCOMPARE(faultsOfActs(store), std::vector<std::string>());
+        QCOMPARE(store.faults(), std::vector<std::string>());
+        QCOMPARE(store.answers().size(), 6u);
     }
 
     void theWriteAheadLogOfARescueFileIsBroughtBackToo()
@@ -399,6 +430,47 @@ private Q_SLOTS:
         protocols::writeWholeFile(folder.folder / "notes" / "copy.txt", "he made an unmistakable remark today");
         const auto record = session.store.erase({protocols::ParticipantId("S01"), true, "Ada", "asked for it", {}});
         QCOMPARE(record.found, std::vector<std::string>{"notes/copy.txt"});
+    }
+
+    /// The texts are gone after the first erasure, and the file is not.
+    void whatACertificateNamesCountsUntilItIsGone()
+    {
+        const StudyFolder folder = newStudy();
+        const Erasure erasure{protocols::ParticipantId("S01"), true, "Ada", "asked for it", {}};
+        const std::filesystem::path copy = folder.folder / "notes" / "copy.txt";
+        OpenSession session(folder, "S01");
+        session.playUntilAnswers(2);
+        session.send(study::session::Noted{"an unmistakable remark", false});
+        std::filesystem::create_directory(copy.parent_path());
+        protocols::writeWholeFile(copy, "he made an unmistakable remark today");
+        for (int times = 0; times < 3; ++times) {
+            const auto record = session.store.erase(erasure);
+            QCOMPARE(record.found, std::vector<std::string>{"notes/copy.txt"});
+            study::records::writeErasureCertificate(session.store, erasure, record);
+        }
+        std::filesystem::remove(copy);
+        QCOMPARE(session.store.erase(erasure).found, std::vector<std::string>());
+    }
+
+    /// What others said stays, and so do the protocol and the reason. The search for the same words would find them.
+    void wordsThatOthersSaidAreNoTraces()
+    {
+        const StudyFolder folder = newStudy();
+        const auto noted = [&](const char* person, const char* text) {
+            OpenSession session(folder, person);
+            session.playUntilAnswers(2);
+            session.send(study::session::Noted{text, false});
+        };
+        noted("S01", "left-handed");
+        noted("S02", "left-handed, retrained as a child");
+        noted("S01", "the participant was uncertain about the first");
+        noted("S02", "the participant was uncertain about the last");
+        noted("S01", "asked for her data to be erased");
+        StudyStore store(folder, StudyStore::Access::Write);
+        const auto record = store.erase({protocols::ParticipantId("S01"), true, "Ada", "asked for her data to be erased", {}});
+        QCOMPARE(record.found, std::vector<std::string>());
+        QCOMPARE(record.sharedTexts, std::size_t{3});
+        QVERIFY(record.searchedTexts > 0);
     }
 
     void aReaderHoldsAnErasureUp_data()

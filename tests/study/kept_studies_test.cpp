@@ -149,6 +149,17 @@ private Q_SLOTS:
         QCOMPARE(labelled(inTheOldColumns(bytesOf(at("out/answers.csv")))), bytesOf(kept("resumed-answers.csv")));
     }
 
+    /// Of the folder as it lies there, and not of the upgraded copy that the command reads.
+    void theDataSheetOfAnOldStudySaysThatNothingIsSealed()
+    {
+        const QString sheet = mustRun({"study", "data-sheet", at("finished")}).out.simplified();
+        for (const QString& said :
+             {at("finished"), QString("masked-key.json, mode"), QString("not encrypted: of an earlier version"),
+              QString("Its images and keys lie open"), QString("are not sealed before the upgrade")})
+            QVERIFY2(sheet.contains(said), qPrintable(said + " is not in: " + sheet));
+        QVERIFY(!sheet.contains("(encrypted with the station key"));
+    }
+
     void openingForWritingUpgradesAndKeepsTheStudyAsItWas()
     {
         const auto first = mustRun({"study", "preregister", at("finished")});
@@ -157,6 +168,10 @@ private Q_SLOTS:
         QCOMPARE(QDir(at("finished/before-upgrade/stimuli")).entryList({"*.pgm"}).size(), 10);
         QVERIFY(!mustRun({"verify", at("finished")}).err.contains("earlier version"));
         mustRun({"verify", at("finished/before-upgrade")});
+        QVERIFY(QFile::copy(at("finished/protocol.json"), at("finished/before-upgrade/answers of P3.txt")));
+        const auto stray = support::runProgram({"verify", at("finished")});
+        QCOMPARE(stray.exitCode, 1);
+        QVERIFY2(stray.out.contains("before-upgrade/answers of P3.txt: does not belong to the study"), qPrintable(stray.out));
     }
 
 private:

@@ -470,7 +470,9 @@ CREATE OR REPLACE FUNCTION @schema@.overview() RETURNS jsonb LANGUAGE sql STABLE
     SET search_path = pg_catalog, pg_temp SET client_min_messages = warning AS
 $$ SELECT @schema@.server_overview() $$;
 
--- Enrols as enrolIn() in database/study_writing.cpp. The caller holds server_lock().
+-- Enrols as enrolIn() in database/study_writing.cpp. The entry names the last act, as nameLastAct() in database/event_chain.cpp
+-- does it for a folder; stations keep copies of the other entries, so the server adds nothing to them. The caller holds
+-- server_lock().
 CREATE OR REPLACE FUNCTION @schema@.server_enrol(its_id text, its_kind text) RETURNS @schema@.participants LANGUAGE plpgsql AS $$
 DECLARE
     known @schema@.participants;
@@ -515,7 +517,9 @@ BEGIN
     RETURNING * INTO known;
     PERFORM @schema@.server_append('', 0, 'enrolled',
         '{"slot":' || free || ',"participant":' || to_json(its_id) || ',"kind":' || to_json(its_kind)
-            || CASE WHEN version > 1 THEN ',"protocol_version":' || version ELSE '' END || '}',
+            || CASE WHEN version > 1 THEN ',"protocol_version":' || version ELSE '' END
+            || coalesce((SELECT ',"acts":{"number":' || a.number || ',"sha256":' || to_json(a.hash) || '}'
+                         FROM @schema@.acts a ORDER BY a.number DESC LIMIT 1), '') || '}',
         0, @schema@.server_wall_time());
     RETURN known;
 END

@@ -7,7 +7,7 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/number_text.h"
-#include "protocols/files/whole_file.h"
+#include "protocols/files/utf8.h"
 #include "rendering/fabrics/recordings/column_names.h"
 #include "rendering/fabrics/recordings/record_text.h"
 
@@ -16,6 +16,11 @@ namespace rendering::fabrics {
 namespace {
 
 constexpr double leastDiscMmPerS = 1e-3;  ///< a disc that holds still has a speed of noise
+
+/// Most tables of one file. A table without rows takes some hundred bytes.
+constexpr std::size_t mostRecordTables = 10'000;
+
+constexpr std::size_t longestCellShown = 60;  ///< in a message, bytes
 
 using LineCells = std::vector<std::string_view>;
 
@@ -30,10 +35,17 @@ std::string withoutUnit(const std::string& header) { return header.substr(0, hea
 
 std::string lineName(const std::string& where, std::size_t line) { return where + ", line " + std::to_string(line + 1); }
 
+void requireFewTables(std::size_t count, const std::string& where)
+{
+    if (count <= mostRecordTables) return;
+    throw protocols::badInput({"has more than " + std::to_string(mostRecordTables) + " tables", where,
+                               "at most " + std::to_string(mostRecordTables), "check that the file is a recording, or split it"});
+}
+
 /// Table of one step of a tribometer profile, kept as text until a column is read.
 class StepTable {
 public:
-    StepTable(const std::string& where, std::string_view header) : m_where(where), m_columns(splitAt(header, '\t')) {}
+    StepTable(const std::string& where, std::string_view header) : m_where(where), m_header(header) {}
 
     void addLine(std::string_view line, std::size_t number)
     {
@@ -45,15 +57,15 @@ public:
     /// Header of the column that a user calls `name`; empty where there is none.
     std::string headerCalled(const std::string& name) const
     {
-        const auto found =
-            std::find_if(m_columns.begin(), m_columns.end(), [&](auto header) { return isCalled(std::string(header), name); });
-        return found == m_columns.end() ? "" : std::string(*found);
+        for (const std::string_view header : splitAt(m_header, '\t'))
+            if (isCalled(std::string(header), name)) return std::string(header);
+        return "";
     }
 
     /// Numbers of a column; empty where it is missing or has no number in any row. Throws badInput for text and for gaps.
     std::vector<double> column(std::string_view name) const
     {
-        const auto at = columnNamed(m_columns, name);
+        const auto at = columnNamed(splitAt(m_header, '\t'), name);
         if (!at) return {};
         std::vector<double> values;
         for (std::size_t row = 0; row < m_lines.size(); ++row) {
@@ -62,7 +74,7 @@ public:
             if (cell.empty() && values.size() == 0) continue;
             const auto value = protocols::numberIn(cell);
             if (!value || values.size() != row)
-                throw protocols::badInput({"\"" + std::string(cell) + "\" is not a number",
+                throw protocols::badInput({"\"" + protocols::inShort(cell, longestCellShown) + "\" is not a number",
                                            lineName(m_where, m_numbers[row]) + ", column " + std::string(name),
                                            "a number in every row", "correct the row or remove it"});
             values.push_back(*value);
@@ -72,7 +84,7 @@ public:
 
 private:
     std::string m_where;
-    LineCells m_columns;
+    std::string_view m_header;              ///< split where it is needed: a file may hold thousands of long ones
     std::vector<std::string_view> m_lines;  ///< parts of the file's text, which outlives the table
     std::vector<std::size_t> m_numbers;
 };
@@ -196,6 +208,11 @@ std::optional<double> labviewNumber(std::string_view cell, bool decimalComma)
     return protocols::numberIn(text);
 }
 
+bool isBlankRow(const LineCells& cells)
+{
+    return std::all_of(cells.begin(), cells.end(), [](auto cell) { return protocols::withoutBlanks(cell).empty(); });
+}
+
 void addRow(Segment& segment, const LineCells& cells, const std::string& where, std::size_t line)
 {
     const auto number = [&](const LabviewColumn& column) {
@@ -242,6 +259,21 @@ RawRecord labviewRecord(Segment segment, const std::string& where)
     return record;
 }
 
+/// The header says which sign separates the cells, also its own. Throws badInput where it cannot be told from decimal commas.
+char labviewSeparator(const std::vector<std::string_view>& lines, const std::string& where)
+{
+    constexpr std::string_view separator = "Separator,Comma", decimalComma = "Decimal_Separator,,";
+    const auto end = std::find_if(lines.begin(), lines.end(), [](auto line) { return line.starts_with("***End_of_Header***"); });
+    const auto says = [&](std::string_view words) {
+        return std::any_of(lines.begin(), end, [&](auto line) { return line.starts_with(words); });
+    };
+    if (!says(separator)) return '\t';
+    if (says(decimalComma))
+        throw protocols::badInput(
+            {"has commas between its cells and in its numbers", where, "tabs, or decimal points", "export the file with tabs"});
+    return ',';
+}
+
 protocols::Error rowOutsideTable(const std::string& where, std::size_t line)
 {
     return protocols::badInput({"a row of numbers stands after the end of its table", lineName(where, line),
@@ -253,7 +285,7 @@ protocols::Error rowOutsideTable(const std::string& where, std::size_t line)
 
 std::vector<RawRecord> readTribometer(const std::filesystem::path& file, const FrictionOptions& options)
 {
-    const std::string text = asUtf8(protocols::readWholeFile(file));
+    const std::string text = recordText(file);
     const std::vector<std::string_view> lines = linesOf(text);
     std::vector<StepTable> steps;
     bool inTable = false;
@@ -261,12 +293,13 @@ std::vector<RawRecord> readTribometer(const std::filesystem::path& file, const F
         const std::string_view line = lines[i], first = line.substr(0, line.find('\t'));
         if (first == "Step Time (s)") {
             steps.emplace_back(file.string(), line);
+            requireFewTables(steps.size(), file.string());
             inTable = true;
         } else if (inTable && protocols::numberIn(first)) {
             steps.back().addLine(line, i);
         } else if (inTable && line.find('\t') != std::string_view::npos && !first.starts_with("Step")) {
-            throw protocols::badInput({"\"" + std::string(first) + "\" is not a time", lineName(file.string(), i),
-                                       "a number of seconds", "correct the row"});
+            throw protocols::badInput({"\"" + protocols::inShort(first, longestCellShown) + "\" is not a time",
+                                       lineName(file.string(), i), "a number of seconds", "correct the row"});
         } else if (!steps.empty() && line.find('\t') != std::string_view::npos && protocols::numberIn(first)) {
             throw rowOutsideTable(file.string(), i);
         } else {
@@ -285,24 +318,26 @@ std::vector<RawRecord> readTribometer(const std::filesystem::path& file, const F
 
 std::vector<RawRecord> readLabview(const std::filesystem::path& file, const FrictionOptions& options)
 {
-    const std::string text = asUtf8(protocols::readWholeFile(file));
+    const std::string text = recordText(file);
     const std::vector<std::string_view> lines = linesOf(text);
     if (lines.empty() || !lines.front().starts_with("LabVIEW Measurement"))
         throw protocols::badInput({"is not a LabVIEW measurement file", file.string(),
                                    "\"LabVIEW Measurement\" in its first line", "check the kind of import"});
+    const char separator = labviewSeparator(lines, file.string());
     std::vector<Segment> segments;
     Segment pending;
     bool inRows = false;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        const LineCells cells = splitAt(lines[i], '\t');
+        const LineCells cells = splitAt(lines[i], separator);
         if (cells[0].starts_with("Decimal_Separator"))
-            pending.decimalComma = lines[i].find(',') != std::string::npos;
+            pending.decimalComma = separator != ',' && lines[i].find(',') != std::string::npos;
         else if (cells[0] == "Delta_X" && cells.size() > 1)
             pending.deltaX = labviewNumber(cells[1], pending.decimalComma).value_or(0);
         else if (cells[0] == "X_Value") {
             segments.push_back(segmentFrom(pending, cells, options, lineName(file.string(), i)));
+            requireFewTables(segments.size(), file.string());
             inRows = true;
-        } else if (inRows && (protocols::withoutBlanks(lines[i]).empty() || cells[0] == "Channels")) {
+        } else if (inRows && (isBlankRow(cells) || cells[0] == "Channels")) {
             inRows = false;
         } else if (inRows) {
             addRow(segments.back(), cells, file.string(), i);

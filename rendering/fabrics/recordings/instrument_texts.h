@@ -14,8 +14,8 @@ namespace rendering::fabrics {
 std::vector<RawRecord> readTribometer(const std::filesystem::path& file, const FrictionOptions& options);
 
 /// Reads a LabVIEW measurement file of forces; each segment is a record. A blank line or a new header ends it. Stamps that
-/// repeat, all equal or of few decimals, are replaced by multiples of Delta_X. Throws badInput, also for a row of numbers after
-/// the end of a segment.
+/// repeat, all equal or of few decimals, are replaced by multiples of Delta_X. Cells end at tabs, or at commas where the header
+/// states "Separator,Comma". Throws badInput, also for a row of numbers after the end of a segment.
 std::vector<RawRecord> readLabview(const std::filesystem::path& file, const FrictionOptions& options);
 
 }  // namespace rendering::fabrics

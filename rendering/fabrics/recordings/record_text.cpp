@@ -3,6 +3,12 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "protocols/files/csv_table.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/foreign/foreign_table.h"
+#include "protocols/files/utf8.h"
+#include "protocols/files/whole_file.h"
+
 namespace rendering::fabrics {
 
 namespace {
@@ -14,7 +20,35 @@ std::string quotable(std::string text)
     return text;
 }
 
+/// Each line takes 16 bytes as a part of the text, and so does each cell.
+void requireFewParts(std::string_view text, const std::string& where)
+{
+    std::size_t line = 1, tabs = 0, commas = 0;
+    for (const char c : text) {
+        if (c == '\n') tabs = commas = 0, ++line;
+        tabs += c == '\t';
+        commas += c == ',';
+        if (tabs < protocols::mostColumns && commas < protocols::mostColumns && line <= mostRecordLines) continue;
+        const bool isLong = line > mostRecordLines;
+        const std::size_t most = isLong ? mostRecordLines : protocols::mostColumns;
+        throw protocols::badInput({"has more than " + std::to_string(most) + (isLong ? " lines" : " cells in a line"),
+                                   isLong ? where : where + ", line " + std::to_string(line), "at most " + std::to_string(most),
+                                   isLong ? "split the recording" : "check that the file is a recording"});
+    }
+}
+
 }  // namespace
+
+std::string recordText(const std::filesystem::path& file)
+{
+    const std::string bytes = protocols::readWholeFile(file, protocols::largestTable);
+    requireFewParts(bytes, file.string());
+    const std::string_view unmarked = protocols::withoutByteOrderMark(bytes);
+    if (unmarked.size() == bytes.size()) return asUtf8(bytes);
+    std::string text = readable(std::string(unmarked));
+    std::erase(text, '\r');
+    return text;
+}
 
 std::string asUtf8(std::string_view latin1)
 {

@@ -19,10 +19,14 @@ using Values = std::vector<double>;
 cv::Mat ofUsualSize(const cv::Mat& rgb)
 {
     const int longer = std::max(rgb.cols, rgb.rows), shorter = std::min(rgb.cols, rgb.rows);
+    const double factor = std::min(1.0, double(largestPx) / longer);
     cv::Mat result = rgb;
-    if (longer > largestPx) cv::resize(rgb, result, {}, double(largestPx) / longer, double(largestPx) / longer, cv::INTER_AREA);
-    if (shorter < smallestPx)
-        cv::resize(rgb, result, {std::max(smallestPx, rgb.cols), std::max(smallestPx, rgb.rows)}, 0, 0, cv::INTER_LINEAR);
+    if (shorter * factor < smallestPx) {  // A narrow strip would lose its last row: it is widened instead.
+        const auto side = [&](int length) { return std::max(smallestPx, cvRound(length * factor)); };
+        cv::resize(rgb, result, {side(rgb.cols), side(rgb.rows)}, 0, 0, cv::INTER_LINEAR);
+    } else if (factor < 1) {
+        cv::resize(rgb, result, {}, factor, factor, cv::INTER_AREA);
+    }
     return result;
 }
 

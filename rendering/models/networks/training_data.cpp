@@ -57,6 +57,10 @@ cv::Mat heightAt(const ReadingContext& reading, const SamplePlace& place)
                                    (dataset.folder / place.fabric.value / "height").string(),
                                    "known heights, because dataset.json states the calibration \"known\"",
                                    "add the heights or calibrate the sensor"});
+    if (!cv::checkRange(*known))
+        throw protocols::badInput({"holds heights that are not finite",
+                                   fabrics::knownHeightPath(dataset, place.fabric, place.index).string(),
+                                   "a number in every pixel", "fill the gaps, or remove the frame and its height"});
     const double pitch = reading.data.architecture.mmPerPixel;
     return signals::zeroedRelief(*known, {pitch, pitch}, std::nullopt, signals::Calibration{}.zeroPercentile);
 }

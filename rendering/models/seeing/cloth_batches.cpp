@@ -145,6 +145,19 @@ KnownPatch scannedPatch(const std::vector<ScannedCloth>& scans, const ClothBatch
     return photographedAnew(*flat, options, random);
 }
 
+/// Pieces of both maps are cut at one place, and one missing height would spoil the training.
+void requireOfOneSize(const cv::Mat& surface, const cv::Mat& rgb, const std::filesystem::path& file)
+{
+    if (surface.size() != rgb.size())
+        throw protocols::badInput(
+            {"the surface has " + std::to_string(surface.cols) + " x " + std::to_string(surface.rows) + " px", file.string(),
+             "the " + std::to_string(rgb.cols) + " x " + std::to_string(rgb.rows) + " px of its photograph",
+             "scale it to the photograph, or remove it"});
+    if (!cv::checkRange(surface))
+        throw protocols::badInput({"holds heights that are not finite", file.string(), "a number in every pixel",
+                                   "fill the gaps, or remove the surface"});
+}
+
 }  // namespace
 
 void copyPhotograph(const cv::Mat& rgb, float* out)
@@ -170,8 +183,9 @@ std::vector<ScannedCloth> readScannedCloth(const fabrics::Dataset& dataset, cons
         const auto surface = fabrics::readSurface(dataset, place.fabric, place.index);
         const auto pitch = views.mmPerPixel(place.fabric, place.index);
         if (!surface || !pitch) continue;
-        scans.push_back({place.fabric.value, fabrics::readPhotograph(dataset, place.fabric, place.index), *surface, *pitch,
-                         place.light == "colour", place.lightDeg});
+        const cv::Mat rgb = fabrics::readPhotograph(dataset, place.fabric, place.index);
+        requireOfOneSize(*surface, rgb, fabrics::surfacePath(dataset, place.fabric, place.index));
+        scans.push_back({place.fabric.value, rgb, *surface, *pitch, place.light == "colour", place.lightDeg});
     }
     if (std::ranges::none_of(scans, &ScannedCloth::isFlat))
         throw protocols::badInput(

@@ -24,7 +24,7 @@ struct ScannedCloth {
 };
 
 /// All pictures of a data set that have a scale and a surface in mm. Fabrics of `heldOut` are left out. Throws badInput where no
-/// picture with light "colour" remains.
+/// picture with light "colour" remains. Throws it, too, for a surface of another size than its picture, or with gaps.
 std::vector<ScannedCloth> readScannedCloth(const fabrics::Dataset& dataset, const std::vector<protocols::FabricId>& heldOut);
 
 /// In the layout of the networks (N x C x H x W, row-major).

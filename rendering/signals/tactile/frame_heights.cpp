@@ -35,7 +35,9 @@ double lowPercentile(const cv::Mat& height, double percent, std::vector<int>& co
     const auto low = static_cast<float>(least), scale = static_cast<float>((levels - 1) / (most - least));
     for (int i = 0; i < height.rows; ++i) {
         const float* row = height.ptr<float>(i);
-        for (int j = 0; j < height.cols; ++j) ++counts[static_cast<std::size_t>((row[j] - low) * scale)];
+        for (int j = 0; j < height.cols; ++j)  // a calibration of extremes leaves heights that are no numbers
+            if (const float level = (row[j] - low) * scale; level >= 0 && level < levels)
+                ++counts[static_cast<std::size_t>(level)];
     }
     const double wanted = percent / 100 * static_cast<double>(height.total() - 1);
     double below = 0;

@@ -90,6 +90,11 @@ cv::Mat zeroedRelief(const cv::Mat& heightMm, const Pitch& pitch, std::optional<
     const cv::Mat relief = highPassCutoffMm ? withoutLowFrequency(heightMm, pitch, *highPassCutoffMm) : heightMm;
     cv::Mat height;
     relief.convertTo(height, CV_32F);
+    if (!cv::checkRange(height))
+        throw protocols::badInput({.what = "the height map holds values that are not finite",
+                                   .where = "",
+                                   .expected = "a number in every pixel",
+                                   .nextStep = "fill the gaps of the map, or leave it out"});
     height -= percentile(height, zeroPercentile);
     height.setTo(0, height <= 0);  // std::max would keep -0.
     return height;

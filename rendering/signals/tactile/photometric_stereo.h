@@ -19,7 +19,8 @@ Slopes slopesFromFrame(const cv::Mat& frame, const cv::Mat& reference, const Cal
 cv::Mat heightFromFrame(const cv::Mat& frame, const cv::Mat& reference, const Calibration& calibration,
                         IntegrationQuality quality = IntegrationQuality::Full);
 
-/// Removes waves longer than `highPassCutoffMm`, then shifts the height so that its `zeroPercentile` becomes 0, mm, >= 0.
+/// Removes waves longer than `highPassCutoffMm`, then shifts the height so that its `zeroPercentile` becomes 0, mm, >= 0. Throws
+/// badInput for heights that are not finite.
 cv::Mat zeroedRelief(const cv::Mat& heightMm, const Pitch& pitch, std::optional<double> highPassCutoffMm, double zeroPercentile);
 
 /// True where most of the frame is untouched: over 60 % of it, the light is weaker than a quarter of the strongest light.

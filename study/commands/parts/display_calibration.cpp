@@ -5,6 +5,7 @@
 #include <map>
 
 #include "protocols/files/number_text.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/response/response_drawing.h"
@@ -40,7 +41,9 @@ int calibrateDisplay(const DisplayCalibration& call)
     std::map<std::string, std::string> columns;
     for (const std::string& pair : call.map) columns.insert(wordsAround(pair, '=', "--map", "level=Grauwert"));
     const auto table = rendering::readResponseTable(call.table, columns, call.loadN);
-    if (!table.taken.empty()) std::fprintf(stderr, "note: %s is read as %s\n", call.table.c_str(), table.taken.c_str());
+    if (!table.taken.empty())
+        std::fprintf(stderr, "note: %s is read as %s\n", protocols::printable(call.table).c_str(),
+                     protocols::printable(table.taken).c_str());
     rendering::DisplayResponse response = fitResponse(table.measurements, call.table);
     response.setting = call.setting;
     response.setting.loadN = table.loadN;

@@ -6,8 +6,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "database/disk/server_note.h"
 #include "database/evidence/acts.h"
 #include "database/evidence/stored_tables.h"
+#include "database/server/server_address.h"
 #include "database/stored_texts.h"
 #include "protocols/process/computer_name.h"
 #include "study/records/display_response_record.h"
@@ -53,7 +55,8 @@ std::uintmax_t bytesBelow(const fs::path& path)
     return bytes;
 }
 
-ordered_json sheetFileRow(const fs::path& path)
+/// `isOlder`: a file of a study of an earlier version, which sealed nothing.
+ordered_json sheetFileRow(const fs::path& path, bool isOlder)
 {
     struct stat status {};
     if (::lstat(path.c_str(), &status) != 0) return {};
@@ -61,11 +64,11 @@ ordered_json sheetFileRow(const fs::path& path)
     ordered_json row{{"name", name}, {"mode", octal(status.st_mode)}, {"bytes", bytesBelow(path)}};
     const auto words = fileWords(name);
     row["what"] = words ? words->words : "does not belong to the study";
-    row["protection"] = words ? words->protection : "unknown";
+    row["protection"] = !words ? "unknown" : isOlder ? "not encrypted: of an earlier version" : words->protection;
     return row;
 }
 
-ordered_json fileRows(const fs::path& study)
+ordered_json fileRows(const fs::path& study, bool isOlder)
 {
     std::error_code unreadable;
     std::vector<fs::path> paths;
@@ -73,7 +76,7 @@ ordered_json fileRows(const fs::path& study)
     std::ranges::sort(paths);
     ordered_json rows = ordered_json::array();
     for (const auto& path : paths)
-        if (auto row = sheetFileRow(path); !row.empty()) rows.push_back(std::move(row));
+        if (auto row = sheetFileRow(path, isOlder); !row.empty()) rows.push_back(std::move(row));
     return rows;
 }
 
@@ -137,16 +140,34 @@ constexpr Reader readers[] = {
     {"other accounts of the computer", "nothing, as long as the modes are 0600 and 0700", "the same"},
 };
 
-ordered_json readerRows(const database::StudyFacts& facts)
+/// Of a study on a server, besides those above. (database/server/sql/roles.sql)
+constexpr Reader readersOnServer[] = {
+    {"administrator of the server, and who reads its log or its backups",
+     "facts, answers, notes and times, under codes; images and codes of presentations; not the allocation key", "the same"},
+    {"stations, by their login", "image, tray and code of the present presentation, and what they send", "the same"},
+    {"monitors, by their login", "progress and stations", "the same"},
+    {"analysts, by their login", "the rows of the study without facts about people", "the same"},
+};
+
+/// What somebody with the files reads before the unblinding; empty where they are sealed.
+std::string readOpenly(const database::StudyStore& store, const database::StudyFacts& facts)
+{
+    if (store.isUpgradedCopy()) return "everything: the files of an earlier version are not sealed before the upgrade";
+    return facts.hasPassphrase ? "" : "everything: this study has no passphrase";
+}
+
+ordered_json readerRows(const database::StudyStore& store, const database::StudyFacts& facts)
 {
     ordered_json rows = ordered_json::array();
-    for (const Reader& reader : readers) {
-        const bool isFolder = std::string(reader.who).starts_with("this account");
-        rows.push_back(
-            {{"who", reader.who},
-             {"before_unblinding", isFolder && !facts.hasPassphrase ? "everything: this study has no passphrase" : reader.before},
-             {"after_unblinding", reader.after}});
-    }
+    const std::string open = readOpenly(store, facts);
+    const auto add = [&](const Reader& reader, bool readsFiles) {
+        rows.push_back({{"who", reader.who},
+                        {"before_unblinding", readsFiles && !open.empty() ? open : reader.before},
+                        {"after_unblinding", reader.after}});
+    };
+    for (const Reader& reader : readers) add(reader, std::string(reader.who).starts_with("this account"));
+    if (!store.serverFolder().empty())
+        for (const Reader& reader : readersOnServer) add(reader, false);
     return rows;
 }
 
@@ -191,6 +212,44 @@ std::string sentenceOnKey(const database::StudyStore& store, const database::Stu
     return facts.hasPassphrase ? "A passphrase of the owner seals the key that names fabrics and conditions. Nobody can restore "
                                  "a lost passphrase."
                                : "The study has no passphrase: the key that names fabrics and conditions lies open.";
+}
+
+/// How the database and the images are protected where they lie.
+ordered_json protectionOf(const database::StudyStore& store, const database::StudyFacts& facts)
+{
+    return {store.serverFolder().empty()
+                ? "The database is not encrypted. File modes keep other accounts out. Use an encrypted disk against theft."
+                : "The database on the server is not encrypted. Logins and their rights keep others out. Use encrypted disks "
+                  "there and here against theft.",
+            store.isUpgradedCopy()
+                ? "An earlier version made this study. Its images and keys lie open in the folder and name every condition. The "
+                  "app and `vis2hap replay` upgrade it, which seals them."
+                : "Images and codes of presentations are encrypted with the station key, which lies in the folder for the "
+                  "sessions.",
+            sentenceOnKey(store, facts)};
+}
+
+/// Where data are besides the study.
+ordered_json elsewhereOf(const database::StudyStore& store)
+{
+    ordered_json sentences{
+        "The app keeps the paths of recent studies in the settings of the account.",
+        "If somebody removes the open database, the answers lie in a rescue file: in the study folder, beside it, or in the "
+        "folder for temporary files.",
+        "Over a network the program sends images to a display driver that the operator named.",
+        "Where participants use a tablet, the page and what they do on it go over the network of the tablet without encryption. "
+        "Everybody in that network can read them: consent, facts, places on the scale."};
+    if (store.serverFolder().empty()) return sentences;
+    sentences.push_back(
+        "Stations send consent, facts, answers and notes to the server over a network. To another computer the program asks for "
+        "encryption, unless the address or PGSSLMODE says otherwise.");
+    sentences.push_back(
+        "The server's log, write-ahead log and backups may keep data after an erasure. The way back to the folder prints the "
+        "commands that remove them.");
+    sentences.push_back(
+        "The folder of a station keeps answers while they wait for the server, and those of a session that could not go on "
+        "(not-sent-….json, held-….json). No erasure reaches the latter: delete them at the station.");
+    return sentences;
 }
 
 std::vector<std::string> factsOfAllVersions(const database::StudyStore& store)
@@ -238,22 +297,19 @@ ordered_json dataSheetOf(const database::StudyStore& store)
                        {"consent", protocol.consent},
                        {"consents_before", consentsBefore(store)},
                        {"display_response", displayResponseSentence(facts)}};
+    const fs::path folder = fs::absolute(store.namedFolder()).lexically_normal();
+    const auto note = database::readServerNote(folder);
     sheet["place"] = {{"host", protocols::computerName()},
-                      {"folder", fs::absolute(store.folder().folder).lexically_normal().string()},
-                      {"files", fileRows(store.folder().folder)}};
-    sheet["protection"] = {
-        "The database is not encrypted. File modes keep other accounts out. Use an encrypted disk against theft.",
-        "Images and codes of presentations are encrypted with the station key, which lies in the folder for the sessions.",
-        sentenceOnKey(store, facts)};
+                      {"folder", folder.string()},
+                      {"server", note ? ordered_json(database::withoutPassword(note->address)) : ordered_json(nullptr)},
+                      {"files", fileRows(folder, store.isUpgradedCopy())}};
+    if (!note) sheet["place"]["why"] = {{"server", "the study lies in its folder"}};
+    sheet["protection"] = protectionOf(store, facts);
     sheet["tables"] = tableRows(store);
-    sheet["readers"] = readerRows(facts);
+    sheet["readers"] = readerRows(store, facts);
     sheet["duration"] = durationOf(store, facts);
     sheet["erasure"] = erasureOf(store);
-    sheet["elsewhere"] = {
-        "The app keeps the paths of recent studies in the settings of the account.",
-        "If somebody removes the open database, the answers lie in a rescue file: in the study folder, beside it, or in the "
-        "folder for temporary files.",
-        "The program sends nothing over a network, except images to a display driver that the operator named."};
+    sheet["elsewhere"] = elsewhereOf(store);
     sheet["acts"] = sheetActRows(store);
     sheet["contact"] = nullptr;
     sheet["why"] = {{"contact", "protocols name no contact"}};

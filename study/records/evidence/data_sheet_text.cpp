@@ -77,6 +77,8 @@ std::string placeChapter(const ordered_json& sheet)
     std::string text = chapterHeading("2. Place and protection");
     text += wrapped(
         "", "Folder " + sheetField(sheet["place"], "folder") + " on the computer " + sheetField(sheet["place"], "host") + ".");
+    if (const std::string server = sheetField(sheet["place"], "server"); !server.empty())
+        text += wrapped("", "The database lies on the server " + server + ". The folder holds the rest.");
     text += bulleted(sheet["protection"]) + "\n";
     for (const auto& file : sheet["place"]["files"])
         text += wrapped("- ", sheetField(file, "name") + ", mode " + sheetField(file, "mode") + ", " + sheetField(file, "bytes") +

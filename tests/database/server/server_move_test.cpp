@@ -1,14 +1,20 @@
 // A study moves to a server and back: nothing is lost, nothing is half-made, and every wrong address is one clear line.
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "database/disk/server_note.h"
 #include "database/server/server_connection.h"
 #include "database/server/server_progress.h"
 #include "database/server/study_move.h"
 #include "database/study_store.h"
+#include "study/records/evidence/data_sheet.h"
+#include "study/records/evidence/data_sheet_text.h"
+#include "study/records/study_faults.h"
 #include "tests/support/error_text.h"
 #include "tests/support/played_session.h"
+#include "tests/support/raw_sqlite.h"
 #include "tests/support/server/private_server.h"
 #include "tests/support/server/server_session.h"
 #include "tests/support/whole_protocol.h"
@@ -68,6 +74,8 @@ private Q_SLOTS:
     void aPresentationThatBeganGoesOnAfterBothMoves();
     void itsTimeOnTheServerIsOnRecord();
     void readersSeeTheStudyWhileItIsOnTheServer();
+    void theOwnersFolderIsLookedAtItself();
+    void anEnrolmentOnTheServerNamesTheLastAct();
     void anInterruptedMoveIsCompleted();
     void aSecondStudyOfTheNameIsRefused();
     void wrongAddressesAreOneLine_data();
@@ -178,6 +186,60 @@ void ServerMoveTest::readersSeeTheStudyWhileItIsOnTheServer()
     QCOMPARE(store.stimulusHashes().size(), std::size_t{8});
     const QString refusal = errorOf([&] { StudyStore(study, StudyStore::Access::Write); });
     QVERIFY2(refusal.contains("lies on a server") && refusal.contains("study move"), qPrintable(refusal));
+}
+
+/// The rows come from the server; files, links and modes are those of the owner's folder.
+void ServerMoveTest::theOwnersFolderIsLookedAtItself()
+{
+    namespace fs = std::filesystem;
+    const StudyFolder study = livedStudy(folder("owned").folder);
+    moveToServer(study, database::serverAddressFrom(m_server->address("owned")), "owner");
+    const auto faults = [&] {
+        QString text;
+        for (const auto& fault : study::records::findingsOf(readStudy(study)).faults)
+            text += QString::fromStdString(fault) + "\n";
+        return text;
+    };
+    QCOMPARE(faults(), QString());
+    const auto sheet = study::records::dataSheetOf(readStudy(study));
+    QCOMPARE(sheet["place"]["folder"], fs::absolute(study.folder).string());
+    const std::string text = study::records::textOfDataSheet(sheet);
+    for (const char* said : {"server.json, mode 0600", "monitors, by their login", "not-sent-"})
+        QVERIFY2(text.find(said) != std::string::npos, said);
+
+    const fs::path photographs = folder("photographs").folder;
+    fs::create_directory(photographs);
+    fs::permissions(photographs, fs::perms::owner_all | fs::perms::group_read | fs::perms::others_read);
+    const auto mode = fs::status(photographs).permissions();
+    fs::create_directory_symlink("../photographs", study.folder / "linked");
+    fs::permissions(study.folder / "station-key.json", fs::perms::owner_read | fs::perms::others_read);
+    QVERIFY2(faults().contains("linked: does not belong to the study"), qPrintable(faults()));
+    QCOMPARE(fs::status(photographs).permissions(), mode);
+    const auto notes = study::records::findingsOf(readStudy(study)).notes;
+    const auto isOpen = [](const std::string& note) { return note.find("other users may read") != std::string::npos; };
+    QVERIFY(std::ranges::any_of(notes, isOpen));
+}
+
+/// Acts that are cut off while the study is on a server, or after it, are missed by the next verify.
+void ServerMoveTest::anEnrolmentOnTheServerNamesTheLastAct()
+{
+    const StudyFolder study = buildStudy(folder("acts").folder);
+    const auto address = database::serverAddressFrom(m_server->address("acts"));
+    moveToServer(study, address, "owner");
+    QCOMPARE(recordActOnServer(study, {"export", "Ada", "test", "here", "/out", readStudy(study).head(), {}}), std::nullopt);
+    {
+        const ServerConnection station(address);
+        station.call("join_study", {"left", QString(64, QLatin1Char('a')), "test"});
+        station.call("claim", {"P01", "human"});
+        station.call("leave", {});
+    }
+    QCOMPARE(errorOf([&] { moveToFolder(address, study, {}, {"left"}); }), QString());
+    QCOMPARE(readStudy(study).faults(), std::vector<std::string>());
+    RawSqlite raw(study.database());
+    raw.dropTriggers();
+    QCOMPARE(raw.run("DELETE FROM acts"), std::string());
+    const auto faults = readStudy(study).faults();
+    QVERIFY(std::ranges::any_of(faults, [](const std::string& one) { return one.find("act 1, which entry") == 0; }));
 }
 
 void ServerMoveTest::anInterruptedMoveIsCompleted()

@@ -68,6 +68,21 @@ private Q_SLOTS:
         QVERIFY(refusalOf([&] { (void)splitByLocation(dataset, 1); }).find(photograph.string()) != std::string::npos);
     }
 
+    /// Without a size it would overlap none, so that one place could be in training and in testing.
+    void aPhotographThatIsNoPngIsRefused()
+    {
+        const Dataset dataset = photographed(pathOf(*m_folder), {at(Modality::Visual, 0, 0, 0), at(Modality::Visual, 1, 9, 9)});
+        const fs::path photograph = samplePath(dataset, FabricId("F01"), Modality::Visual, 1);
+        const std::string sound = read(photograph);
+        for (const std::string& spoilt : {std::string("\xff\xd8\xff\xe0 a JPEG under the name of a PNG"), sound.substr(0, 20),
+                                          std::string(sound).replace(16, 4, std::string(4, '\0')),
+                                          std::string(sound).replace(20, 4, std::string(4, '\xff'))}) {
+            write(photograph, spoilt);
+            const std::string refusal = refusalOf([&] { (void)splitByLocation(dataset, 1); });
+            QVERIFY2(contains(refusal, photograph.string()) && contains(refusal, "PNG"), refusal.c_str());
+        }
+    }
+
     void samplesOfOnePlaceStayTogether()
     {
         const Dataset dataset = photographed(pathOf(*m_folder), scattered(60));

@@ -144,6 +144,65 @@ private Q_SLOTS:
         QCOMPARE(readDataset(m_out).friction.sampleRateHz, 2.0);
     }
 
+    /// Windows editors write the mark of UTF-8, and LabVIEW separates by commas where its user asks for that.
+    void labviewFilesWithAMarkOrCommasAreRead()
+    {
+        const std::string rows = "0\t3\t4\t-10\r\n0.5\t3\t4\t-10\r\n1\t6\t8\t-10\r\n";
+        const std::vector<double> expected{0.5, 0.5, 1};
+        QCOMPARE(valuesOf(ImportKind::Labview, "Z_1.lvm", labviewFile(rows)), expected);
+        QCOMPARE(valuesOf(ImportKind::Labview, "Z_1.lvm", "\xEF\xBB\xBF" + labviewFile(rows)), expected);
+        const auto withCommas = [&](const std::string& decimal) {
+            std::string text = labviewFile(rows + "\t\t\t\r\n");
+            text.insert(text.find("Channels"), "Separator\tComma\r\nDecimal_Separator\t" + decimal + "\r\n");
+            std::replace(text.begin(), text.end(), '\t', ',');
+            return text;
+        };
+        QCOMPARE(valuesOf(ImportKind::Labview, "Z_1.lvm", withCommas(".")), expected);
+        QVERIFY(contains(refusalOf([&] { importedAs(ImportKind::Labview, "Z_1.lvm", withCommas(",")); }),
+                         "commas between its cells and in its numbers"));
+    }
+
+    void aNameAfterAMarkIsUtf8()
+    {
+        m_options.tangential = {ForceAxis{"f\xC3\xA4"}};
+        std::string text = labviewFile("0\t3\t4\t-10\r\n0.5\t3\t4\t-10\r\n1\t6\t8\t-10\r\n");
+        text.replace(text.find("fx_N"), 4, "f\xC3\xA4_N");
+        QCOMPARE(valuesOf(ImportKind::Labview, "Z_1.lvm", "\xEF\xBB\xBF" + text), (std::vector<double>{0.3, 0.3, 0.6}));
+    }
+
+    /// Each line and each cell takes 16 bytes beside the text.
+    void filesThatAreNoRecordingAreRefusedBeforeTheyFillTheMemory_data()
+    {
+        QTest::addColumn<QByteArray>("line");
+        QTest::addColumn<int>("count");
+        QTest::addColumn<QString>("said");
+        QTest::newRow("empty lines") << QByteArray("\n") << 10'000'001 << "has more than 10000000 lines";
+        QTest::newRow("one long line") << QByteArray("\t") << 20'000 << "line 1: has more than 16384 cells in a line";
+        QTest::newRow("one long line of commas") << QByteArray(",") << 20'000 << "line 1: has more than 16384 cells in a line";
+        QTest::newRow("tables without rows") << QByteArray("Step Time (s)\n") << 10'001 << "has more than 10000 tables";
+    }
+    void filesThatAreNoRecordingAreRefusedBeforeTheyFillTheMemory()
+    {
+        QFETCH(const QByteArray, line);
+        QFETCH(const int, count);
+        QFETCH(const QString, said);
+        const std::string text = line.repeated(count).toStdString();
+        const std::string refusal = refusalOf([&] { importedAs(ImportKind::Tribometer, "Z_1.txt", text); });
+        QVERIFY2(contains(refusal, said.toStdString()), refusal.c_str());
+        if (line == "Step Time (s)\n") return;
+        const std::string labview = refusalOf([&] { importedAs(ImportKind::Labview, "Z_1.lvm", text); });
+        QVERIFY2(contains(labview, said.toStdString()), labview.c_str());
+    }
+
+    void aLongCellIsShownInShort()
+    {
+        const std::string cell(100'000, '7');
+        for (const std::string& row : {"1\t" + cell + "x\r\n", "1\t.2\r\n" + cell + "x\t.2\r\n"}) {
+            const std::string refusal = refusalOf([&] { importedAs(ImportKind::Tribometer, "Z_1.txt", tribometerFile(row)); });
+            QVERIFY2(contains(refusal, "is not a ") && refusal.size() < 1000, refusal.substr(0, 1000).c_str());
+        }
+    }
+
     /// A tribometer holds its disc between steps, and its sensor then writes noise.
     void aDiscThatHoldsStillHasNoSpeed()
     {

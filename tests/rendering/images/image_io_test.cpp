@@ -1,7 +1,9 @@
 // Image files are read back bit for bit. Damaged files are refused by name.
 #include "rendering/images/image_io.h"
 
+#include <fstream>
 #include <functional>
+#include <string>
 
 #include "protocols/files/whole_file.h"
 #include "tests/rendering/fabric_files.h"
@@ -25,6 +27,52 @@ cv::Mat wavyHeight(int rows, int columns)
     for (int y = 0; y < rows; ++y)
         for (int x = 0; x < columns; ++x) height(y, x) = 0.3f + 0.2f * std::sin(0.3f * float(x)) * std::cos(0.2f * float(y));
     return height;
+}
+
+QByteArray bigEndian(std::uint32_t value)
+{
+    QByteArray bytes(4, '\0');
+    for (int i = 0; i < 4; ++i) bytes[i] = static_cast<char>(value >> (24 - 8 * i));
+    return bytes;
+}
+
+/// Checksum of a chunk (PNG specification, annex D).
+std::uint32_t crcOf(const QByteArray& chunk)
+{
+    std::uint32_t crc = ~0U;
+    for (const char byte : chunk) {
+        crc ^= static_cast<std::uint8_t>(byte);
+        for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1U) != 0 ? 0xEDB88320U : 0U);
+    }
+    return ~crc;
+}
+
+QByteArray chunkOf(const QByteArray& name, const QByteArray& body)
+{
+    return bigEndian(static_cast<std::uint32_t>(body.size())) + name + body + bigEndian(crcOf(name + body));
+}
+
+QByteArray deflated(const QByteArray& bytes) { return qCompress(bytes, 9).mid(4); }  // Qt puts the length in front.
+
+enum PngColours { Grey = 0, Rgb = 2, Palette = 3 };
+
+/// A PNG with `between` before its rows. Each row of `rows` begins with the byte of its filter.
+std::string pngOf(cv::Size size, int bits, PngColours colours, const QByteArray& between, const QByteArray& rows)
+{
+    const QByteArray header = bigEndian(std::uint32_t(size.width)) + bigEndian(std::uint32_t(size.height)) + char(bits) +
+                              char(colours) + QByteArray(3, '\0');
+    return (QByteArray("\x89PNG\r\n\x1a\n", 8) + chunkOf("IHDR", header) + between + chunkOf("IDAT", deflated(rows)) +
+            chunkOf("IEND", {}))
+        .toStdString();
+}
+
+/// Most memory that this process has held, MB.
+double mostMemoryMb()
+{
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);)
+        if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) / 1024;
+    return 0;
 }
 
 }  // namespace
@@ -79,13 +127,7 @@ private Q_SLOTS:
             "010006000000000000d6674b690000000e49444154789c63e0126190d3000000ec0065e0f85cd30000000049454e44ae426082");
         const qsizetype chunk = bytes.indexOf("eXIf");
         bytes[chunk + 4 + 19] = static_cast<char>(mark);
-        std::uint32_t crc = ~0U;  // of the chunk (PNG specification, annex D)
-        for (const char byte : bytes.mid(chunk, 4 + 26)) {
-            crc ^= static_cast<std::uint8_t>(byte);
-            for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1U) != 0 ? 0xEDB88320U : 0U);
-        }
-        crc = ~crc;
-        for (int i = 0; i < 4; ++i) bytes[chunk + 4 + 26 + i] = static_cast<char>(crc >> (24 - 8 * i));
+        bytes.replace(chunk + 4 + 26, 4, bigEndian(crcOf(bytes.mid(chunk, 4 + 26))));
         const fs::path file = pathOf(m_folder) / "turned.png";
         write(file, bytes.toStdString());
         const cv::Mat image = readPng(file);
@@ -103,6 +145,50 @@ private Q_SLOTS:
         const cv::Mat image = readPng(file);
         QCOMPARE(image.type(), int(CV_8UC3));
         QVERIFY(image.at<cv::Vec3b>(0, 0) == cv::Vec3b(255, 0, 0));
+    }
+
+    /// 40 texts of 8 MB in 0.3 MB; libpng unpacks and keeps up to 1000 of them.
+    void pngTextsAndProfilesAreSkipped()
+    {
+        const QByteArray packed = deflated(QByteArray(7'900'000, 'a'));
+        QByteArray chunks = chunkOf("iCCP", QByteArray("p\0\0", 3) + packed);
+        for (int i = 0; i < 20; ++i)
+            chunks += chunkOf("zTXt", QByteArray("k\0\0", 3) + packed) + chunkOf("iTXt", QByteArray("k\0\1\0\0\0", 6) + packed);
+        QByteArray mark = QByteArray::fromHex("4d4d002a00000008000101120003000000010006000000000000");
+        const fs::path file = pathOf(m_folder) / "texts.png";
+        write(file, pngOf({2, 2}, 8, Grey, chunks + chunkOf("eXIf", mark), QByteArray("\0\x0a\x14\0\x1e\x28", 6)));
+        const double before = mostMemoryMb();
+        const cv::Mat image = readPng(file);
+        QVERIFY2(mostMemoryMb() - before < 60, qPrintable(QString::number(mostMemoryMb() - before)));
+        QCOMPARE(QByteArray(reinterpret_cast<const char*>(image.data), 4), QByteArray("\x1e\x0a\x28\x14"));  // turned as marked
+    }
+
+    /// Such files have fewer bytes than a bound on decoded samples allows.
+    void pngOfOneColourIsRead()
+    {
+        const fs::path file = pathOf(m_folder) / "even.png";
+        const QByteArray whiteRow = QByteArray(1, '\0') + QByteArray(500, '\xff');
+        write(file, pngOf({4000, 4000}, 1, Grey, {}, whiteRow.repeated(4000)));
+        const cv::Mat white = readPng(file);
+        QCOMPARE(white.size(), cv::Size(4000, 4000));
+        QCOMPARE(cv::countNonZero(white == 255), 16'000'000);
+        write(file, pngOf({2000, 2000}, 8, Palette, chunkOf("PLTE", "\x0a\x14\x1e"), QByteArray(2001 * 2000, '\0')));
+        const cv::Mat even = readPng(file);
+        QVERIFY(even.size() == cv::Size(2000, 2000) && even.at<cv::Vec3b>(1999, 1999) == cv::Vec3b(10, 20, 30));
+    }
+
+    /// The file is long enough for its header, so that only the size in memory decides.
+    void pngThatNeedsTooMuchMemoryIsRefused()
+    {
+        const fs::path file = pathOf(m_folder) / "deep.png";
+        const QByteArray padding = chunkOf("tEXt", QByteArray("k\0", 2) + QByteArray(1'600'000, 'a'));
+        write(file, pngOf({16384, 16384}, 16, Rgb, padding, QByteArray(1000, '\0')));
+        const std::string deep = refusalOf([&] { readPng(file); });
+        QVERIFY2(contains(deep, "16384 x 16384 pixels of 6 bytes") && contains(deep, "at most 268435456 pixels"), deep.c_str());
+        QVERIFY(contains(deep, file.string()));
+        write(file, pngOf({16384, 16384}, 8, Rgb, padding, QByteArray(1000, '\0')));
+        const std::string usual = refusalOf([&] { readPng(file); });
+        QVERIFY2(!usual.empty() && !contains(usual, "pixels"), usual.c_str());  // The size is allowed; its rows are missing.
     }
 
     void tiffComesBackBitForBitAndWritingLeavesTheImageAlone()

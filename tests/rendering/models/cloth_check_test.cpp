@@ -71,6 +71,13 @@ private Q_SLOTS:
         QCOMPARE(shippedClothCheck().judge(cv::Mat(1, 1, CV_8UC3, cv::Scalar::all(90))), ClothLikeness::NotCloth);
     }
 
+    /// Reduced to 1,536 px, such a photograph would have no row left.
+    void aNarrowStripIsJudged()
+    {
+        for (const cv::Size size : {cv::Size(60'000, 16), cv::Size(1, 4000), cv::Size(2000, 40)})
+            QCOMPARE(shippedClothCheck().judge(cv::Mat(size, CV_8UC3, cv::Scalar::all(90))), ClothLikeness::NotCloth);
+    }
+
     void dyeExposureFocusAndScaleDecideNothing()
     {
         int refused = 0, all = 0;

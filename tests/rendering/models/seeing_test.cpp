@@ -3,6 +3,7 @@
 #include <QTest>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 
@@ -382,6 +383,21 @@ private Q_SLOTS:
         QVERIFY(refusalOf([&] {
                     readScannedCloth(dataset, {protocols::FabricId("F01"), protocols::FabricId("F02")});
                 }).contains("no scanned cloth remains"));
+    }
+
+    void aSurfaceThatDoesNotFitItsPictureIsRefused()
+    {
+        QTemporaryDir folder;
+        const fabrics::Dataset dataset = scans(folder.path().toStdString());
+        const std::filesystem::path surface = fabrics::surfacePath(dataset, protocols::FabricId("F01"), 0);
+        cv::Mat height = readTiff(surface);
+        height.at<float>(5, 5) = std::numeric_limits<float>::quiet_NaN();
+        writeTiff(surface, height);
+        const QString gap = refusalOf([&] { readScannedCloth(dataset, {}); });
+        QVERIFY2(gap.contains("not finite") && gap.contains(QString::fromStdString(surface.string())), qPrintable(gap));
+        writeTiff(surface, cv::Mat(20, 30, CV_32FC1, cv::Scalar(0.1)));
+        const QString size = refusalOf([&] { readScannedCloth(dataset, {}); });
+        QVERIFY2(size.contains("30 x 20 px") && size.contains(QString::fromStdString(surface.string())), qPrintable(size));
     }
 
     void foldedNetworksGiveTheSameSignals()

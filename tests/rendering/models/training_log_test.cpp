@@ -16,6 +16,7 @@
 #include "rendering/images/image_png.h"
 #include "rendering/models/training_curves.h"
 #include "rendering/models/training_table.h"
+#include "tests/rendering/refusal.h"
 
 using namespace rendering;
 using models::NamedValue;
@@ -126,6 +127,25 @@ private Q_SLOTS:
         } catch (const protocols::Error& fault) {
             QVERIFY2(QString(fault.what()).contains("losses.csv, row 2 (line 3)"), fault.what());
         }
+    }
+
+    void aStepThatOccursTwiceIsRefusedWithItsLine()
+    {
+        fs::create_directories(at("twice"));
+        protocols::writeWholeFile(at("twice") / "losses.csv", "step,a\n1,2\n2,3\n1,4\n");
+        const QString refusal = refusalOf([&] { models::readTrainingTable(at("twice") / "losses.csv"); });
+        QVERIFY2(refusal.contains("the step 1 occurs twice") && refusal.contains("row 3 (line 4)"), qPrintable(refusal));
+    }
+
+    /// A row of commas takes eight times its bytes.
+    void aTableThatIsTooLargeIsNotRead()
+    {
+        fs::create_directories(at("large"));
+        const fs::path file = at("large") / "losses.csv";
+        protocols::writeWholeFile(file, "step,a\n1,2\n");
+        fs::resize_file(file, (std::uintmax_t{1} << 26) + 1);  // Zero bytes that take no place on the disk.
+        const QString refusal = refusalOf([&] { models::readTrainingTable(file); });
+        QVERIFY2(refusal.contains("at most 67108864 bytes") && refusal.contains("losses.csv"), qPrintable(refusal));
     }
 
     void curvesAreAPictureOfEveryColumn()

@@ -282,6 +282,9 @@ private Q_SLOTS:
                                   << "weave_nor.png";
         QTest::newRow("tiny") << "tiny"
                               << "at least 64 px";
+        QTest::newRow("strip") << "strip"
+                               << "a longer side of at most 64 times the shorter one";
+        for (const char* value : {"nan", "inf"}) QTest::newRow(value) << value << "heights that are not finite";
     }
 
     void picturesThatAreNoScanAreRefused()
@@ -297,6 +300,13 @@ private Q_SLOTS:
         if (fault == "text") write(m_folder / "weave_nor.png", "this is no picture");
         if (fault == "tiny") writePicture(m_folder / "weave_nor.png", normals(cv::Rect(0, 0, 40, 40)).clone());
         if (fault == "flat") files = scanOf(m_folder, colour, {}, cv::Mat(128, 128, CV_8UC1, cv::Scalar(9)));
+        if (fault == "strip") writePicture(m_folder / "weave_nor.png", cv::Mat(64, 600'000, CV_8UC1, cv::Scalar(128)));
+        if (fault == "nan" || fault == "inf") {
+            files.displacement.push_back({m_folder / "weave_disp.tiff"});
+            cv::Mat heights = known.heightMm.clone();
+            heights.at<float>(70, 30) = fault.toFloat();
+            writeTiff(m_folder / "weave_disp.tiff", heights);
+        }
         const std::string refusal = refusalOf([&] { readScan(files, tileMm, decodeByQt); });
         QVERIFY2(contains(refusal, words.toStdString()) && contains(refusal, m_folder.string()), refusal.c_str());
     }

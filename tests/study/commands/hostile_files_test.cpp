@@ -103,6 +103,24 @@ private Q_SLOTS:
             QVERIFY2(!messages[0].contains(inside), qPrintable(messages[0]));
     }
 
+    /// An object that keeps the order of its keys looks through all of them for each.
+    void aResponseOfManyKeysIsRefusedSoon()
+    {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath("response.json");
+        QByteArray text = "{\"schema\": \"vis2hap.display-response/1\"";
+        for (int key = 0; key < 300'000; ++key) text += ",\"k" + QByteArray::number(key) + "\":0";
+        protocols::writeWholeFile(file.toStdString(), (text + "}").toStdString(), protocols::Sync::Later);
+        const QString cloth = folder.filePath("cloth");
+        support::mustRun({"fabrics", "make", cloth, "--fabrics", "7", "--samples", "10"});
+        QElapsedTimer timer;
+        timer.start();
+        const ProgramResult made =
+            runProgram({"study", "new", folder.filePath("study"), "--dataset", cloth, "--response", file, "--no-passphrase"});
+        QVERIFY2(made.exitCode == 2 && made.messages().size() == 1 && made.err.contains("response.json"), qPrintable(made.err));
+        QVERIFY2(timer.elapsed() < 20'000, qPrintable(QString::number(timer.elapsed())));
+    }
+
     void scalesThatNoProtocolMayHaveAreRefused_data()
     {
         QTest::addColumn<QString>("scale");

@@ -5,8 +5,10 @@
 #include <QFileInfo>
 #include <QTemporaryDir>
 #include <QTest>
+#include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "protocols/files/sha256.h"
 #include "tests/support/program.h"
 
 using nlohmann::json;
@@ -42,6 +44,24 @@ private:
             support::mustRun(call + QStringList{"--shard", QString("%1/%2").arg(part).arg(parts), "--shard-file", files.last()});
         }
         return files;
+    }
+
+    /// Writes the shard with other content and the hash of that, as somebody may who knows the format.
+    template <class Change>
+    void forge(const QString& from, const QString& to, Change change) const
+    {
+        json shard = json::parse(bytesOf(from).toStdString());
+        change(shard);
+        shard.erase("sha256");
+        shard["sha256"] = protocols::sha256(shard.dump());
+        write(to, QByteArray::fromStdString(shard.dump()));
+    }
+
+    static void isRefused(const QStringList& call, const char* what)
+    {
+        const auto ended = support::runProgram(call);
+        QCOMPARE(ended.exitCode, 2);
+        QVERIFY2(ended.messages().size() == 1 && ended.err.contains(what), qPrintable(ended.err));
     }
 
 private Q_SLOTS:
@@ -152,6 +172,21 @@ private Q_SLOTS:
         QCOMPARE(support::runProgram(call + QStringList{"--out", at("no"), "--shard", "1/2"}).exitCode, 2);
         QCOMPARE(support::runProgram(QStringList{"merge"} + files).exitCode, 2);
         QVERIFY(!QFile::exists(at("no")));
+
+        // Little-endian numbers: a rating beyond the scale, a choice that is neither right nor wrong, times that are none.
+        const auto damaged = [&](const char* field, std::size_t digit, const char* hex) {
+            forge(files[0], at("forged"), [&](json& shard) {
+                shard["values"]["answers"][0][field].get_ref<std::string&>().replace(digit, std::strlen(hex), hex);
+            });
+            isRefused(QStringList{"merge", at("forged")} + files.mid(1) + QStringList{"--out", at("no")},
+                      "answers of the shard are damaged");
+        };
+        damaged("values", 0, "0700");
+        damaged("values", 4 * 9, "fc7f");  // the first rating, behind 9 choices
+        damaged("seconds", 0, "000000000000f07f");
+        damaged("seconds", 0, "00000000000014c0");
+        forge(files[0], at("same"), [](json&) {});
+        support::mustRun(QStringList{"merge", at("same")} + files.mid(1) + QStringList{"--out", at("forged-out")});
     }
 
     void trainingsWithoutEachFabricMerge()
@@ -184,6 +219,12 @@ private Q_SLOTS:
             support::mustRun(call("shared") + QStringList{"--shard", QString(part) + "/3", "--shard-file", files.last()});
         }
         QCOMPARE(support::mustRun(QStringList{"merge"} + files).out, one.out);
+        QStringList forged;
+        for (const QString& file : files) {
+            forged.append(file + "-forged");
+            forge(file, forged.last(), [](json& shard) { shard["options"]["fabrics"] = {"F01", "F01"}; });
+        }
+        isRefused(QStringList{"merge"} + forged, "do not hold every fabric");
         for (const char* fabric : {"F01", "F02"}) {
             const QByteArray weights = bytesOf(at(QString("whole/%1.safetensors").arg(fabric)));
             QVERIFY(!weights.isEmpty());

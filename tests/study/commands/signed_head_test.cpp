@@ -80,6 +80,28 @@ private Q_SLOTS:
             wide += QByteArray(1, char(c.unicode() & 0xFF)) + QByteArray(1, char(c.unicode() >> 8));
         QVERIFY(opens(wide, 3));
         QVERIFY(!opens("Schlussel \xE4\xB8\x8A", 4) && !opens("Schl\xC3\xBCssel", 5));
+        QVERIFY(opens(text.toUtf8() + "\rsecond line", 6));  // of an old Macintosh
+        const auto picture = runProgram({"study", "sign", study, "--key", key, "--out", at("head7.txt"), "--passphrase-file",
+                                         words(QByteArray(2 << 20, '\xE4'))});
+        QVERIFY2(picture.exitCode == 2 && picture.messages().size() == 1 && picture.err.contains("words.txt"),
+                 qPrintable(picture.err));
+    }
+
+    /// Half an hour of work can stand in a file of one kilobyte.
+    void aKeyThatAsksForTooMuchWorkIsRefused()
+    {
+        const QString study = playedStudy(), key = at("heavy");
+        mustRun({"study", "signing-key", "--out", key}, {"VIS2HAP_PASSPHRASE=four plain words"});
+        json sealed = json::parse(bytesOf(key).toStdString());
+        sealed["passes"] = 16;
+        sealed["memory_bytes"] = std::int64_t{1} << 30;
+        QFile file(key);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(QByteArray::fromStdString(sealed.dump()));
+        file.close();
+        const auto refused =
+            runProgram({"study", "sign", study, "--key", key, "--out", at("heavy.txt")}, {"VIS2HAP_PASSPHRASE=four plain words"});
+        QVERIFY2(refused.exitCode == 2 && refused.err.contains("ask for too much work"), qPrintable(refused.err));
     }
 
     /// $(cat words.txt) leaves the carriage return of a file from Windows.

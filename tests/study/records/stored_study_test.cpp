@@ -267,6 +267,20 @@ private Q_SLOTS:
         QVERIFY(aggregates().rows.empty() && aggregates().why.starts_with(why));
     }
 
+    /// Who is erased after the end was in the means that were given out, as somebody who withdrew was.
+    void anErasureAfterTheEndLeavesNoMeans()
+    {
+        QTemporaryDir place;
+        const auto folder = played(place.filePath("study").toStdString(), enough, enough, 0);
+        const auto aggregates = [&] { return study::records::aggregatesOf(maskedData(folder)); };
+        QVERIFY(!aggregates().rows.empty());
+        database::StudyStore(folder, database::StudyStore::Access::Write)
+            .erase({protocols::ParticipantId(personAt(enough)), true, "Ada", "asked for it", {}});
+        QVERIFY(aggregates().rows.empty());
+        OpenSession(folder, "replacement").playToEnd();
+        QVERIFY(aggregates().rows.empty() && !aggregates().why.empty());
+    }
+
     /// A station that sends what it likes may end a session early. Its participant counts nowhere, and `verify` names them.
     void whoIsFinishedWithoutEveryAnswerDoesNotCount()
     {

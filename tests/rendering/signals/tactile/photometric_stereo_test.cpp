@@ -4,6 +4,7 @@
 #include <QTest>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <numbers>
 #include <opencv2/core.hpp>
 
@@ -242,6 +243,15 @@ private Q_SLOTS:
                 .places;
         QCOMPARE(cv::countNonZero(nowhere), 0);
         QVERIFY(cv::checkRange(heightInContact(slopesFromFrame(frame, reference, calibration), nowhere, {0.05, 0.05})));
+    }
+
+    /// One NaN would stay in the map, and the percentile of such numbers has no meaning.
+    void aHeightWithAGapHasNoZero()
+    {
+        cv::Mat height = bumps(12, 20);
+        height.at<float>(3, 4) = std::numeric_limits<float>::quiet_NaN();
+        const QString refusal = refusalOf([&] { zeroedRelief(height, {pitchMm, pitchMm}, std::nullopt, 2); });
+        QVERIFY2(refusal.contains("not finite"), qPrintable(refusal));
     }
 
     void frameAndReferenceMustBelongTogether()

@@ -22,6 +22,7 @@
 #include "protocols/files/byte_search.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/files/temporary_folder.h"
 #include "protocols/files/whole_file.h"
 
@@ -68,41 +69,75 @@ std::set<std::string> textsToRemove(const SqliteConnection& sqlite, const Erasur
     return texts;
 }
 
-/// Calls `give` with each text that the study holds, but for the participant's rows in `ownTable`, or in every table where that
-/// is null.
-void giveTexts(const SqliteConnection& sqlite, const char* ownTable, const std::string& participant,
-               const std::function<void(const std::string&)>& give)
+/// Calls `give` with each text that the study holds, but for rows of the participant that the erasure empties.
+void giveTexts(const SqliteConnection& sqlite, const Erasure& erasure, const std::function<void(const std::string&)>& give)
 {
     std::vector<QString> tables{QStringLiteral("sqlite_master")};
     QSqlQuery table = sqlite.run(QStringLiteral("SELECT name FROM sqlite_master WHERE type = 'table'"));
     while (table.next()) tables.push_back(table.value(0).toString());
     for (QString& name : tables) {
-        const bool isOwn = ownTable == nullptr || name == QLatin1String(ownTable);
+        const auto isName = [&](const char* one) { return name == QLatin1String(one); };
+        const bool isEmptied = isName("participant_facts") || (erasure.answersToo && std::ranges::any_of(emptiedTables, isName));
         QSqlQuery row = sqlite.run(QStringLiteral("SELECT * FROM \"%1\"").arg(name.replace('"', QLatin1String("\"\""))));
         const int columns = row.record().count(), owner = row.record().indexOf(QStringLiteral("participant"));
         while (row.next()) {
-            if (isOwn && owner >= 0 && fromQt(row.value(owner)) == participant) continue;
+            if (isEmptied && owner >= 0 && fromQt(row.value(owner)) == erasure.participant.value) continue;
             for (int column = 0; column < columns; ++column)
                 if (const QVariant value = row.value(column); value.typeId() == QMetaType::QString) give(fromQt(value));
         }
     }
 }
 
-/// Texts of which the search compares a part that the study still holds: others said the same or more, or the protocol and the
-/// reason of the erasure say it. A file that holds such a text proves nothing. In rows that the erasure emptied nothing may stay.
-std::set<std::string> textsThatStay(const SqliteConnection& sqlite, const Erasure& erasure, const std::set<std::string>& texts)
+std::set<std::string> foundInStudy(const SqliteConnection& sqlite, const Erasure& erasure,
+                                   const std::vector<std::string>& sequences)
 {
-    const protocols::ByteSequences wanted({texts.begin(), texts.end()});
-    std::set<std::string> stay;
-    if (texts.contains("different")) stay.insert("different");  // every protocol with such a question names it, too
-    giveTexts(sqlite, erasure.answersToo ? nullptr : "participant_facts", erasure.participant.value,
-              [&](const std::string& value) {
-                  wanted.findIn(value, [&](const std::string& text) {
-                      stay.insert(text);
-                      return true;
-                  });
-              });
-    return stay;
+    const protocols::ByteSequences wanted(sequences);
+    std::set<std::string> found;
+    giveTexts(sqlite, erasure, [&](const std::string& value) {
+        wanted.findIn(value, [&](const std::string& sequence) {
+            found.insert(sequence);
+            return true;
+        });
+    });
+    return found;
+}
+
+/// Parts of a text that the search compares, from its beginning to its end.
+std::vector<std::string> partsOf(const std::string& text)
+{
+    constexpr std::size_t step = 8;
+    if (text.size() <= protocols::comparedBytes) return {text};
+    std::vector<std::string> parts;
+    const std::size_t last = text.size() - protocols::comparedBytes;
+    for (std::size_t from = 0; from < last; from += step) parts.push_back(text.substr(from, protocols::comparedBytes));
+    parts.push_back(text.substr(last));
+    return parts;
+}
+
+struct Traces {
+    std::vector<std::string> sequences;  ///< what to search for: of each text a part that the study does not hold
+    std::size_t shared = 0;              ///< texts without such a part
+};
+
+/// Other people may have said the same words, and the protocol or the reason of the erasure may hold them. A file with such words
+/// proves nothing.
+Traces tracesOf(const SqliteConnection& sqlite, const Erasure& erasure, const std::set<std::string>& texts)
+{
+    const std::set<std::string> begunAlike = foundInStudy(sqlite, erasure, {texts.begin(), texts.end()});
+    std::vector<std::string> parts;
+    for (const std::string& text : begunAlike) std::ranges::copy(partsOf(text), std::back_inserter(parts));
+    const std::set<std::string> held = foundInStudy(sqlite, erasure, parts);
+    Traces traces;
+    for (const std::string& text : texts) {
+        const auto own = begunAlike.contains(text) ? partsOf(text) : std::vector{text};
+        const auto part = std::ranges::find_if(own, [&](const std::string& one) { return !held.contains(one); });
+        const bool isInProtocols = text == "different";  // every protocol with such a question names it
+        if (part == own.end() || isInProtocols)
+            ++traces.shared;
+        else
+            traces.sequences.push_back(*part);
+    }
+    return traces;
 }
 
 int removed(const SqliteConnection& sqlite, const char* table, const std::string& participant)
@@ -179,26 +214,39 @@ std::vector<std::int64_t> interruptedErasures(const SqliteConnection& sqlite, co
     return open;
 }
 
+/// The entries of the folder by their names in a certificate.
+std::set<std::string> namesIn(const StudyFolder& study)
+{
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(study.folder))
+        names.insert(protocols::printable(entry.path().lexically_relative(study.folder).string()));
+    return names;
+}
+
 /// Files that the certificate of an earlier erasure of this participant names, and that still stand there. What was removed then
-/// can no longer be searched for in them. The search and the look at rows answer for study.db itself.
+/// can no longer be searched for in them. The database itself was written anew.
 std::vector<std::string> namedBefore(const SqliteConnection& sqlite, const std::string& participant, const StudyFolder& study)
 {
     std::set<std::int64_t> erasures;
     QSqlQuery row = sqlite.run(QStringLiteral("SELECT event FROM erasures WHERE participant = ?"), {toQt(participant)});
     while (row.next()) erasures.insert(row.value(0).toLongLong());
-    std::vector<std::string> files;
+    std::set<std::string> files;
     row = sqlite.run(QStringLiteral("SELECT payload FROM events WHERE kind = ? AND participant = ''"), {toQt(certifiedKind)});
     while (row.next()) {
         const nlohmann::json payload = payloadIn(fromQt(row.value(0)));
-        if (!erasures.contains(numberIn(payload, "erasure", 0)) || !payload.contains(foundField)) continue;
-        for (const auto& name : payload.at(foundField)) {
-            std::error_code gone;
-            const std::string file = name.is_string() ? name.get<std::string>() : std::string();
-            if (file.empty() || file.starts_with("study.db") || !std::filesystem::exists(study.folder / file, gone)) continue;
-            if (std::ranges::find(files, file) == files.end()) files.push_back(file);
-        }
+        const auto found = payload.find(foundField);
+        if (found == payload.end() || !erasures.contains(numberIn(payload, "erasure", 0))) continue;
+        for (const auto& name : *found)
+            if (name.is_string()) files.insert(name.get<std::string>());
     }
-    return files;
+    for (const char* own : {"study.db", "study.db-wal", "study.db-shm"}) files.erase(own);
+    if (files.empty()) return {};
+    const std::set<std::string> present = namesIn(study);
+    std::erase_if(files, [&](const std::string& file) {
+        std::error_code gone;
+        return !present.contains(file) && !(file.starts_with('/') && std::filesystem::exists(file, gone));
+    });
+    return {files.begin(), files.end()};
 }
 
 protocols::Error noRoom(const std::filesystem::path& place, std::uintmax_t bytes, int reason)
@@ -289,7 +337,7 @@ ErasureRecord eraseFrom(const SqliteConnection& sqlite, const Erasure& erasure)
     requireRoom(sqlite.file());
     ErasureRecord record;
     record.interrupted = interruptedErasures(sqlite, erasure.participant.value);
-    std::set<std::string> texts = textsToRemove(sqlite, erasure);
+    const std::set<std::string> texts = textsToRemove(sqlite, erasure);
     // SQLite overwrites what it frees; VACUUM then writes every page anew.
     sqlite.run(QStringLiteral("PRAGMA secure_delete = ON"));
     removeFromTables(sqlite, erasure, record);
@@ -298,14 +346,12 @@ ErasureRecord eraseFrom(const SqliteConnection& sqlite, const Erasure& erasure)
         throw protocols::environmentFault({"the data are removed, but another program keeps an older state of the study", folder,
                                            "no open monitor, report or database browser",
                                            "close it and run the command again, which completes the erasure"});
-    const std::set<std::string> stay = textsThatStay(sqlite, erasure, texts);
-    for (const std::string& text : stay) texts.erase(text);
-    record.sharedTexts = stay.size();
+    const Traces traces = tracesOf(sqlite, erasure, texts);
+    record.sharedTexts = traces.shared;
     const StudyFolder study{sqlite.file().parent_path()};
-    const protocols::ByteSearch search =
-        protocols::searchFiles(study.folder, {texts.begin(), texts.end()}, rescueFilesAround(study));
+    const protocols::ByteSearch search = protocols::searchFiles(study.folder, traces.sequences, rescueFilesAround(study));
     record.searchedFiles = search.files;
-    record.searchedTexts = texts.size();
+    record.searchedTexts = traces.sequences.size();
     record.found = search.found;
     // Numbers and times are too short for the search, so that copies of the database count as found by their rows.
     auto copies = copiesBeforeUpgradeOf(erasure.participant.value, study);
@@ -321,7 +367,7 @@ void recordCertificate(const StudyStore& store, const ErasureRecord& record, con
 {
     const SqliteConnection sqlite(store.folder().database(), SqliteConnection::Mode::Write);
     nlohmann::ordered_json payload{{"erasure", record.event}, {"sha256", sha256}};
-    if (!record.found.empty()) payload[foundField] = record.found;
+    for (const std::string& file : record.found) payload[foundField].push_back(protocols::printable(file));
     Transaction transaction(sqlite);
     database::store(sqlite, actOnStudy(certifiedKind, payload, wallTimeNow()));
     transaction.commit();

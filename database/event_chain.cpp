@@ -209,19 +209,19 @@ void appendAct(const SqliteConnection& connection, ChainedAct act)
         {qlonglong(act.number), toQt(act.kind), toQt(act.details), toQt(act.wallTime), toQt(act.previous), toQt(act.hash)});
 }
 
-std::size_t keepActsOf(const SqliteConnection& earlier, const SqliteConnection& into)
+KeptActs keepActsOf(const SqliteConnection& earlier, const SqliteConnection& into)
 {
     const std::vector<ChainedAct> present = chainedActsIn(earlier), kept = chainedActsIn(into);
     const auto differing = std::ranges::mismatch(present, kept, {}, &ChainedAct::hash, &ChainedAct::hash).in1;
-    std::size_t added = 0;
+    KeptActs acts;
     Transaction transaction(into);
     for (auto act = differing; act != present.end(); ++act) {
-        if (chainHash(*act) != act->hash) continue;
-        appendAct(into, *act);
-        ++added;
+        const bool isAltered = chainHash(*act) != act->hash;
+        ++(isAltered ? acts.altered : acts.added);
+        if (!isAltered) appendAct(into, *act);
     }
     transaction.commit();
-    return added;
+    return acts;
 }
 
 std::string drawnSalt() { return protocols::drawHex(saltBytes); }

@@ -95,9 +95,13 @@ std::string chainHash(const ChainedAct& act);
 std::vector<ChainedAct> chainedActsIn(const SqliteConnection& connection);
 /// Stores the act behind the last one, in the caller's transaction; its number and hashes are set here.
 void appendAct(const SqliteConnection& connection, ChainedAct act);
+struct KeptActs {
+    std::size_t added = 0;
+    std::size_t altered = 0;  ///< left out
+};
 /// Adds the acts of a database that is put aside, which `into` lacks. Where `into` has every act before them, they keep their
-/// hashes, so that heads given out for them still verify. Altered acts are left out. Returns how many were added.
-std::size_t keepActsOf(const SqliteConnection& earlier, const SqliteConnection& into);
+/// hashes, so that heads given out for them still verify. Throws where the acts cannot be read; then none is added.
+KeptActs keepActsOf(const SqliteConnection& earlier, const SqliteConnection& into);
 
 /// 32 random bytes, in hexadecimal.
 std::string drawnSalt();

@@ -221,13 +221,19 @@ void writeWhole(const SqliteConnection& rescued, const fs::path& file)
                                      "entry " + std::to_string(expected.sequence), "do it again; nothing was changed"});
 }
 
-/// Adds the acts of the present study.db that the new one lacks, and leaves the new one complete without its other files.
-std::size_t keepActs(const StudyFolder& folder, const fs::path& file)
+/// Adds the acts of the present study.db that the new one lacks, and leaves the new one complete without its other files. Damage
+/// to the acts does not keep the answers away.
+void keepActs(const StudyFolder& folder, const fs::path& file, Rescue& result)
 {
     const SqliteConnection made(file, SqliteConnection::Mode::Write);
-    const std::size_t kept = keepActsOf(SqliteConnection(folder.database(), SqliteConnection::Mode::Read), made);
+    try {
+        const KeptActs kept = keepActsOf(SqliteConnection(folder.database(), SqliteConnection::Mode::Read), made);
+        result.acts = kept.added;
+        result.lacksActs = kept.altered > 0;
+    } catch (const protocols::Error&) {
+        result.lacksActs = true;
+    }
     made.run(QStringLiteral("PRAGMA wal_checkpoint(TRUNCATE)"));
-    return kept;
 }
 
 /// Renames study.db, with its write-ahead log where that may hold something. Returns its new name.
@@ -303,7 +309,7 @@ Rescue bringBack(const StudyFolder& folder, const std::filesystem::path& rescue)
         }
         writeWhole(rescued, made.file);
     }
-    if (continuesPresent) result.acts = keepActs(folder, made.file);
+    if (continuesPresent) keepActs(folder, made.file, result);
     if (hasPresent) result.earlier = movePresentAside(folder);
     for (const char* ending : {"-wal", "-shm"}) fs::remove(folder.database().string() + ending, ignored);
     protocols::putFileInPlace(made.file, folder.database());

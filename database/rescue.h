@@ -28,7 +28,8 @@ bool holdsAllOf(const PageCopy& copy, const std::filesystem::path& database, Fac
 struct Rescue {
     std::size_t events = 0;         ///< entries of the log that the study gained
     std::filesystem::path earlier;  ///< the database that stood there, kept under another name; empty where there was none
-    std::size_t acts = 0;           ///< of that database, which the rescue file lacked: the study keeps them
+    std::size_t acts = 0;           ///< exports and the like that only that database had: the study keeps them
+    bool lacksActs = false;         ///< some of them are altered or cannot be read, and stay in that database
 };
 
 /// Puts what the rescue file and its write-ahead log hold in the place of study.db. The log of the present study.db must be the

@@ -290,7 +290,7 @@ StudyStore::Rescued StudyStore::rescue(const StudyFolder& folder, const std::fil
 {
     const WriteLock lock(folder);
     const Rescue done = bringBack(folder, file);
-    return {done.events, done.earlier, done.acts};
+    return {done.events, done.earlier, done.acts, done.lacksActs};
 }
 
 void StudyStore::takeProtocol(const std::string& json, const std::string& who, const std::string& why)

@@ -28,7 +28,8 @@ public:
     struct Rescued {
         std::size_t events = 0;         ///< entries of the log that the study gained
         std::filesystem::path earlier;  ///< the database that stood there, kept under another name
-        std::size_t acts = 0;  ///< exports and other acts of that database, which the rescue file lacked and the study keeps
+        std::size_t acts = 0;           ///< exports and the like that only that database had: the study keeps them
+        bool lacksActs = false;         ///< some of them are altered or cannot be read, and stay in that database
     };
     static Rescued rescue(const StudyFolder& folder, const std::filesystem::path& file);
 

@@ -254,8 +254,25 @@ void recordStay(const StudyFolder& folder, Act act, const std::string& address, 
                                      folder.folder.string(), "", "run the same command again"});
 }
 
-/// A link keeps its target, which may be anywhere, and what is neither file, folder nor link stays behind: `verify` looks at the
-/// folder itself.
+/// A link stays a link. Pipes, sockets and devices stay behind: `verify` looks at the folder itself.
+void copyWhatCanBeRead(const fs::directory_entry& entry, const fs::path& to)
+{
+    switch (entry.symlink_status().type()) {
+        case fs::file_type::regular:
+            fs::copy_file(entry.path(), to);
+            break;
+        case fs::file_type::symlink:
+            fs::copy_symlink(entry.path(), to);
+            break;
+        case fs::file_type::directory:
+            fs::create_directory(to, entry.path());
+            for (const auto& inner : fs::directory_iterator(entry.path())) copyWhatCanBeRead(inner, to / inner.path().filename());
+            break;
+        default:
+            break;
+    }
+}
+
 void copyFilesBeside(const StudyFolder& folder, const StudyFolder& copy)
 {
     for (const auto& entry : fs::directory_iterator(folder.folder)) {
@@ -263,12 +280,10 @@ void copyFilesBeside(const StudyFolder& folder, const StudyFolder& copy)
         if (name.starts_with("study.db") || name == ".lock" || name.starts_with("queue.db") ||
             entry.path() == serverNoteOf(folder.folder))
             continue;
+        copyWhatCanBeRead(entry, copy.folder / name);
         const fs::file_type type = entry.symlink_status().type();
-        if (type != fs::file_type::regular && type != fs::file_type::directory && type != fs::file_type::symlink) continue;
-        fs::copy(entry.path(), copy.folder / name, fs::copy_options::recursive | fs::copy_options::copy_symlinks);
-        if (type == fs::file_type::symlink) continue;
-        fs::permissions(copy.folder / name,
-                        type == fs::file_type::directory ? fs::perms::owner_all : fs::perms::owner_read | fs::perms::owner_write);
+        if (type == fs::file_type::directory) fs::permissions(copy.folder / name, fs::perms::owner_all);
+        if (type == fs::file_type::regular) fs::permissions(copy.folder / name, fs::perms::owner_read | fs::perms::owner_write);
     }
 }
 

@@ -8,7 +8,6 @@ namespace protocols {
 
 namespace {
 
-constexpr std::size_t comparedBytes = 24;
 constexpr std::size_t keyBytes = 3;
 
 std::size_t keyOf(const char* bytes)

@@ -11,7 +11,9 @@
 
 namespace protocols {
 
-/// Byte sequences to look for, of which the first 24 bytes count. Shorter ones than 3 bytes are left out.
+inline constexpr std::size_t comparedBytes = 24;  ///< of a sequence; a database may split a longer one over two pages
+
+/// Byte sequences to look for, of which the first comparedBytes count. Shorter ones than 3 bytes are left out.
 class ByteSequences {
 public:
     explicit ByteSequences(const std::vector<std::string>& all);
@@ -19,7 +21,7 @@ public:
     /// Calls `found` with each sequence that stands in the bytes, once for each place, until it returns false.
     void findIn(std::string_view bytes, const std::function<bool(const std::string& sequence)>& found) const;
     bool areIn(std::string_view bytes) const;
-    std::size_t longest() const { return m_longest; }  ///< of the compared parts, in bytes
+    std::size_t longest() const { return m_longest; }  ///< bytes of the longest part that is compared
 
 private:
     std::vector<bool> m_starts;  ///< by the first bytes as a number
@@ -32,8 +34,8 @@ struct ByteSearch {
     std::vector<std::string> found;  ///< files that hold one of the sequences, relative to the folder; others as given
 };
 
-/// Compares the first 24 bytes of each sequence, because a database may split a longer one over two pages. Links are not
-/// followed. `others`: files elsewhere that are searched, too. Throws badInput where a file cannot be read.
+/// Compares the first comparedBytes of each sequence. Links are not followed. `others`: files elsewhere that are searched, too.
+/// Throws badInput where a file cannot be read.
 ByteSearch searchFiles(const std::filesystem::path& folder, const std::vector<std::string>& sequences,
                        const std::vector<std::filesystem::path>& others = {});
 

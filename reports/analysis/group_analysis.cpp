@@ -82,10 +82,8 @@ public:
         std::vector<stats::Value> p;
         for (const auto& [a, b] : contrasts()) {
             grouped.contrasts.push_back({a, b, testOfGroups(sampled([&](const std::string& one) -> stats::Value {
-                                             const stats::Value& first = m_cells.participantMean(id, a, one);
-                                             const stats::Value& second = m_cells.participantMean(id, b, one);
-                                             return first.exists() && second.exists() ? stats::Value(*first - *second)
-                                                                                      : stats::Value();
+                                             const std::vector<double> both = m_cells.commonMeans(id, {a, b}, one);
+                                             return both.empty() ? stats::Value() : stats::Value(both[0] - both[1]);
                                          }))});
             p.push_back(grouped.contrasts.back().test.p);
         }
@@ -109,11 +107,9 @@ private:
     GroupTest overall(const std::string& id) const
     {
         return testOfGroups(sampled([&](const std::string& one) {
-            std::vector<double> means;
-            for (const std::string& condition : m_data.conditions)
-                if (const stats::Value& mean = m_cells.participantMean(id, condition, one); mean.exists()) means.push_back(*mean);
             // A participant without some condition would carry the difference of conditions into that of groups.
-            return means.size() == m_data.conditions.size() ? stats::meanOf(means) : stats::Value();
+            const std::vector<double> means = m_cells.commonMeans(id, m_data.conditions, one);
+            return means.empty() ? stats::Value() : stats::meanOf(means);
         }));
     }
 

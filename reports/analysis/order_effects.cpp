@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "reports/cells/response_time.h"
 #include "stats/kernels/decimal_grid.h"
@@ -59,6 +60,24 @@ const ContrastFinding* chosenContrast(const QuestionClaims& claims)
     return chosen;
 }
 
+/// Contrasts that the largest difference was picked from.
+std::size_t contrastsToPickFrom(const QuestionClaims& claims)
+{
+    return static_cast<std::size_t>(std::ranges::count_if(claims.contrasts, [](const ContrastFinding& finding) {
+        return finding.generalisation == stats::Generalisation::TheseFabrics && finding.claim.mean.estimate.exists();
+    }));
+}
+
+/// Paired t test with Bonferroni's correction of p and interval for so many tests.
+stats::TTest bonferroniTest(const std::vector<double>& a, const std::vector<double>& b, std::size_t tests)
+{
+    const auto count = static_cast<double>(std::max<std::size_t>(tests, 1));
+    stats::TTest test = stats::pairedTTest(a, b, {.confidence = 1 - 0.05 / count});
+    if (test.p.exists()) test.p = std::min(1.0, count * *test.p);
+    if (test.logP.exists()) test.logP = std::min(0.0, std::log(count) + *test.logP);
+    return test;
+}
+
 /// A participant's mean under a condition after `slope` for 10 trials is taken off.
 stats::Value meanWithout(double slope, const std::vector<const StudyResponse*>& responses)
 {
@@ -67,6 +86,17 @@ stats::Value meanWithout(double slope, const std::vector<const StudyResponse*>& 
         if (const auto number = numberOfAnswer(*response), tens = tensOfTrials(*response); number && tens)
             values.push_back(slope == 0 ? *number : *number - slope * *tens);
     return stats::meanOf(values);
+}
+
+/// The answers with a number and a trial to fabrics that `others` have such an answer to.
+std::vector<const StudyResponse*> onFabricsOf(const std::vector<const StudyResponse*>& others,
+                                              std::vector<const StudyResponse*> responses)
+{
+    std::set<std::string> fabrics;
+    for (const StudyResponse* response : others)
+        if (numberOfAnswer(*response) && response->trial) fabrics.insert(response->fabric);
+    std::erase_if(responses, [&](const StudyResponse* response) { return !fabrics.contains(response->fabric); });
+    return responses;
 }
 
 ContrastWithoutTrend contrastWithoutTrendOf(const AnswerCells& cells, const std::string& question, const QuestionClaims& claims,
@@ -81,11 +111,13 @@ ContrastWithoutTrend contrastWithoutTrendOf(const AnswerCells& cells, const std:
     contrast.a = chosen->a;
     contrast.b = chosen->b;
     contrast.primary = chosen->primary;
+    if (!chosen->primary) contrast.pickedFrom = contrastsToPickFrom(claims);
     std::vector<double> plainA, plainB, adjustedA, adjustedB;
     for (std::size_t k = 0; k < trend.slopes.size(); ++k) {
         if (!trend.slopes[k].exists()) continue;
         const std::string& participant = cells.participants()[k];
-        const auto a = cells.of(question, contrast.a, participant), b = cells.of(question, contrast.b, participant);
+        const auto ofA = cells.of(question, contrast.a, participant), ofB = cells.of(question, contrast.b, participant);
+        const auto a = onFabricsOf(ofB, ofA), b = onFabricsOf(ofA, ofB);
         if (!meanWithout(0, a).exists() || !meanWithout(0, b).exists()) continue;
         plainA.push_back(*meanWithout(0, a));
         plainB.push_back(*meanWithout(0, b));
@@ -93,8 +125,8 @@ ContrastWithoutTrend contrastWithoutTrendOf(const AnswerCells& cells, const std:
         adjustedB.push_back(*meanWithout(*trend.slopes[k], b));
     }
     if (plainA.empty()) contrast.why = trend.test.why.empty() ? "nobody with a trend answered under both" : trend.test.why;
-    contrast.plain = stats::pairedTTest(plainA, plainB);
-    contrast.adjusted = stats::pairedTTest(adjustedA, adjustedB);
+    contrast.plain = bonferroniTest(plainA, plainB, contrast.pickedFrom);
+    contrast.adjusted = bonferroniTest(adjustedA, adjustedB, contrast.pickedFrom);
     return contrast;
 }
 

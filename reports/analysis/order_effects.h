@@ -3,6 +3,7 @@
 // with and without it is the check.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -41,12 +42,15 @@ struct OrderEffect {
 };
 
 /// The mean difference a - b over participants, as it is and without each participant's own trend over the trials. Both are
-/// those of the participants who have a trend.
+/// those of the participants who have a trend, on the fabrics that they answered under both conditions. The largest difference of
+/// several contrasts is large by chance, too. So p and interval of a contrast that was picked as the largest have Bonferroni's
+/// correction.
 struct ContrastWithoutTrend {
     std::string a;
     std::string b;
-    bool primary = false;  ///< false: the largest difference of the question's contrasts
-    std::string why;       ///< reason where there is no such contrast
+    bool primary = false;        ///< false: the largest difference of the question's contrasts
+    std::size_t pickedFrom = 1;  ///< contrasts among which it is the largest; 1 for a primary one
+    std::string why;             ///< reason where there is no such contrast
     stats::TTest plain;
     stats::TTest adjusted;
 };

@@ -24,22 +24,24 @@ std::string verdictOf(stats::EquivalenceTest test, const stats::Value& pHolm)
     return test.verdict();
 }
 
-PairedMeansOf meansIn(const AnswerCells& cells, const std::string& question)
+PairedMeansOf meansIn(const AnswerCells& cells, const std::string& question, FabricsOfMeans over)
 {
-    return [&](const std::string& a, const std::string& b) { return cells.pairedMeans(question, a, b); };
+    return
+        [&cells, &question, over](const std::string& a, const std::string& b) { return cells.pairedMeans(question, a, b, over); };
 }
 
 }  // namespace
 
-std::vector<PairComparison> comparePairs(const StudyData& data, const AnswerCells& cells, const std::string& question)
+std::vector<PairComparison> comparePairs(const StudyData& data, const AnswerCells& cells, const std::string& question,
+                                         FabricsOfMeans over)
 {
-    return comparePairs(data, meansIn(cells, question));
+    return comparePairs(data, meansIn(cells, question, over));
 }
 
 std::vector<PairEquivalence> testEquivalence(const StudyData& data, const AnswerCells& cells, const std::string& question,
-                                             const std::vector<PairComparison>& comparisons)
+                                             const std::vector<PairComparison>& comparisons, FabricsOfMeans over)
 {
-    return testEquivalence(data, meansIn(cells, question), comparisons);
+    return testEquivalence(data, meansIn(cells, question, over), comparisons);
 }
 
 std::vector<PairComparison> comparePairs(const StudyData& data, const PairedMeansOf& meansOf)

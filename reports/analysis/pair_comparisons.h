@@ -18,14 +18,14 @@ struct ConditionPair {
     bool planned = false;  ///< a contrast of the protocol
 };
 
-/// Paired t test of the participants' means.
+/// Paired t test of the participants' means over the fabrics that they answered under both conditions.
 struct PairComparison {
     ConditionPair pair;
     stats::TTest test;
     stats::Value pHolm;  ///< Holm's correction over all pairs of the question
 };
 
-/// Two one-sided tests of the participants' means against the bounds of the study.
+/// Two one-sided tests of the same means against the bounds of the study.
 struct PairEquivalence {
     ConditionPair pair;
     double low = 0;  ///< bounds, scale points
@@ -35,11 +35,13 @@ struct PairEquivalence {
 };
 
 /// All pairs of the conditions, in their order; none where comparesAllPairs() is false.
-std::vector<PairComparison> comparePairs(const StudyData& data, const AnswerCells& cells, const std::string& question);
+std::vector<PairComparison> comparePairs(const StudyData& data, const AnswerCells& cells, const std::string& question,
+                                         FabricsOfMeans over = FabricsOfMeans::Common);
 
 /// The same pairs in the same order; `comparisons` are those of the question.
 std::vector<PairEquivalence> testEquivalence(const StudyData& data, const AnswerCells& cells, const std::string& question,
-                                             const std::vector<PairComparison>& comparisons);
+                                             const std::vector<PairComparison>& comparisons,
+                                             FabricsOfMeans over = FabricsOfMeans::Common);
 
 /// The means of the participants who have one under both conditions.
 using PairedMeansOf = std::function<AnswerCells::PairedMeans(const std::string& a, const std::string& b)>;

@@ -14,7 +14,7 @@ ChainAnswer answerTo(const QuestionAnalysis& question, std::size_t condition)
         return {test.estimate, test.wilson};
     }
     const auto& ratings = std::get<RatingAnalysis>(question.findings).conditions[condition];
-    return {ratings.mean, ratings.ci95};
+    return {ratings.meanOfParticipants, ratings.ci95};
 }
 
 ChainQuestion chainQuestion(const QuestionAnalysis& question)

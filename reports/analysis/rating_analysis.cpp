@@ -1,5 +1,6 @@
 #include "reports/analysis/rating_analysis.h"
 
+#include <algorithm>
 #include <map>
 
 #include "reports/cells/crossed_answers.h"
@@ -8,6 +9,17 @@
 
 namespace reports {
 namespace {
+
+/// Whether every participant has equally many cells, and every cell equally many ratings.
+bool areBalanced(const std::vector<AnswerCells::CellMean>& cells)
+{
+    std::map<std::size_t, std::size_t> counts;
+    for (const AnswerCells::CellMean& cell : cells) {
+        ++counts[cell.participant];
+        if (cell.answers != cells.front().answers) return false;
+    }
+    return std::ranges::all_of(counts, [&](const auto& count) { return count.second == counts.begin()->second; });
+}
 
 ConditionRatings analyseCondition(const AnswerCells& cells, const std::string& question, const std::string& condition)
 {
@@ -18,8 +30,10 @@ ConditionRatings analyseCondition(const AnswerCells& cells, const std::string& q
     result.mean = stats::meanOf(ratings);
     result.sd = stats::describe(ratings).sd;
     result.participants = means.size();
+    // Both are the same number for balanced ratings; only rounding could tell them apart.
+    result.meanOfParticipants = areBalanced(cells.cellMeans(question, condition)) ? result.mean : stats::meanOf(means);
     result.ci95 = stats::describe(means).ci95;
-    if (!result.ci95.low.exists())
+    if (means.size() < 2)
         result.ci95.low = result.ci95.high = stats::Value::undefined("needs the means of at least 2 participants");
     return result;
 }
@@ -47,7 +61,27 @@ std::vector<ParticipantMeans> meansOfParticipants(const StudyData& data, const A
     return rows;
 }
 
+std::optional<AnsweredFabricTests> testsOverAnswered(const StudyData& data, const AnswerCells& cells, const std::string& question)
+{
+    if (!cells.haveUnequalFabrics(question)) return std::nullopt;
+    const AnswerCells::CompleteBlocks blocks = cells.completeBlocks(question, FabricsOfMeans::Answered);
+    AnsweredFabricTests tests;
+    tests.completeParticipants = blocks.participants;
+    tests.anova = stats::repeatedMeasuresAnova(blocks.table);
+    tests.friedman = stats::friedmanTest(blocks.table);
+    tests.comparisons = comparePairs(data, cells, question, FabricsOfMeans::Answered);
+    tests.equivalences = testEquivalence(data, cells, question, tests.comparisons, FabricsOfMeans::Answered);
+    return tests;
+}
+
 }  // namespace
+
+bool haveUnequalCounts(const RatingAnalysis& ratings)
+{
+    return std::ranges::any_of(ratings.conditions, [](const ConditionRatings& one) {
+        return one.mean.exists() && one.meanOfParticipants.exists() && *one.mean != *one.meanOfParticipants;
+    });
+}
 
 RatingAnalysis analyseRatings(const StudyData& data, const AnswerCells& cells, const std::string& question,
                               const NumberOnScale& scale, Depth depth)
@@ -68,6 +102,7 @@ RatingAnalysis analyseRatings(const StudyData& data, const AnswerCells& cells, c
     analysis.model = stats::fitRatings(answers);
     analysis.comparisons = comparePairs(data, cells, question);
     analysis.equivalences = testEquivalence(data, cells, question, analysis.comparisons);
+    analysis.overAnswered = testsOverAnswered(data, cells, question);
     analysis.claims = claimsOf(data, cells, question, std::nullopt, analysis.anova, analysis.model, depth);
     analysis.modelContrasts = modelContrasts(data, analysis.model);
     analysis.leaveOneFabricOut = leaveOneFabricOut(data, answers, analysis.model, depth);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,8 @@ struct ConditionRatings {
     stats::Value mean;  ///< over ratings
     stats::Value sd;    ///< over ratings
     std::size_t participants = 0;
-    stats::Interval ci95;                ///< interval for the mean of the participants' means, Student's t
+    stats::Value meanOfParticipants;     ///< mean of the participants' means; differs from `mean` where answers are missing
+    stats::Interval ci95;                ///< its interval, Student's t
     stats::Value withinHalfWidth;        ///< within-subject interval (Morey 2008), complete participants
     std::vector<stats::Value> byFabric;  ///< mean over the participants' ratings, in the order of the study's fabrics
 };
@@ -32,6 +34,16 @@ struct ConditionRatings {
 struct ParticipantMeans {
     std::string participant;
     std::vector<stats::Value> means;  ///< by condition
+};
+
+/// Tests of means over all fabrics that each participant answered under a condition: the definition of the reference numbers
+/// behind statistics.json. Where answers are missing, these tests confuse fabrics with conditions.
+struct AnsweredFabricTests {
+    std::vector<std::string> completeParticipants;
+    stats::RepeatedMeasuresAnova anova;
+    stats::FriedmanTest friedman;
+    std::vector<PairComparison> comparisons;
+    std::vector<PairEquivalence> equivalences;
 };
 
 struct RatingAnalysis {
@@ -44,12 +56,16 @@ struct RatingAnalysis {
     stats::RatingModel model;
     std::vector<PairComparison> comparisons;
     std::vector<PairEquivalence> equivalences;
+    std::optional<AnsweredFabricTests> overAnswered;  ///< where they differ from the tests above
     QuestionClaims claims;
     std::vector<ModelContrast> modelContrasts;
     LeaveOneFabricOut leaveOneFabricOut;
     QuestionEffects effects;
     OrdinalRatings ordinal;
 };
+
+/// Whether a mean of participants differs from the mean over ratings under some condition.
+bool haveUnequalCounts(const RatingAnalysis& ratings);
 
 /// `scale` holds every rating of the question.
 RatingAnalysis analyseRatings(const StudyData& data, const AnswerCells& cells, const std::string& question,

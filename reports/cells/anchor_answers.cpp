@@ -74,8 +74,10 @@ std::optional<AnchorFloor> floorOf(const StudyData& data, const AnswerCells& cel
     floor.participants = means.size();
     floor.mean = stats::meanOf(ratings);
     floor.sd = stats::describe(ratings).sd;
+    const auto isEqual = [&](const auto& one) { return one.second.size() == byParticipant.begin()->second.size(); };
+    floor.meanOfParticipants = std::ranges::all_of(byParticipant, isEqual) ? floor.mean : stats::meanOf(means);
     floor.ci95 = stats::describe(means).ci95;
-    if (!floor.ci95.low.exists())
+    if (means.size() < 2)
         floor.ci95.low = floor.ci95.high = stats::Value::undefined("needs the means of at least 2 participants");
     floor.lowestMean = floor.shareAbove = stats::Value::undefined("no condition has ratings");
     for (const std::string& condition : data.conditions) {

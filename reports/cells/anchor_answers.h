@@ -23,7 +23,8 @@ struct AnchorFloor {
     std::size_t participants = 0;
     stats::Value mean;                  ///< over ratings, as for a condition
     stats::Value sd;                    ///< over ratings
-    stats::Interval ci95;               ///< of the mean of the participants' means, Student's t
+    stats::Value meanOfParticipants;    ///< mean of the participants' means
+    stats::Interval ci95;               ///< its interval, Student's t
     std::string lowest;                 ///< the condition with the lowest mean
     stats::Value lowestMean;            ///< over its ratings
     stats::Value shareAbove;            ///< share of these ratings that lie above `lowestMean`

@@ -1,6 +1,7 @@
 #include "reports/cells/answer_cells.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -109,9 +110,14 @@ AnswerCells::AnswerCells(const StudyData& data)
     while (m_starts.size() <= runs) m_starts.push_back(m_answers.size());
     for (std::size_t run = 0; run < runs; ++run) {
         std::vector<double> means;
-        for (const CellMean& cell : cellsOfRun(run, 0)) means.push_back(cell.mean);
+        m_cellStarts.push_back(m_cells.size());
+        for (const CellMean& cell : cellsOfRun(run, 0)) {
+            means.push_back(cell.mean);
+            m_cells.push_back({fabricPlaces.at(cell.first->fabric), cell.mean});
+        }
         m_means.push_back(stats::meanOf(means));
     }
+    m_cellStarts.push_back(m_cells.size());
 }
 
 std::size_t AnswerCells::firstRun(const std::string& question, const std::string& condition) const
@@ -184,15 +190,70 @@ std::vector<double> AnswerCells::participantMeans(const std::string& question, c
     return means;
 }
 
-AnswerCells::CompleteBlocks AnswerCells::completeBlocks(const std::string& question) const
+std::span<const AnswerCells::FabricMean> AnswerCells::fabricsIn(std::size_t run) const
+{
+    return std::span(m_cells).subspan(m_cellStarts[run], m_cellStarts[run + 1] - m_cellStarts[run]);
+}
+
+bool AnswerCells::haveSameFabrics(std::size_t run, std::size_t other) const
+{
+    return std::ranges::equal(fabricsIn(run), fabricsIn(other), {}, &FabricMean::fabric, &FabricMean::fabric);
+}
+
+std::vector<double> AnswerCells::meansOfRuns(std::span<const std::size_t> runs, FabricsOfMeans over) const
+{
+    std::vector<double> means;
+    for (const std::size_t run : runs) {
+        if (!m_means[run].exists()) return {};
+        means.push_back(*m_means[run]);
+    }
+    const auto isLikeFirst = [&](std::size_t run) { return haveSameFabrics(run, runs.front()); };
+    if (over == FabricsOfMeans::Answered || std::ranges::all_of(runs, isLikeFirst)) return means;
+    std::map<std::size_t, std::size_t> answered;
+    for (const std::size_t run : runs)
+        for (const FabricMean& cell : fabricsIn(run)) ++answered[cell.fabric];
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        std::vector<double> common;
+        for (const FabricMean& cell : fabricsIn(runs[i]))
+            if (answered[cell.fabric] == runs.size()) common.push_back(cell.mean);
+        if (common.empty()) return {};
+        means[i] = *stats::meanOf(common);
+    }
+    return means;
+}
+
+std::vector<double> AnswerCells::commonMeans(const std::string& question, const std::vector<std::string>& conditions,
+                                             const std::string& participant) const
+{
+    std::vector<std::size_t> runs;
+    for (const std::string& condition : conditions)
+        runs.push_back(firstRun(question, condition) + m_participantPlaces.at(participant));
+    return meansOfRuns(runs, FabricsOfMeans::Common);
+}
+
+bool AnswerCells::haveUnequalFabrics(const std::string& question) const
+{
+    for (std::size_t i = 0; i < m_participants.size(); ++i) {
+        std::optional<std::size_t> first;
+        for (const std::string& condition : m_data.conditions) {
+            const std::size_t run = firstRun(question, condition) + i;
+            if (!m_means[run].exists()) continue;
+            if (first && !haveSameFabrics(*first, run)) return true;
+            first = run;
+        }
+    }
+    return false;
+}
+
+AnswerCells::CompleteBlocks AnswerCells::completeBlocks(const std::string& question, FabricsOfMeans over) const
 {
     CompleteBlocks blocks;
     std::vector<std::vector<double>> rows;
+    std::vector<std::size_t> runs(m_data.conditions.size());
     for (std::size_t i = 0; i < m_participants.size(); ++i) {
-        std::vector<double> row;
-        for (const std::string& condition : m_data.conditions)
-            if (const stats::Value& mean = m_means[firstRun(question, condition) + i]; mean.exists()) row.push_back(*mean);
-        if (row.size() == m_data.conditions.size() && !row.empty()) {
+        for (std::size_t c = 0; c < runs.size(); ++c) runs[c] = firstRun(question, m_data.conditions[c]) + i;
+        std::vector<double> row = meansOfRuns(runs, over);
+        if (!row.empty()) {
             blocks.participants.push_back(m_participants[i]);
             rows.push_back(std::move(row));
         }
@@ -226,15 +287,17 @@ stats::BlockTable AnswerCells::completeSuccesses(const std::string& question) co
     return table;
 }
 
-AnswerCells::PairedMeans AnswerCells::pairedMeans(const std::string& question, const std::string& a, const std::string& b) const
+AnswerCells::PairedMeans AnswerCells::pairedMeans(const std::string& question, const std::string& a, const std::string& b,
+                                                  FabricsOfMeans over) const
 {
     PairedMeans means;
     const std::size_t firstOfA = firstRun(question, a), firstOfB = firstRun(question, b);
-    for (std::size_t i = 0; i < m_participants.size(); ++i)
-        if (m_means[firstOfA + i].exists() && m_means[firstOfB + i].exists()) {
-            means.a.push_back(*m_means[firstOfA + i]);
-            means.b.push_back(*m_means[firstOfB + i]);
-        }
+    for (std::size_t i = 0; i < m_participants.size(); ++i) {
+        const std::vector<double> both = meansOfRuns(std::array{firstOfA + i, firstOfB + i}, over);
+        if (both.empty()) continue;
+        means.a.push_back(both[0]);
+        means.b.push_back(both[1]);
+    }
     return means;
 }
 

@@ -1,9 +1,11 @@
 // The answers of a study sorted into question x condition x participant x fabric, and the unit of every test between
 // conditions: the participant's mean over fabrics. Repeated answers of a cell are averaged first, so that a fabric that was
-// touched more often does not weigh more.
+// touched more often does not weigh more. Conditions are compared on the fabrics that the participant answered under all of them,
+// so that a missing answer does not turn a difference of fabrics into one of conditions.
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -13,6 +15,12 @@
 #include "stats/kernels/value.h"
 
 namespace reports {
+
+/// The fabrics of a participant's means where answers are missing.
+enum class FabricsOfMeans {
+    Common,    ///< those answered under every condition that is compared
+    Answered,  ///< all that are answered under a condition: conditions may then differ by their fabrics
+};
 
 /// Keeps a reference to the data, which must outlive it.
 class AnswerCells {
@@ -50,22 +58,31 @@ public:
     /// Means of all participants who have one, in the order of participants().
     std::vector<double> participantMeans(const std::string& question, const std::string& condition) const;
 
+    /// The participant's means under these conditions, over the fabrics that have an answer under every one of them. Empty where
+    /// there is no such fabric.
+    std::vector<double> commonMeans(const std::string& question, const std::vector<std::string>& conditions,
+                                    const std::string& participant) const;
+
+    /// Whether a participant answered other fabrics under one condition than under another.
+    bool haveUnequalFabrics(const std::string& question) const;
+
     /// Participants with a mean in every condition, and their means [participants x conditions].
     struct CompleteBlocks {
         std::vector<std::string> participants;
         stats::BlockTable table;
     };
-    CompleteBlocks completeBlocks(const std::string& question) const;
+    CompleteBlocks completeBlocks(const std::string& question, FabricsOfMeans over = FabricsOfMeans::Common) const;
 
     /// Blocks of participant x fabric x repetition that are answered in every condition: 1 correct, 0 wrong.
     stats::BlockTable completeSuccesses(const std::string& question) const;
 
-    /// Means of the participants who have one under both conditions.
+    /// Means of the participants who have them under both conditions.
     struct PairedMeans {
         std::vector<double> a;
         std::vector<double> b;
     };
-    PairedMeans pairedMeans(const std::string& question, const std::string& a, const std::string& b) const;
+    PairedMeans pairedMeans(const std::string& question, const std::string& a, const std::string& b,
+                            FabricsOfMeans over = FabricsOfMeans::Common) const;
 
     /// Number of answers to a question.
     std::size_t answered(const std::string& question) const;
@@ -80,12 +97,23 @@ private:
     std::size_t firstRun(const std::string& question, const std::string& condition) const;
     std::vector<CellMean> cellsOfRun(std::size_t run, std::size_t participant) const;
 
+    struct FabricMean {
+        std::size_t fabric;  ///< place among the fabrics in the order of their names
+        double mean;
+    };
+    std::span<const FabricMean> fabricsIn(std::size_t run) const;
+    bool haveSameFabrics(std::size_t run, std::size_t other) const;
+    /// Means of runs of one participant; empty where one is missing.
+    std::vector<double> meansOfRuns(std::span<const std::size_t> runs, FabricsOfMeans over) const;
+
     const StudyData& m_data;
     std::vector<std::string> m_participants;
     Places m_participantPlaces, m_conditionPlaces, m_questionPlaces;
     std::vector<const StudyResponse*> m_answers;  ///< sorted by question, condition, participant, fabric, repetition
     std::vector<std::size_t> m_starts;            ///< first answer of each run, and their end
     std::vector<stats::Value> m_means;            ///< by run
+    std::vector<FabricMean> m_cells;              ///< sorted like the answers
+    std::vector<std::size_t> m_cellStarts;        ///< first cell of each run, and their end
 };
 
 /// The number of an answer: a rating, or 1 for a right and 0 for a wrong choice. Words have none and are left out.

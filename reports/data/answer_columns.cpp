@@ -169,6 +169,16 @@ private:
         if (columns.value) fail("the question " + id + " has two columns", m_place, "either " + id + " or " + id + "_correct");
         columns.value = index;
         columns.info.kind = kind;
+        columns.info.alternativesAssumed = isAssumed(id, kind);
+    }
+
+    /// Whether neither caller nor protocol nor export states the number of alternatives.
+    bool isAssumed(const std::string& id, const protocols::AnswerKind& kind) const
+    {
+        const protocols::Question* asked = inProtocol(id);
+        const bool isInProtocol = asked != nullptr && asked->kind == kind;
+        const bool isInFile = m_rows.kinds.contains(id) && !m_rows.assumedChoices.contains(id);
+        return std::holds_alternative<protocols::ForcedChoice>(kind) && !m_options.alternatives && !isInProtocol && !isInFile;
     }
 
     /// The protocol's kind, where its answers are right or wrong.
@@ -181,7 +191,8 @@ private:
                  "name it by --protocol FILE; it lies in the study's folder");
         const auto found = m_rows.kinds.find(id);
         const bool isScored = found != m_rows.kinds.end() && std::holds_alternative<RightOrWrong>(scoringOf(found->second));
-        return isScored ? found->second : protocols::AnswerKind(protocols::ForcedChoice{m_options.alternatives});
+        return isScored ? found->second
+                        : protocols::AnswerKind(protocols::ForcedChoice{m_options.alternatives.value_or(usualAlternatives)});
     }
 
     /// The protocol's kind, where its answers are numbers or words.

@@ -201,7 +201,11 @@ private:
                 columns.kind = Kind::Number;
         }
         if (m_isOwn) countAlternatives(rows);
-        for (const std::string& id : m_order) rows.kinds.emplace(id, answerKindOf(m_questions[id]));
+        for (const std::string& id : m_order) {
+            const Columns& columns = m_questions[id];
+            rows.kinds.emplace(id, answerKindOf(columns));
+            if (columns.kind == Kind::Choice && columns.pieces.value_or(0) == 0) rows.assumedChoices.insert(id);
+        }
     }
 
     void addQuestion(const std::string& id, std::size_t row)
@@ -365,6 +369,20 @@ private:
     std::set<std::pair<std::size_t, std::string>> m_seen;
 };
 
+/// "P01 " and "P01" are one participant, whom one blank would make two of.
+void trimNames(CsvTable& table)
+{
+    std::vector<std::size_t> columns;
+    for (const std::string_view name : keyColumns)
+        if (const auto column = table.column(name)) columns.push_back(*column);
+    for (const std::string_view name : {std::string_view("question"), std::string_view(anchorColumn)})
+        if (const auto column = table.column(name)) columns.push_back(*column);
+    for (auto& row : table.rows)
+        for (const std::size_t column : columns)
+            if (const auto name = nameWithoutBlanks(row[column]); name.size() != row[column].size())
+                row[column] = std::string(name);
+}
+
 /// Right and wrong in words become 1 and 0.
 void readWordsForRight(CsvTable& table)
 {
@@ -383,6 +401,18 @@ void nameTheOnlyQuestion(CsvTable& table)
 
 }  // namespace
 
+std::string_view nameWithoutBlanks(std::string_view cell)
+{
+    constexpr std::string_view noBreakSpace = "\u00A0";
+    while (true) {
+        const std::size_t before = cell.size();
+        cell = protocols::withoutBlanks(cell);
+        while (cell.starts_with(noBreakSpace)) cell.remove_prefix(noBreakSpace.size());
+        while (cell.ends_with(noBreakSpace)) cell.remove_suffix(noBreakSpace.size());
+        if (cell.size() == before) return cell;
+    }
+}
+
 std::string wordsForScores()
 {
     std::string words;
@@ -395,6 +425,7 @@ AnswerRows readAnswerRows(const std::filesystem::path& file, const AnswerRowsOpt
 {
     protocols::ForeignTable foreign = protocols::readForeignTable(file, options.encoding);
     for (const auto& [meaning, name] : options.names) rename(foreign.table, meaning, name);
+    trimNames(foreign.table);
     readWordsForRight(foreign.table);
     AnswerRows rows;
     if (!foreign.isUsual) rows.taken = foreign.taken;

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct AnswerRows {
     protocols::CsvTable table;                           ///< wide
     std::map<std::size_t, MadeColumn> made;              ///< columns of a long table's questions
     std::map<std::string, protocols::AnswerKind> kinds;  ///< of questions that a long table holds
+    std::set<std::string> assumedChoices;                ///< questions of a long table that does not tell their alternatives
     std::set<std::string> mixedChoices;                  ///< questions of an own export with several numbers of alternatives
     std::vector<std::string> unused;                     ///< columns of a long table that are not analysed
     std::size_t voided = 0;                              ///< rows marked as void; of an own export, presentations
@@ -48,10 +50,14 @@ struct AnswerRows {
 /// beginning. Another long table may have such a column, too: it counts where every answer has a value. A column `anchor` whose
 /// values are mismatched, repeated or missing marks answers to anchors; in a long table their trial stands behind the word, so
 /// that two mismatches with one image stay two. A table of one question needs no column `question`: it is called Q1. TRUE and
-/// FALSE, also in German and French, are read as 1 and 0 in columns of right and wrong answers. Throws badInput as
+/// FALSE, also in German and French, are read as 1 and 0 in columns of right and wrong answers. Names of participants, fabrics,
+/// conditions and the like lose the blanks at their ends. Throws badInput as
 /// readForeignTable() does, for an unknown column of `names`, for a doubled answer, for more than 200 questions (10,000 in an own
 /// export), and where the wide table would have more than 20 million cells.
 AnswerRows readAnswerRows(const std::filesystem::path& file, const AnswerRowsOptions& options, int alternatives);
+
+/// A name without the blanks, tabs and no-break spaces that a spreadsheet leaves at its ends.
+std::string_view nameWithoutBlanks(std::string_view cell);
 
 /// The words that columns of right and wrong answers may hold instead of 1 and 0: "true/false, wahr/falsch, ...".
 std::string wordsForScores();

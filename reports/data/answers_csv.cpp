@@ -25,7 +25,9 @@ constexpr const char* reservedName = "why";
 class AnswersReader {
 public:
     AnswersReader(const std::filesystem::path& file, const AnswersCsvOptions& options)
-        : m_where(file.string()), m_options(options), m_rows(readAnswerRows(file, options.rows, options.alternatives))
+        : m_where(file.string()),
+          m_options(options),
+          m_rows(readAnswerRows(file, options.rows, options.alternatives.value_or(usualAlternatives)))
     {
         m_data.name = file.stem().string();
         m_data.blinded = false;
@@ -117,6 +119,13 @@ private:
         std::vector<std::string> unused = m_columns.unused;
         unused.insert(unused.end(), m_rows.unused.begin(), m_rows.unused.end());
         if (!unused.empty()) m_options.note(m_where + ": not analysed: " + listed(unused));
+        std::vector<std::string> assumed;
+        for (const QuestionInfo& question : m_data.questions)
+            if (question.alternativesAssumed) assumed.push_back(question.id);
+        if (!assumed.empty())
+            m_options.note(m_where + ": the choices of " + listed(assumed) + " are tested against 1/" +
+                           std::to_string(usualAlternatives) +
+                           ", the default of this program; name the number of alternatives by --alternatives or --protocol");
         if (m_hasOtherScale)
             m_options.note(m_where + ": some ratings are outside 0 to 10; name their scale by --scale LOW,HIGH or by --protocol");
         if (m_rows.voided > 0)
@@ -322,15 +331,17 @@ private:
     {
         if (protocols::isMissing(cell(row, *columns.value))) return std::nullopt;
         const std::string place = nameOf(row) + ", column " + m_table.columns[*columns.value];
-        return std::visit(protocols::Overloaded{
-                              [&](const RightOrWrong&) -> AnswerContent { return choiceIn(row, columns, place); },
-                              [&](const NumberOnScale& scale) -> AnswerContent { return ratingIn(row, columns, scale, place); },
-                              [&](const OpenWords&) -> AnswerContent { return WordedAnswer{cell(row, *columns.value)}; },
-                          },
-                          scoringOf(columns.info.kind));
+        return std::visit(
+            protocols::Overloaded{
+                [&](const RightOrWrong& scoring) -> AnswerContent { return choiceIn(row, columns, scoring, place); },
+                [&](const NumberOnScale& scale) -> AnswerContent { return ratingIn(row, columns, scale, place); },
+                [&](const OpenWords&) -> AnswerContent { return WordedAnswer{cell(row, *columns.value)}; },
+            },
+            scoringOf(columns.info.kind));
     }
 
-    ChosenAnswer choiceIn(std::size_t row, const QuestionColumns& columns, const std::string& place) const
+    ChosenAnswer choiceIn(std::size_t row, const QuestionColumns& columns, const RightOrWrong& scoring,
+                          const std::string& place) const
     {
         const std::string& score = cell(row, *columns.value);
         const auto number = protocols::numberIn(score);
@@ -341,8 +352,22 @@ private:
                      (m_rows.made.contains(*columns.value) ? "correct" : m_table.columns[*columns.value]) + "=COLUMN");
         ChosenAnswer choice{number == 1.0, {}, {}};
         if (const auto slot = countIn(row, columns.slot)) choice.slot = *slot - 1;
-        if (columns.answer && !protocols::isMissing(cell(row, *columns.answer))) choice.answer = cell(row, *columns.answer);
+        if (columns.answer && !protocols::isMissing(cell(row, *columns.answer)))
+            choice.answer = scoring.isSameDifferent ? sameOrDifferent(row, *columns.answer)
+                                                    : std::string(nameWithoutBlanks(cell(row, *columns.answer)));
         return choice;
+    }
+
+    /// Whether a pair was the same follows from this word, so no other word may pass for one of the two.
+    std::string sameOrDifferent(std::size_t row, std::size_t column) const
+    {
+        const std::string& given = cell(row, column);
+        const std::string word = lowerCase(std::string(nameWithoutBlanks(given)));
+        if (word != "same" && word != "different")
+            fail("\"" + protocols::inShort(given, 60) + "\" is neither same nor different",
+                 nameOf(row) + ", column " + m_table.columns[column], "same or different",
+                 "replace the words of the column, or leave its cells empty");
+        return word;
     }
 
     /// Whether the table comes from an export of this program, which was checked against its protocol. Those of the first
@@ -387,8 +412,8 @@ private:
 
 StudyData readAnswersCsv(const std::filesystem::path& file, const AnswersCsvOptions& options)
 {
-    if (options.alternatives < 2)
-        throw protocols::badInput({"a choice among " + std::to_string(options.alternatives), "--alternatives", "2 or more", ""});
+    if (options.alternatives && *options.alternatives < 2)
+        throw protocols::badInput({"a choice among " + std::to_string(*options.alternatives), "--alternatives", "2 or more", ""});
     return AnswersReader(file, options).read();
 }
 

@@ -18,10 +18,13 @@
 
 namespace reports {
 
+/// m of choices where nobody states it.
+inline constexpr int usualAlternatives = 3;
+
 struct AnswersCsvOptions {
     std::optional<protocols::Protocol> protocol;  ///< bounds, planned contrasts, kinds and sentences of the questions
     std::string protocolSha256;                   ///< hash of the protocol's file
-    int alternatives = 3;                         ///< m of choices that neither protocol nor own export describes
+    std::optional<int> alternatives = {};         ///< m of choices that neither protocol nor own export describes
     AnswerRowsOptions rows = {};                  ///< encoding, and names of columns
     std::optional<std::pair<double, double>> equivalenceBounds = {};  ///< instead of the protocol's
     std::vector<std::pair<std::string, std::string>> planned = {};    ///< contrasts instead of the protocol's
@@ -34,7 +37,8 @@ struct AnswersCsvOptions {
 /// the row in the participant's running order, `sitting` its sitting, both from 1; ID_trial and ID_sitting hold for one question
 /// only. Without `sitting`, the sessions of a participant count as sittings in the order of their rows. Participants, fabrics and
 /// conditions keep the order of their first appearance; "h_g+f_g" reads as "h_g&f_g". Empty, NA and NaN cells are missing.
-/// Columns with other names are not analysed; options.note names them.
+/// Columns with other names are not analysed; options.note names them. It also names choices that are tested against the default
+/// of 1/3. The answers to a question of same or different are "same" and "different", in any case of letters.
 /// Throws badInput naming row and column: a missing or malformed column, a column Q1_x with an unknown x, a doubled row, a value
 /// that is no number, a participant in two groups, a rating outside the scale. Where neither the protocol nor options.scale names
 /// a scale, it is 0 to 10; for an export of this program options.note then names ratings outside it instead.

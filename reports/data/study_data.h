@@ -101,6 +101,7 @@ struct QuestionInfo {
     std::size_t answersPerCell = 0;                  ///< most answers by one participant x fabric x condition; 0: as in the study
     std::size_t presentations = 0;                   ///< to a participant, with catch trials and anchors; 0: those of all cells
     std::vector<SentenceWording> wordings = {};      ///< several ones; empty where `text` is the only one
+    bool alternativesAssumed = false;                ///< nobody stated how many alternatives a choice had: the default is taken
 };
 
 /// A version of an amended protocol.

@@ -1,6 +1,7 @@
 #include "reports/figures/matches_figures.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "reports/charts/chart_colours.h"
 #include "reports/charts/plot_frame.h"
@@ -18,21 +19,38 @@ stats::Interval inMatches(const stats::Interval& share, double participants)
     return {*share.low * participants, *share.high * participants};
 }
 
-/// 95 % interval of the share with participants and fabrics as samples; of participants alone where there is one fabric.
-stats::Interval intervalOf(const ChoiceAnalysis& choices, const std::string& condition)
+/// A mean share and its 95 % interval with participants and fabrics as samples; of participants alone where there is one fabric.
+struct DrawnShare {
+    stats::Value estimate;
+    stats::Interval ci95;
+};
+
+DrawnShare shareOf(const ChoiceAnalysis& choices, const std::string& condition)
 {
-    stats::Interval interval;
+    DrawnShare share;
     for (const ChanceFinding& finding : choices.claims.aboveChance) {
         const stats::Interval& ci = finding.claim.mean.ci95;
-        if (finding.condition == condition && ci.low.exists()) interval = {std::max(0.0, *ci.low), std::min(1.0, *ci.high)};
+        if (finding.condition == condition && ci.low.exists())
+            share = {finding.claim.mean.estimate, {std::max(0.0, *ci.low), std::min(1.0, *ci.high)}};
     }
-    return interval;
+    return share;
 }
 
-void drawBar(PlotFrame& plot, std::size_t i, const ConditionChoices& choices, const stats::Interval& share, double participants,
+/// The share that belongs to the interval, in matches per rendering. It is that of all trials for participants with equally many;
+/// only rounding could tell the two apart.
+stats::Value heightOfBar(const ConditionChoices& choices, const DrawnShare& share, double participants)
+{
+    constexpr double rounding = 1e-9;
+    if (!choices.matchesPerRendering.exists() || !share.estimate.exists()) return choices.matchesPerRendering;
+    const double mean = std::clamp(*share.estimate, 0.0, 1.0) * participants;
+    return std::fabs(mean - *choices.matchesPerRendering) <= rounding * participants ? choices.matchesPerRendering
+                                                                                     : stats::Value(mean);
+}
+
+void drawBar(PlotFrame& plot, std::size_t i, const ConditionChoices& choices, const DrawnShare& share, double participants,
              const std::string& colour)
 {
-    const stats::Value& matches = choices.matchesPerRendering;
+    const stats::Value matches = heightOfBar(choices, share, participants);
     const protocols::SvgPoint foot{plot.centre(i), plot.y(0) - 8};
     if (!matches.exists()) {
         plot.drawing().text(foot, "no data", {.size = 13, .colour = ChartColours::grey});
@@ -41,7 +59,7 @@ void drawBar(PlotFrame& plot, std::size_t i, const ConditionChoices& choices, co
     const double width = std::min(54.0, plot.slot() * 0.62);
     plot.drawing().rectangle({plot.centre(i) - width / 2, plot.y(*matches)}, width, plot.y(0) - plot.y(*matches), colour, 0.45,
                              colour, plot.conditions()[i] + ": " + fixed(*matches, 2));
-    plot.drawErrorBar(plot.centre(i), inMatches(share, participants), ChartColours::ink);
+    plot.drawErrorBar(plot.centre(i), inMatches(share.ci95, participants), ChartColours::ink);
     plot.drawing().text(foot, fixed(*matches, 1), {.size = 15, .bold = true});
 }
 
@@ -60,11 +78,11 @@ Figure matchesFigure(const StudyAnalysis& analysis, const std::string& id, const
     const auto participants = static_cast<double>(std::max<std::size_t>(1, people));
     const std::string m = std::to_string(choices.alternatives);
     Figure figure{.name = "matches_" + id,
-                  .caption = stampedCaption(
-                      analysis.data, id + ": correct matches per rendering, of " + counted(people, "participant") +
-                                         ". Bars: share correct times the number of participants. Whiskers: 95 % interval with "
-                                         "participants and fabrics as samples. Dashed line: chance, 1/" +
-                                         m + "."),
+                  .caption = stampedCaption(analysis.data,
+                                            id + ": correct matches per rendering, of " + counted(people, "participant") +
+                                                ". Bars: mean share correct times the number of participants. Whiskers: its 95 % "
+                                                "interval with participants and fabrics as samples. Dashed line: chance, 1/" +
+                                                m + "."),
                   .section = PageSection::Matches,
                   .question = id};
     PlotFrame plot(analysis.data.conditions, 0, participants, id + ": matches per rendering by condition", figure.caption,
@@ -72,7 +90,7 @@ Figure matchesFigure(const StudyAnalysis& analysis, const std::string& id, const
     plot.drawFrame("matches per rendering (of " + std::to_string(people) + ")");
     plot.drawRightAxis(participants, "share correct");
     for (std::size_t i = 0; i < plot.conditions().size(); ++i)
-        drawBar(plot, i, choices.conditions[i], intervalOf(choices, plot.conditions()[i]), participants,
+        drawBar(plot, i, choices.conditions[i], shareOf(choices, plot.conditions()[i]), participants,
                 plot.hasGroups() ? groupColour(*groupOf(plot.conditions()[i])) : plainColour());
     drawChanceLine(plot, participants / choices.alternatives, std::to_string(people));
     plot.drawRemark("whiskers: 95 % interval, participants and fabrics");

@@ -34,12 +34,12 @@ void drawMeansOfParticipants(PlotFrame& plot, const RatingAnalysis& ratings)
 {
     for (std::size_t i = 0; i < plot.conditions().size(); ++i) {
         const ConditionRatings& condition = ratings.conditions[i];
-        if (!condition.mean.exists()) continue;
+        if (!condition.meanOfParticipants.exists()) continue;
+        const double mean = *condition.meanOfParticipants;
         const double x = plot.centre(i) + plot.slot() * 0.3;
         if (condition.withinHalfWidth.exists())
-            plot.drawErrorBar(x, {*condition.mean - *condition.withinHalfWidth, *condition.mean + *condition.withinHalfWidth},
-                              ChartColours::vermilion);
-        plot.drawing().circle({x, plot.y(*condition.mean)}, 5.5, ChartColours::vermilion, ChartColours::white);
+            plot.drawErrorBar(x, {mean - *condition.withinHalfWidth, mean + *condition.withinHalfWidth}, ChartColours::vermilion);
+        plot.drawing().circle({x, plot.y(mean)}, 5.5, ChartColours::vermilion, ChartColours::white);
     }
 }
 
@@ -49,14 +49,13 @@ std::vector<Figure> participantsFigures(const StudyAnalysis& analysis, FigureWid
 {
     std::vector<Figure> figures;
     for (const RatingQuestion& question : questionsWith<RatingAnalysis>(analysis)) {
-        Figure figure{
-            .name = "participants_" + question.id(),
-            .caption = stampedCaption(analysis.data, question.id() + ": the mean of each of " +
-                                                         counted(question.findings.participants.size(), "participant") +
-                                                         " under each condition (grey). Red: mean of all ratings, with the 95 % "
-                                                         "within-participant interval (Morey)."),
-            .section = PageSection::Ratings,
-            .question = question.id()};
+        Figure figure{.name = "participants_" + question.id(),
+                      .caption = stampedCaption(analysis.data, question.id() + ": the mean of each of " +
+                                                                   counted(question.findings.participants.size(), "participant") +
+                                                                   " under each condition (grey). Red: their mean, with the 95 % "
+                                                                   "within-participant interval (Morey)."),
+                      .section = PageSection::Ratings,
+                      .question = question.id()};
         const NumberOnScale& scale = question.findings.scale;
         PlotFrame plot(analysis.data.conditions, scale.min, scale.max, question.id() + ": participants by condition",
                        figure.caption, {width, width == FigureWidth::OneColumn ? 2 : 1});

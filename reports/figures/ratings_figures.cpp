@@ -152,10 +152,10 @@ void drawMeans(PlotFrame& plot, const std::vector<RatingQuestion>& questions)
     for (std::size_t i = 0; i < plot.conditions().size(); ++i)
         for (std::size_t k = 0; k < questions.size(); ++k) {
             const ConditionRatings& ratings = questions[k].findings.conditions[i];
-            if (!ratings.mean.exists()) continue;
+            if (!ratings.meanOfParticipants.exists()) continue;
             const double x = plot.centre(i) + (static_cast<double>(k) - (n - 1) / 2) * gap;
             plot.drawErrorBar(x, ratings.ci95, seriesColour(k));
-            drawMarker(plot.drawing(), k, {x, plot.y(*ratings.mean)});
+            drawMarker(plot.drawing(), k, {x, plot.y(*ratings.meanOfParticipants)});
         }
 }
 
@@ -177,8 +177,8 @@ std::vector<Figure> ratingsFigures(const StudyAnalysis& analysis, FigureWidth wi
         Figure figure{.name = figures.empty() ? "ratings" : "ratings_" + std::to_string(figures.size() + 1),
                       .caption = stampedCaption(analysis.data, "Ratings by condition and question" +
                                                                    (groups.size() > 1 ? namesIn(questions) : std::string()) +
-                                                                   ": means over ratings. Whiskers: 95 % interval of the "
-                                                                   "participants' means." +
+                                                                   ": means of the participants' means, with their 95 % "
+                                                                   "interval." +
                                                                    anchorsCaption(analysis)),
                       .section = PageSection::Ratings};
         const NumberOnScale& scale = questions.front().findings.scale;

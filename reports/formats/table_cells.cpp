@@ -59,8 +59,9 @@ TableCell countCell(std::size_t n)
     return {text, text, text, text, "", true};
 }
 
-TableCell pCell(const stats::Value& p)
+TableCell pCell(const stats::Value& known)
 {
+    const stats::Value p = writableP(known);
     if (!p.exists()) return noValue(p.why());
     const std::string text = pText(*p);
     return {text, protocols::shortest(*p), protocols::escapedMarkup(text), text.starts_with('<') ? "$<$ .001" : text, "", true};

@@ -19,8 +19,8 @@ TableCell conditionCell(const std::string& condition);
 TableCell blankCell();
 TableCell numberCell(const stats::Value& value, int decimals);
 TableCell countCell(std::size_t n);
-TableCell pCell(const stats::Value& p);
 /// A p value too small for a double has no text.
+TableCell pCell(const stats::Value& p);
 TableCell pCell(const stats::Value& p, const stats::Value& logP);
 TableCell intervalCell(const stats::Interval& interval, int decimals);
 /// "−1.20 to 0.45".

@@ -20,6 +20,7 @@ Json floorRow(const AnchorFloor& floor)
     put(row, "sd", floor.sd);
     row["participants"] = floor.participants;
     put(row, "ci95", floor.ci95);
+    put(row, "mean_of_participants", floor.meanOfParticipants);
     row["condition"] = floor.condition;
     row["lowest_condition"] = floor.lowest;
     put(row, "lowest_mean", floor.lowestMean);
@@ -37,7 +38,7 @@ Json biasRow(const stats::RatingReliability& ratings, const std::pair<double, do
     putP(row, "p", ratings.bias.p, ratings.bias.logP);
     row["bounds"] = {bounds.first, bounds.second};
     const stats::EquivalenceTest& test = ratings.biasEquivalence;
-    put(row, "p_equivalence", test.p);
+    putP(row, "p_equivalence", test.p, test.logP);
     put(row, "ci90", test.ci);
     if (test.why.empty())
         row["equivalent"] = test.equivalent;

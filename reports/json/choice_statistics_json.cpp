@@ -36,7 +36,7 @@ Json perConditionPart(const StudyData& data, const ChoiceAnalysis& choices)
         put(row, "mean_matches_per_rendering_of_" + people,
             condition.count.trials > 0 ? condition.matchesPerRendering : exact.estimate);
         putP(row, "p_exact_greater_one_" + fractionName(choices.alternatives), exact.pGreater, exact.logPGreater);
-        put(row, "p_holm", condition.pHolm);
+        putP(row, "p_holm", condition.pHolm);
         put(row, "cp95", exact.clopperPearson);
         put(row, "wilson95", exact.wilson);
         row["generalises_to"] = theseTrials;

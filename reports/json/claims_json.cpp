@@ -45,13 +45,13 @@ Json claimRow(const std::string& question, const std::vector<std::string>& fabri
              {"fabrics", claim.mean.fabrics}};
     putMean(row, claim.mean);
     putP(row, "p", claim.difference.p, claim.difference.logP);
-    put(row, "p_adjusted", claim.pAdjusted);
+    putP(row, "p_adjusted", claim.pAdjusted);
     if (claims.bounds)
         row["bounds"] = {claims.bounds->first, claims.bounds->second};
     else
         putNull(row, "bounds", "the protocol states bounds for ratings only");
     putP(row, "p_equivalence", claim.equivalence.p, claim.equivalence.logP);
-    put(row, "p_equivalence_adjusted", claim.pEquivalenceAdjusted);
+    putP(row, "p_equivalence_adjusted", claim.pEquivalenceAdjusted);
     row["verdict"] = stats::nameOf(claim.verdict);
     Json byFabric = Json::object();
     for (std::size_t f = 0; f < fabrics.size(); ++f) put(byFabric, fabrics[f], finding.byFabric[f]);
@@ -83,7 +83,7 @@ void addAboveChance(const TakeRow& take, const std::string& question, const Ques
         Json row{{"question", question}, {"condition", finding.condition}, {"generalises_to", nameOf(finding.generalisation)}};
         putMean(row, finding.claim.mean);
         putP(row, "p", finding.claim.above.p, finding.claim.above.logP);
-        put(row, "p_adjusted", finding.claim.pAdjusted);
+        putP(row, "p_adjusted", finding.claim.pAdjusted);
         row["above_chance"] = finding.claim.isAbove;
         putReasonsLast(row);
         take(std::move(row));

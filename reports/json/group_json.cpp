@@ -19,8 +19,8 @@ Json groupTestRow(const std::vector<std::string>& groups, const GroupTest& test)
     put(row, "statistic", test.f);
     putWhole(row, "df1", test.df1);
     putWhole(row, "df2", test.df2);
-    put(row, "p", test.p);
-    put(row, "p_adjusted", test.pHolm);
+    putP(row, "p", test.p);
+    putP(row, "p_adjusted", test.pHolm);
     row["generalises_to"] = "these_fabrics";
     putReasonsLast(row);
     return row;

@@ -53,7 +53,7 @@ void addContrastRow(Json& rows, const InstructionContrast& contrast, const char*
     put(row, "statistic", difference.test.t);
     putWhole(row, "df", difference.test.df);
     putP(row, "p", difference.test.p, difference.test.logP);
-    put(row, "p_holm", difference.pHolm);
+    putP(row, "p_holm", difference.pHolm);
     putReasonsLast(row);
     rows.push_back(std::move(row));
 }

@@ -58,4 +58,6 @@ void putP(Json& object, const std::string& key, const stats::Value& p, const sta
     put(object, key, writableP(p, logP));
 }
 
+void putP(Json& object, const std::string& key, const stats::Value& p) { put(object, key, writableP(p)); }
+
 }  // namespace reports

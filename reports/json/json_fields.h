@@ -32,4 +32,7 @@ void putWhole(Json& object, const std::string& key, const stats::Value& value);
 /// A p value. One that is too small for a double is null, with its power of ten as the reason.
 void putP(Json& object, const std::string& key, const stats::Value& p, const stats::Value& logP);
 
+/// The same for a p value without a logarithm, such as a corrected one.
+void putP(Json& object, const std::string& key, const stats::Value& p);
+
 }  // namespace reports

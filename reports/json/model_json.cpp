@@ -66,9 +66,10 @@ Json modelContrastsJson(const std::vector<ModelContrast>& contrasts, const std::
         put(row, "ci95", contrast.mean.ci95);
         put(row, "ci90", contrast.mean.ci90);
         Json tost{{"bounds", {bounds.first, bounds.second}}};
-        put(tost, "p_lower", stats::testOfMean(contrast.mean, bounds.first, stats::Tail::Greater).p);
-        put(tost, "p_upper", stats::testOfMean(contrast.mean, bounds.second, stats::Tail::Less).p);
-        put(tost, "p", stats::equivalenceOfMean(contrast.mean, bounds.first, bounds.second).p);
+        const auto putTest = [&](const char* key, const stats::MeanTest& test) { putP(tost, key, test.p, test.logP); };
+        putTest("p_lower", stats::testOfMean(contrast.mean, bounds.first, stats::Tail::Greater));
+        putTest("p_upper", stats::testOfMean(contrast.mean, bounds.second, stats::Tail::Less));
+        putTest("p", stats::equivalenceOfMean(contrast.mean, bounds.first, bounds.second));
         putReasonsLast(tost);
         row["tost"] = std::move(tost);
         putReasonsLast(row);

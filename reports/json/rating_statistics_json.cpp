@@ -20,7 +20,7 @@ Json anovaPart(const stats::RepeatedMeasuresAnova& anova)
     put(part, "eps_gg", anova.epsilonGg);
     putP(part, "p_gg", anova.pGg, anova.logPGg);
     put(part, "eps_hf", anova.epsilonHf);
-    put(part, "p_hf", anova.pHf);
+    putP(part, "p_hf", anova.pHf, anova.logPHf);
     put(part, "pes", anova.partialEtaSquared);
     part["n"] = anova.blocks;
     part["generalises_to"] = "these_fabrics";
@@ -60,7 +60,7 @@ Json comparisonsPart(const std::vector<PairComparison>& comparisons)
         put(row, "t", comparison.test.t);
         putWhole(row, "df", comparison.test.df);
         putP(row, "p", comparison.test.p, comparison.test.logP);
-        put(row, "p_holm", comparison.pHolm);
+        putP(row, "p_holm", comparison.pHolm);
         row["n"] = comparison.test.n;
         row["generalises_to"] = "these_fabrics";
         rows.push_back(std::move(row));
@@ -88,16 +88,24 @@ Json equivalencePart(const PairEquivalence& equivalence)
     Json part{{"bounds", {equivalence.low, equivalence.high}}};
     put(part, "estimate", test.estimate);
     put(part, "t_lower", test.tLower);
-    put(part, "p_lower", test.pLower);
+    putP(part, "p_lower", test.pLower, test.logPLower);
     put(part, "t_upper", test.tUpper);
-    put(part, "p_upper", test.pUpper);
-    put(part, "p_tost", test.p);
+    putP(part, "p_upper", test.pUpper, test.logPUpper);
+    putP(part, "p_tost", test.p, test.logP);
     put(part, "ci90", test.ci);
-    put(part, "nhst_p", test.pDifference);
+    putP(part, "nhst_p", test.pDifference, test.logPDifference);
     put(part, "dz", test.dZ);
     part["n"] = test.n;
     part["generalises_to"] = "these_fabrics";
     return part;
+}
+
+void putEquivalences(Json& part, const StudyData& data, const std::vector<PairEquivalence>& equivalences)
+{
+    const auto names = shortNames(data.conditions);
+    for (const PairEquivalence& equivalence : equivalences)
+        part["tost_" + names.at(equivalence.pair.a) + "_vs_" + names.at(equivalence.pair.b) + "_participant"] =
+            equivalencePart(equivalence);
 }
 
 /// Means of all participants; null where one has no answer under a condition.
@@ -118,30 +126,45 @@ Json meanTable(const StudyData& data, const RatingAnalysis& ratings)
     return table;
 }
 
+/// Where answers are missing, the names of the reference keep the reference's means over all fabrics that are answered. The tests
+/// of page, tables and results.json then stand here.
+Json commonFabricsPart(const StudyData& data, const RatingAnalysis& ratings)
+{
+    Json part{{"participants_complete", ratings.completeParticipants}, {"morey95_halfwidth", Json::object()}};
+    for (std::size_t i = 0; i < data.conditions.size(); ++i)
+        put(part["morey95_halfwidth"], data.conditions[i], ratings.conditions[i].withinHalfWidth);
+    part["rm_anova"] = anovaPart(ratings.anova);
+    part["friedman"] = friedmanPart(ratings.friedman);
+    part["pairwise_t_participant_means"] = comparisonsPart(ratings.comparisons);
+    putEquivalences(part, data, ratings.equivalences);
+    part["icc_conditions_by_participants"] = iccPart(ratings.anova);
+    return part;
+}
+
 }  // namespace
 
 Json ratingStatistics(const StudyData& data, const RatingAnalysis& ratings)
 {
     Json part{{"cell_mean", Json::object()}, {"n_ratings", Json::object()}};
     Json widths = Json::object();
+    const auto& over = ratings.overAnswered;
+    const stats::RepeatedMeasuresAnova& anova = over ? over->anova : ratings.anova;
     for (std::size_t i = 0; i < data.conditions.size(); ++i) {
         put(part["cell_mean"], data.conditions[i], ratings.conditions[i].mean);
         part["n_ratings"][data.conditions[i]] = ratings.conditions[i].ratings;
-        put(widths, data.conditions[i], ratings.conditions[i].withinHalfWidth);
+        put(widths, data.conditions[i], anova.moreyHalfWidths[i]);
     }
-    part["participants_complete"] = ratings.completeParticipants;
+    part["participants_complete"] = over ? over->completeParticipants : ratings.completeParticipants;
     part["participant_mean_table"] = meanTable(data, ratings);
     part["morey95_halfwidth"] = std::move(widths);
-    part["rm_anova"] = anovaPart(ratings.anova);
-    part["friedman"] = friedmanPart(ratings.friedman);
+    part["rm_anova"] = anovaPart(anova);
+    part["friedman"] = friedmanPart(over ? over->friedman : ratings.friedman);
     part["lmm"] = ratingModelJson(ratings.model);
     part["lmm"]["generalises_to"] = "fabrics_like_these";
-    part["pairwise_t_participant_means"] = comparisonsPart(ratings.comparisons);
-    const auto names = shortNames(data.conditions);
-    for (const PairEquivalence& equivalence : ratings.equivalences)
-        part["tost_" + names.at(equivalence.pair.a) + "_vs_" + names.at(equivalence.pair.b) + "_participant"] =
-            equivalencePart(equivalence);
-    part["icc_conditions_by_participants"] = iccPart(ratings.anova);
+    part["pairwise_t_participant_means"] = comparisonsPart(over ? over->comparisons : ratings.comparisons);
+    putEquivalences(part, data, over ? over->equivalences : ratings.equivalences);
+    part["icc_conditions_by_participants"] = iccPart(anova);
+    if (over) part["on_common_fabrics"] = commonFabricsPart(data, ratings);
     return part;
 }
 

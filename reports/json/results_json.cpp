@@ -57,6 +57,7 @@ Json conditionPart(const ConditionRatings& ratings)
     put(part, "sd", ratings.sd);
     part["participants"] = ratings.participants;
     put(part, "ci95", ratings.ci95);
+    put(part, "mean_of_participants", ratings.meanOfParticipants);
     putReasonsLast(part);
     return part;
 }
@@ -88,7 +89,7 @@ Json comparisonRow(const std::string& question, const PairComparison& comparison
     put(row, "statistic", test.t);
     putWhole(row, "df", test.df);
     putP(row, "p", test.p, test.logP);
-    put(row, "p_holm", comparison.pHolm);
+    putP(row, "p_holm", comparison.pHolm);
     put(row, "mean_difference", test.estimate);
     put(row, "ci95", test.ci);
     put(row, "d_z", test.dZ);
@@ -104,9 +105,9 @@ Json equivalenceRow(const std::string& question, const PairEquivalence& equivale
              {"a", equivalence.pair.a},
              {"b", equivalence.pair.b},
              {"bounds", {equivalence.low, equivalence.high}}};
-    put(row, "p_lower", test.pLower);
-    put(row, "p_upper", test.pUpper);
-    put(row, "p", test.p);
+    putP(row, "p_lower", test.pLower, test.logPLower);
+    putP(row, "p_upper", test.pUpper, test.logPUpper);
+    putP(row, "p", test.p, test.logP);
     if (test.why.empty())
         row["equivalent"] = test.equivalent;
     else

@@ -26,7 +26,7 @@ void addSpeedRow(Json& rows, const SpeedContrast& contrast, const std::string& m
              {"planned", contrast.planned},
              {"generalises_to", onlyTheseFabrics}};
     putMeanTest(row, difference.test);
-    put(row, "p_holm", difference.pHolm);
+    putP(row, "p_holm", difference.pHolm);
     putReasonsLast(row);
     rows.push_back(std::move(row));
 }
@@ -53,7 +53,7 @@ Json contrastPart(const ContrastWithoutTrend& contrast)
         putNull(part, "without_trend", contrast.why);
         return part;
     }
-    part = {{"a", contrast.a}, {"b", contrast.b}, {"primary", contrast.primary}};
+    part = {{"a", contrast.a}, {"b", contrast.b}, {"primary", contrast.primary}, {"picked_from", contrast.pickedFrom}};
     const auto testPart = [](const stats::TTest& test) {
         Json row = Json::object();
         putMeanTest(row, test);
@@ -121,7 +121,7 @@ Json orderEffectsJson(const OrderEffects& effects)
         for (const OrderEffect& effect : question.effects) {
             Json one = Json::object();
             putMeanTest(one, effect.trend.test);
-            put(one, "p_holm", effect.pHolm);
+            putP(one, "p_holm", effect.pHolm);
             putReasonsLast(one);
             row[keyOf(effect.kind)] = std::move(one);
         }

@@ -29,7 +29,8 @@ std::string floorSentences(const std::string& question, const AnchorFloor& floor
 {
     const std::string images = floor.condition.empty() ? "images" : htmlLabel(floor.condition) + " images";
     std::string text = question + " floor: with another fabric on the tray, " + images + " were rated " +
-                       valueWithInterval(floor.mean, floor.ci95, 1) + " on average (" + counted(floor.ratings, "rating") + ").";
+                       valueWithInterval(floor.meanOfParticipants, floor.ci95, 1) + " on average (" +
+                       counted(floor.ratings, "rating") + ").";
     if (floor.shareAbove.exists())
         text += " " + percentText(*floor.shareAbove, 1) + " of these ratings lie above the mean of " + htmlLabel(floor.lowest) +
                 ", the lowest condition.";

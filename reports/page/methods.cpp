@@ -1,6 +1,7 @@
 #include "reports/page/methods.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "protocols/files/markup_text.h"
@@ -34,11 +35,18 @@ std::string chanceText(const ChoiceQuestions& questions)
 std::string chanceSentence(const ChoiceQuestions& questions)
 {
     std::string text = "Chance is " + chanceText(questions);
-    if (haveOneChance(questions)) return text + ".";
+    std::vector<std::string> assumed;
+    for (const auto& question : questions)
+        if (question.analysis.question.alternativesAssumed) assumed.push_back(protocols::escapedMarkup(question.id()));
+    const std::string origin = assumed.empty()
+                                   ? std::string()
+                                   : " For " + listed(assumed) + " this is the default of this program: no protocol " +
+                                         "and no option stated the number of alternatives.";
+    if (haveOneChance(questions)) return text + "." + origin;
     std::vector<std::string> each;
     for (const auto& question : questions)
         each.push_back(std::to_string(question.findings.alternatives) + " for " + protocols::escapedMarkup(question.id()));
-    return text + ", where m is the number of answers to choose from: " + listed(each) + ".";
+    return text + ", where m is the number of answers to choose from: " + listed(each) + "." + origin;
 }
 
 std::string boundsText(const StudyData& data)
@@ -88,9 +96,35 @@ std::string unitParagraph()
 {
     return "<b>Unit of analysis.</b> The answers of one participant are not independent, and neither are the answers to one "
            "fabric. "
-           "No test between conditions counts them one by one. Means and SDs of ratings describe the ratings. Their 95 % "
-           "intervals "
-           "(Student's t) are those of the participants' means.";
+           "No test between conditions counts them one by one. Means and SDs of ratings describe the ratings. "
+           "95 % intervals (Student's t) are those of the participants' means. Where participants have unequal numbers of "
+           "ratings, "
+           "the mean of these means differs from that of all ratings. Figures show it with its interval, and tables have both.";
+}
+
+/// What a share correct of 1/2 means, by the share of pairs that were the same under each condition.
+std::string halfSentences(const AnalysedQuestion<ChoiceAnalysis>& question)
+{
+    std::optional<double> least, most;
+    for (const ConditionChoices& condition : question.findings.conditions) {
+        if (!condition.matches) continue;
+        const auto same = static_cast<double>(condition.matches->counts.same);
+        const double pairs = same + static_cast<double>(condition.matches->counts.different);
+        if (!(pairs > 0)) continue;
+        least = std::min(least.value_or(1), same / pairs);
+        most = std::max(most.value_or(0), same / pairs);
+    }
+    const std::string tested = " The share correct of " + protocols::escapedMarkup(question.id()) + " is tested against 1/2";
+    if (!least)
+        return tested +
+               ". The answers do not show how many pairs were the same: guessing gives 1/2 only where half of them were.";
+    if (*least == 0.5 && *most == 0.5)
+        return tested +
+               ", because half of the pairs were the same. Whoever feels no difference gets half of them right on average.";
+    const std::string low = percentText(*least, 1), high = percentText(*most, 1);
+    return tested + ", but " + (low == high ? low : low + " to " + high) +
+           " of the pairs were the same. A participant who prefers one of the two words is then not right in half of them. "
+           "d\u2032 is the measure to read.";
 }
 
 /// Empty where no question asks for same or different.
@@ -99,12 +133,15 @@ std::string hitsSentences(const ChoiceQuestions& questions)
     const bool isAsked = std::any_of(questions.begin(), questions.end(),
                                      [](const auto& question) { return ruleOfDPrime(question.findings) == DPrimeRule::OfHits; });
     if (!isAsked) return "";
+    std::string halves;
+    for (const auto& question : questions)
+        if (ruleOfDPrime(question.findings) == DPrimeRule::OfHits) halves += halfSentences(question);
     return " In a question of same or different, d\u2032 is z(hit rate) \u2212 z(false-alarm rate). A hit is &ldquo;same&rdquo; "
            "said of a pair that was the same. d\u2032 does not depend on how readily a participant says &ldquo;same&rdquo;; the "
            "criterion c measures that. 1/2 is added to each count and 1 to each number of pairs (Hautus 1995). Intervals are by "
            "the jackknife: over participants, or over participants and fabrics. The answers of all participants are pooled. So "
-           "d\u2032 comes out somewhat too small where their criteria differ. The share correct is tested against 1/2, because "
-           "half of the pairs are the same: whoever feels no difference gets half of them right on average.";
+           "d\u2032 comes out somewhat too small where their criteria differ." +
+           halves;
 }
 
 std::string matchesParagraph(const StudyData& data, const ChoiceQuestions& questions)
@@ -127,7 +164,10 @@ std::string pairsParagraph()
 {
     return "<b>All pairs of participants' means.</b> All pairs of conditions are also compared by two-sided paired t tests, on "
            "the "
-           "participants who answered under both conditions. Holm's correction covers all pairs of a question. These tests hold "
+           "participants who answered under both conditions. A participant's means are those over the fabrics answered under "
+           "both, with repetitions averaged first. Otherwise a missing answer would make a difference of fabrics look like one "
+           "of conditions. Analyses of variance and rank tests take the fabrics answered under all conditions. "
+           "Holm's correction covers all pairs of a question. These tests hold "
            "for "
            "these fabrics only. d<sub>z</sub> is the mean difference divided by the SD of the differences.";
 }
@@ -161,8 +201,8 @@ std::string omnibusParagraph(bool hasChoices, bool hasRatings)
     std::string text = "<b>All conditions.</b>";
     if (hasRatings)
         text +=
-            " Ratings: repeated-measures analysis of variance on complete participants, always with the Greenhouse&ndash;Geisser "
-            "correction beside it, and Friedman's test, corrected for ties.";
+            " Ratings: repeated-measures analysis of variance with the Greenhouse&ndash;Geisser correction beside it, and "
+            "Friedman's test, corrected for ties. Both take participants with a fabric that they rated under all conditions.";
     if (hasChoices)
         text +=
             " Choices: Cochran's Q over blocks of participant &times; fabric. It takes all answers as independent and only "
@@ -259,7 +299,9 @@ std::string orderParagraph()
            "trials, with effects of condition and fabric. The same is done for the logarithm of the response time, and for later "
            "sittings against the first. The mean of the participants' slopes is tested by Student's t, for these fabrics. "
            "Where the running orders balance the conditions over the trials, a change over trials adds noise and no bias. "
-           "As a check, one contrast of each question is also shown without each participant's own trend.";
+           "As a check, one contrast of each question is also shown without each participant's own trend: the primary one, or "
+           "the "
+           "largest. p and interval of the largest have Bonferroni's correction for the contrasts that it was picked from.";
 }
 
 std::string participantsParagraph(const StudyData& data)

@@ -68,10 +68,17 @@ matches <- function(question, condition, chance) {
 ratings <- function(question, condition) {
   value <- valuesOf(question, condition)
   means <- without(meansOf(question, condition))
-  interval <- if (length(means) > 1 && areEqual(means)) means[c(1, 1)] else testOf(means)$conf.int  # a point of equal means
+  interval <- testOf(means)$conf.int
   list(n = length(value), mean = mean(value), sd = sd(value), ci95_low = interval[1], ci95_high = interval[2])
 }
-differences <- function(question, a, b) without(meansOf(question, a) - meansOf(question, b))
+# Each participant's means over the fabrics that have an answer under both conditions.
+differences <- function(question, a, b) {
+  first <- under(cellsOf(question), a)
+  second <- under(cellsOf(question), b)
+  first[is.na(second)] <- NA
+  second[is.na(first)] <- NA
+  without(participantMeans(first) - participantMeans(second))
+}
 comparison <- function(question, a, b) {
   d <- differences(question, a, b)
   test <- testOf(d)
@@ -98,7 +105,7 @@ anchorFloor <- function(question) {
   own <- anchorsOf(question, "mismatched")
   value <- as.numeric(own$first)
   means <- c(tapply(value, own$participant, mean))
-  interval <- if (length(means) > 1 && areEqual(means)) means[c(1, 1)] else testOf(means)$conf.int
+  interval <- testOf(means)$conf.int
   list(n = length(value), mean = mean(value), sd = sd(value), ci95_low = interval[1], ci95_high = interval[2])
 }
 # ICC(2,1) of two answers each, from the table of the analysis of variance.

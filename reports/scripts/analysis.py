@@ -47,10 +47,17 @@ def sd(numbers):
     return math.sqrt(math.fsum((x - centre) ** 2 for x in numbers) / (len(numbers) - 1)) if len(numbers) > 1 else math.nan
 
 
-def means_of(question, condition):
-    """Mean of each participant who answered, over fabrics; repetitions of a fabric are averaged first."""
-    own = ((p, cells.get((question, condition, p))) for p in participants)
-    return {p: mean([mean(numbers) for numbers in fabrics.values()]) for p, fabrics in own if fabrics}
+def means_of(question, condition, other=None):
+    """Mean of each participant who answered, over fabrics; repetitions of a fabric are averaged first. With another condition:
+    over the fabrics that the participant answered under both."""
+    means = {}
+    for p in participants:
+        fabrics = cells.get((question, condition, p), {})
+        common = fabrics if other is None else cells.get((question, other, p), {})
+        own = [mean(numbers) for fabric, numbers in fabrics.items() if fabric in common]
+        if own:
+            means[p] = mean(own)
+    return means
 
 
 def are_equal(numbers):
@@ -80,13 +87,12 @@ def matches(question, condition, chance):
 def ratings(question, condition):
     own = values[question, condition]
     means = list(means_of(question, condition).values())
-    is_point = len(means) > 1 and are_equal(means)  # the interval of equal numbers is a point
-    low, high = (means[0], means[0]) if is_point else interval(means, 0.95)
+    low, high = interval(means, 0.95)
     return {"n": len(own), "mean": mean(own), "sd": sd(own), "ci95_low": low, "ci95_high": high}
 
 
 def differences(question, a, b):
-    first, second = means_of(question, a), means_of(question, b)
+    first, second = means_of(question, a, b), means_of(question, b, a)
     return [first[p] - second[p] for p in participants if p in first and p in second]
 
 
@@ -152,7 +158,7 @@ def anchor_floor(question):
             own[row["participant"]].append(float(row["first"]))
     every = [x for numbers in own.values() for x in numbers]
     means = [mean(numbers) for numbers in own.values()]
-    low, high = (means[0], means[0]) if len(means) > 1 and are_equal(means) else interval(means, 0.95)
+    low, high = interval(means, 0.95)
     return {"n": len(every), "mean": mean(every), "sd": sd(every), "ci95_low": low, "ci95_high": high}
 
 

@@ -1,5 +1,8 @@
 #include "reports/tables/omnibus_tables.h"
 
+#include <cmath>
+
+#include "protocols/files/number_text.h"
 #include "reports/analysis/claim_words.h"
 #include "reports/formats/table_cells.h"
 #include "reports/text/number_text.h"
@@ -10,13 +13,31 @@ namespace {
 
 constexpr const char* theseTrials = "these trials";  // every answer counts as independent
 
-/// "8, 72".
-std::string dfText(const stats::Value& first, const stats::Value& second)
+/// Degrees of freedom: "8, 62.1" on the page, with all digits in files. Satterthwaite's are no whole numbers.
+struct DegreesText {
+    std::string shown = "-";
+    std::string exact = "-";
+};
+
+DegreesText dfText(const stats::Value& df)
 {
-    return first.exists() && second.exists() ? fixed(*first, 0) + ", " + fixed(*second, 0) : "-";
+    if (!df.exists()) return {};
+    return {fixed(*df, *df == std::floor(*df) ? 0 : 1), protocols::shortest(*df)};
 }
 
-std::string dfText(const stats::Value& df) { return df.exists() ? fixed(*df, 0) : "-"; }
+DegreesText dfText(const stats::Value& first, const stats::Value& second)
+{
+    if (!first.exists() || !second.exists()) return {};
+    const DegreesText one = dfText(first), two = dfText(second);
+    return {one.shown + ", " + two.shown, one.exact + ", " + two.exact};
+}
+
+TableCell degreesCell(const DegreesText& df)
+{
+    TableCell cell = numericTextCell(df.shown);
+    cell.csv = df.exact;
+    return cell;
+}
 
 /// One row of the table.
 struct OmnibusRow {
@@ -24,7 +45,7 @@ struct OmnibusRow {
     std::string holdsFor;
     std::size_t n = 0;
     stats::Value statistic;
-    std::string df;
+    DegreesText df;
     stats::Value p;
     stats::Value logP;
     TableCell pGreenhouseGeisser = blankCell();
@@ -36,14 +57,14 @@ TableCell statisticCell(const OmnibusRow& row)
 {
     const TableCell number = numberCell(row.statistic, 2);
     if (!row.statistic.exists()) return number;
-    const std::string df = " (" + row.df + ")";
+    const std::string df = " (" + row.df.shown + ")";
     return {number.text + df, number.csv, number.html + df, number.tex + df, "", true};
 }
 
 void addOmnibusRow(Table& table, const std::string& id, const OmnibusRow& row)
 {
     table.rows.push_back({textCell(id), textCell(row.test), textCell(row.holdsFor), countCell(row.n),
-                          numberCell(row.statistic, 2), numericTextCell(row.df), statisticCell(row), pCell(row.p, row.logP),
+                          numberCell(row.statistic, 2), degreesCell(row.df), statisticCell(row), pCell(row.p, row.logP),
                           row.pGreenhouseGeisser, textCell(row.effect)});
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "reports/formats/table_cells.h"
+#include "reports/text/plain_words.h"
 
 namespace reports {
 namespace {
@@ -55,11 +56,25 @@ Table effectsTable(const StudyAnalysis& analysis)
     return table;
 }
 
+/// Empty where every contrast is a primary one.
+std::string pickedText(const OrderEffects& effects)
+{
+    std::vector<std::string> picked;
+    for (const QuestionOrder& order : effects.questions)
+        if (order.contrast.why.empty() && order.contrast.pickedFrom > 1)
+            picked.push_back(std::to_string(order.contrast.pickedFrom) + " for " + order.question);
+    return picked.empty() ? std::string()
+                          : ". p and intervals of the largest have Bonferroni's correction for the contrasts that it was picked "
+                            "from: " +
+                                listed(picked);
+}
+
 Table contrastsTable(const StudyAnalysis& analysis)
 {
     Table table{"order_contrasts",
                 "A contrast of each question as it is, and without each participant's own trend over the trials: the primary "
-                "contrast, or the largest without a primary one. Paired t tests over participants, for these fabrics",
+                "contrast, or the largest without a primary one. Paired t tests over participants, for these fabrics" +
+                    pickedText(analysis.order),
                 {"question",
                  "a",
                  "b",

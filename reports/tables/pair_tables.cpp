@@ -69,8 +69,8 @@ void addRow(Table& table, const std::string& question, const PairEquivalence& eq
     const stats::EquivalenceTest& test = equivalence.test;
     table.rows.push_back({textCell(question), conditionCell(equivalence.pair.a), conditionCell(equivalence.pair.b),
                           countCell(test.n), numberCell(test.estimate, 2), numberCell(test.ci.low, 2),
-                          numberCell(test.ci.high, 2), intervalCell(test.ci, 2), pCell(test.pLower), pCell(test.pUpper),
-                          pCell(test.p), textCell(equivalence.verdict)});
+                          numberCell(test.ci.high, 2), intervalCell(test.ci, 2), pCell(test.pLower, test.logPLower),
+                          pCell(test.pUpper, test.logPUpper), pCell(test.p, test.logP), textCell(equivalence.verdict)});
 }
 
 std::string boundsText(const StudyData& data)

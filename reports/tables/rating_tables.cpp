@@ -14,19 +14,21 @@ void addAnchorRows(Table& table, const QuestionAnchors& anchors)
     if (anchors.floor) {
         const AnchorFloor& floor = *anchors.floor;
         table.rows.push_back({textCell("floor: another fabric"), countCell(floor.ratings), meanSdCell(floor.mean, floor.sd, 2),
-                              numberCell(floor.sd, 2), countCell(floor.participants), numberCell(floor.ci95.low, 2),
-                              numberCell(floor.ci95.high, 2), intervalCell(floor.ci95, 2), blankCell()});
+                              numberCell(floor.sd, 2), countCell(floor.participants), numberCell(floor.meanOfParticipants, 2),
+                              numberCell(floor.ci95.low, 2), numberCell(floor.ci95.high, 2), intervalCell(floor.ci95, 2),
+                              blankCell()});
     }
     if (anchors.ratings) {
         const stats::Estimate& ceiling = anchors.ratings->meanCeiling;
         table.rows.push_back({textCell("ceiling: noise of the answers"), blankCell(), numberCell(ceiling.value, 2), blankCell(),
-                              countCell(anchors.ratings->participants), numberCell(ceiling.ci95.low, 2),
+                              countCell(anchors.ratings->participants), blankCell(), numberCell(ceiling.ci95.low, 2),
                               numberCell(ceiling.ci95.high, 2), intervalCell(ceiling.ci95, 2), blankCell()});
     }
 }
 
 Table ratingsTable(const StudyAnalysis& analysis, const RatingQuestion& question)
 {
+    const bool isUnequal = haveUnequalCounts(question.findings);
     Table table{lowerCase(question.id()) + "_ratings",
                 question.id() + ": ratings, with the 95 % interval of the participants' means",
                 {"condition",
@@ -34,6 +36,7 @@ Table ratingsTable(const StudyAnalysis& analysis, const RatingQuestion& question
                  "mean \u00B1 SD",
                  {"sd", ColumnUse::InCsv},
                  "participants",
+                 {"mean of participants", isUnequal ? ColumnUse::Everywhere : ColumnUse::InCsv},
                  {"95 % CI low", ColumnUse::InCsv},
                  {"95 % CI high", ColumnUse::InCsv},
                  {"95 % CI", ColumnUse::InDocuments},
@@ -43,7 +46,8 @@ Table ratingsTable(const StudyAnalysis& analysis, const RatingQuestion& question
         const ConditionRatings& ratings = question.findings.conditions[i];
         table.rows.push_back({conditionCell(analysis.data.conditions[i]), countCell(ratings.ratings),
                               meanSdCell(ratings.mean, ratings.sd, 2), numberCell(ratings.sd, 2), countCell(ratings.participants),
-                              numberCell(ratings.ci95.low, 2), numberCell(ratings.ci95.high, 2), intervalCell(ratings.ci95, 2),
+                              numberCell(ratings.meanOfParticipants, 2), numberCell(ratings.ci95.low, 2),
+                              numberCell(ratings.ci95.high, 2), intervalCell(ratings.ci95, 2),
                               numberCell(ratings.withinHalfWidth, 2)});
     }
     if (const QuestionAnchors* anchors = anchorsOf(analysis.anchors, question.id())) addAnchorRows(table, *anchors);
@@ -81,7 +85,7 @@ Table anchorsTable(const StudyAnalysis& analysis)
         std::vector<TableCell> row{textCell(anchors.question)};
         row.push_back(anchors.floor ? countCell(anchors.floor->ratings) : blankCell());
         if (anchors.floor)
-            addEstimate(row, anchors.floor->mean, anchors.floor->ci95);
+            addEstimate(row, anchors.floor->meanOfParticipants, anchors.floor->ci95);
         else
             row.resize(row.size() + 4, blankCell());
         row.push_back(anchors.floor ? numberCell(anchors.floor->shareAbove, 2) : blankCell());

@@ -17,6 +17,11 @@ stats::Value writableP(const stats::Value& p, const stats::Value& logP)
     return stats::Value::undefined("below the smallest double; log10 p = " + fixed(*logP / std::numbers::ln10, 2));
 }
 
+stats::Value writableP(const stats::Value& p)
+{
+    return p.exists() && *p == 0 ? stats::Value::undefined("below the smallest double") : p;
+}
+
 std::string percentText(double part, double whole) { return fixed(100 * part / whole, 0) + " %"; }
 
 std::string typeset(const std::string& number) { return number.starts_with('-') ? "\u2212" + number.substr(1) : number; }

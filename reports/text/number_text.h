@@ -15,6 +15,8 @@ std::string pText(double p);
 
 /// The p value itself, unless it is too small for a double: then undefined, with its power of ten as the reason.
 stats::Value writableP(const stats::Value& p, const stats::Value& logP);
+/// The same for a p value without a logarithm, such as a corrected one: a test never gives 0.
+stats::Value writableP(const stats::Value& p);
 
 /// "12 %" for 3 of 25.
 std::string percentText(double part, double whole);

@@ -51,7 +51,17 @@ std::vector<MatchCounts> clustersOf(const std::vector<MatchAnswer>& answers, Clu
     return clusters;
 }
 
-/// The jackknife's variances of both indices; zero with one cluster.
+/// The largest difference that rounding leaves between equal indices.
+constexpr double roundingOfIndices = 1e-12;
+
+/// Whether leaving out one cluster or another changes the index.
+bool varies(const std::vector<Indices>& left, double Indices::*index)
+{
+    const auto [low, high] = std::ranges::minmax(left, {}, index);
+    return high.*index - low.*index > roundingOfIndices;
+}
+
+/// The jackknife's variances of both indices; zero with one cluster, and where all clusters have the same answers.
 Indices jackknifeVariances(const MatchCounts& all, const std::vector<MatchCounts>& clusters)
 {
     const auto n = static_cast<double>(clusters.size());
@@ -68,6 +78,8 @@ Indices jackknifeVariances(const MatchCounts& all, const std::vector<MatchCounts
         variance.dPrime += (n - 1) / n * (one.dPrime - mean.dPrime) * (one.dPrime - mean.dPrime);
         variance.criterion += (n - 1) / n * (one.criterion - mean.criterion) * (one.criterion - mean.criterion);
     }
+    for (double Indices::*const index : {&Indices::dPrime, &Indices::criterion})
+        if (!varies(left, index)) variance.*index = 0;
     return variance;
 }
 
@@ -75,6 +87,10 @@ Interval around(double estimate, double variance, std::size_t clusters, const ch
 {
     if (clusters < 2) {
         const Value none = Value::undefined(std::string("an interval needs two ") + what);
+        return {none, none};
+    }
+    if (!(variance > 0)) {
+        const Value none = Value::undefined("no variation: all have the same rates");
         return {none, none};
     }
     const double reach = studentQuantile(0.025, static_cast<double>(clusters - 1)) * std::sqrt(variance);

@@ -49,7 +49,8 @@ struct MatchSensitivity {
     ClusteredIndex criterion;
 };
 
-/// Refused with a reason: no pair that was the same, or none that differed. Intervals need two participants, and two fabrics.
+/// Refused with a reason: no pair that was the same, or none that differed. Intervals need two participants, and two fabrics,
+/// and rates that are not the same for all.
 MatchSensitivity matchSensitivity(const std::vector<MatchAnswer>& answers);
 
 }  // namespace stats

@@ -76,6 +76,8 @@ Description describe(std::span<const double> values)
     description.autocorrelationLag1 = lagOne(scaled.sample(0), moments);
     description.ci95 = {scaled.unscaled(moments.shift + (moments.residual - margin)),
                         scaled.unscaled(moments.shift + (moments.residual + margin))};
+    if (isConstantButForRounding(moments, scaled.sample(0), scaled.exponent()))
+        description.ci95.low = description.ci95.high = Value::undefined("no variation: all values are equal");
     description.variance = scaled.unscaledSquare(moments.variance());
     return description;
 }

@@ -20,7 +20,7 @@ struct Description {
     Value q3;
     Value min;
     Value max;
-    Interval ci95;  ///< confidence interval of the mean, Student's t
+    Interval ci95;  ///< confidence interval of the mean, Student's t; undefined without variation
 };
 
 /// Describes a sample. Where a value is infinite, everything but the counts is undefined.

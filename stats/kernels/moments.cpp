@@ -189,4 +189,19 @@ std::string nonFiniteFault(std::span<const double> x, const std::string& name)
            (std::isnan(*found) ? " is not a number" : " is infinite");
 }
 
+bool areWhole(std::span<const double> scaled, int exponent)
+{
+    return std::ranges::all_of(scaled, [exponent](double value) {
+        const double own = std::ldexp(value, exponent);
+        return own == std::floor(own);
+    });
+}
+
+bool isConstantButForRounding(const Moments& moments, std::span<const double> scaled, int exponent)
+{
+    const double largest = std::max(std::fabs(moments.smallest), std::fabs(moments.largest));
+    const double spread = moments.largest - moments.smallest;
+    return isConstant(moments) || (spread <= computedNoise * unitInLastPlace(largest) && !areWhole(scaled, exponent));
+}
+
 }  // namespace stats

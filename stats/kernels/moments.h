@@ -67,6 +67,15 @@ PairedMoments pairedMomentsOf(std::span<const double> x, std::span<const double>
 /// True where all numbers are equal up to the last bit of the largest: their spread is rounding error.
 bool isConstant(const Moments& moments);
 
+/// Whether the scaled numbers are whole in their own unit; whole numbers are exact, whatever their size.
+bool areWhole(std::span<const double> scaled, int exponent);
+
+/// Units in the last place by which equal numbers may differ that were computed, such as means of ratings and their differences.
+inline constexpr double computedNoise = 32;
+
+/// True where numbers that were computed differ by no more than rounding.
+bool isConstantButForRounding(const Moments& moments, std::span<const double> scaled, int exponent);
+
 /// "value 3 of x is not a number", counted from 1; empty where all numbers are finite.
 std::string nonFiniteFault(std::span<const double> x, const std::string& name);
 

@@ -1,9 +1,30 @@
 #include "stats/kernels/ranks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
+#include "stats/kernels/decimal_grid.h"
+#include "stats/kernels/moments.h"
+
 namespace stats {
+
+std::vector<double> withoutRounding(std::span<const double> x, double size)
+{
+    std::vector<double> rounded(x.begin(), x.end());
+    const auto isWhole = [](double value) { return value == std::trunc(value); };
+    if (decimalGridOf(x) || std::all_of(x.begin(), x.end(), isWhole)) return rounded;
+    std::vector<std::size_t> order(x.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [x](std::size_t a, std::size_t b) { return x[a] < x[b]; });
+    for (std::size_t i = 1; i < order.size(); ++i) {
+        double& value = rounded[order[i]];
+        const double before = rounded[order[i - 1]];
+        const double largest = std::max({size, std::fabs(value), std::fabs(before)});
+        if (value - before <= computedNoise * unitInLastPlace(largest)) value = before;
+    }
+    return rounded;
+}
 
 template <typename T>
 MidRanks midRanks(std::span<const T> x)

@@ -8,26 +8,6 @@ namespace {
 
 double largestMagnitude(const Moments& moments) { return std::max(std::fabs(moments.smallest), std::fabs(moments.largest)); }
 
-/// Units in the last place by which equal numbers may differ that were computed, such as means of ratings and their differences.
-constexpr double computedNoise = 32;
-
-/// Whole numbers are exact, whatever their size.
-bool areWhole(std::span<const double> scaled, int exponent)
-{
-    return std::ranges::all_of(scaled, [exponent](double value) {
-        const double own = std::ldexp(value, exponent);
-        return own == std::floor(own);
-    });
-}
-
-/// True where numbers that were computed differ by no more than rounding.
-bool isConstantButForRounding(const Moments& moments, std::span<const double> scaled, int exponent)
-{
-    const double spread = moments.largest - moments.smallest;
-    return isConstant(moments) ||
-           (spread <= computedNoise * unitInLastPlace(largestMagnitude(moments)) && !areWhole(scaled, exponent));
-}
-
 /// True where all differences are the same decimal: their doubles then differ by at most two units in the last place of the
 /// inputs, those of means by some more.
 bool isConstantDifference(const PairedMoments& moments, const ScaledSamples& scaled)

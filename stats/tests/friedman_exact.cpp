@@ -114,7 +114,7 @@ std::vector<RankSums> ranksOf(const BlockTable& table)
     std::vector<RankSums> all;
     for (std::size_t block = 0; block < table.blocks; ++block) {
         RankSums ranks{{}, table.conditions};
-        const auto doubled = midRanks<double>(table.row(block)).doubled;
+        const auto doubled = midRanks<double>(withoutRounding(table.row(block))).doubled;
         std::copy(doubled.begin(), doubled.end(), ranks.sum.begin());
         all.push_back(ranks);
     }

@@ -77,7 +77,7 @@ FriedmanTest friedmanTest(const BlockTable& table)
     std::vector<long long> sums(table.conditions, 0);
     double tied = 0;
     for (std::size_t block = 0; block < table.blocks; ++block) {
-        const MidRanks ranks = midRanks<double>(table.row(block));
+        const MidRanks ranks = midRanks<double>(withoutRounding(table.row(block)));
         for (std::size_t condition = 0; condition < table.conditions; ++condition) sums[condition] += ranks.doubled[condition];
         for (const std::size_t size : ranks.ties) {
             const auto t = static_cast<double>(size);

@@ -21,6 +21,7 @@ struct FriedmanTest {
     Value fLogP;
 };
 
+/// Values of a block that differ by rounding alone are ties.
 FriedmanTest friedmanTest(const BlockTable& table);
 
 struct CochranTest {

@@ -21,6 +21,22 @@ struct PairedDifferences {
     double unitsPerOne = 1;
 };
 
+/// Magnitudes of differences that only rounding tells apart, or apart from zero, become equal.
+void makeTies(std::vector<double>& differences, const std::vector<double>& numbers)
+{
+    double size = 0;
+    bool isExact = true;
+    for (const double number : numbers) {
+        size = std::max(size, std::fabs(number));
+        isExact = isExact && number == std::trunc(number);
+    }
+    if (isExact) return;  // above 10^15 they have no grid, but are exact
+    std::vector<double> magnitudes{0};
+    for (const double difference : differences) magnitudes.push_back(std::fabs(difference));
+    const std::vector<double> tied = withoutRounding(magnitudes, size);
+    for (std::size_t i = 0; i < differences.size(); ++i) differences[i] = std::copysign(tied[i + 1], differences[i]);
+}
+
 PairedDifferences differencesOf(std::span<const double> x, std::span<const double> y, Arithmetic arithmetic)
 {
     PairedDifferences differences;
@@ -35,6 +51,7 @@ PairedDifferences differencesOf(std::span<const double> x, std::span<const doubl
             differences.values[i] = x[i] - (y.empty() ? 0 : y[i]);
     }
     if (grid) differences.unitsPerOne = grid->unitsPerOne();
+    if (!grid && arithmetic == Arithmetic::Decimal) makeTies(differences.values, both);
     return differences;
 }
 

@@ -18,7 +18,8 @@ enum class Arithmetic {
 struct WilcoxonOptions {
     Tail tail = Tail::TwoSided;
     ZeroMethod zeros = ZeroMethod::Wilcox;
-    Arithmetic arithmetic = Arithmetic::Decimal;  ///< data without a common grid use Double
+    /// Without a common grid differences are those of doubles, and those that differ by rounding alone are zero or tied.
+    Arithmetic arithmetic = Arithmetic::Decimal;
 };
 
 struct WilcoxonTest {

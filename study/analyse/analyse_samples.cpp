@@ -54,9 +54,20 @@ ordered_json conditionalAccuracy(const AnalysisRequest& request)
     return {{"bins", rows}};
 }
 
+constexpr long long usualAlternatives = 3;  ///< as in the paper
+
+/// A request that does not state the number of alternatives gets an answer that says so.
+ordered_json withAssumption(const AnalysisRequest& request, ordered_json answer)
+{
+    if (!request.options.contains("alternatives"))
+        answer["note"] = "choices among " + std::to_string(usualAlternatives) +
+                         " alternatives, the default of this program: the option \"alternatives\" states another number";
+    return answer;
+}
+
 int alternativesOf(const AnalysisRequest& request)
 {
-    const long long alternatives = wholeOr(request.options, "alternatives", 3);
+    const long long alternatives = wholeOr(request.options, "alternatives", usualAlternatives);
     if (alternatives < 2 || alternatives > 1000000) throw RequestFault("alternatives must lie between 2 and 1000000");
     return static_cast<int>(alternatives);
 }
@@ -74,9 +85,8 @@ ordered_json speedAccuracy(const AnalysisRequest& request)
     AnswerFields answer;
     answer.putCount("n", times.n).put("median_seconds", times.median).put("log_mean_seconds", times.logMean);
     answer.put("geometric_mean_seconds", times.geometricMean).put("mean_seconds", times.mean).put("proportion", share);
-    return answer.put("bits", stats::bitsPerChoice(share, m))
-        .put("bits_per_second", stats::bitsPerSecond(share, m, *times.mean))
-        .json();
+    answer.put("bits", stats::bitsPerChoice(share, m)).put("bits_per_second", stats::bitsPerSecond(share, m, *times.mean));
+    return withAssumption(request, answer.json());
 }
 
 ordered_json balancedIntegration(const AnalysisRequest& request)
@@ -174,7 +184,7 @@ ordered_json speedContrasts(const AnalysisRequest& request)
                              {"bits_per_second", differenceJson(tests[i].bitsPerSecond)},
                              {"bis", differenceJson(tests[i].score)},
                              {"log_seconds", differenceJson(tests[i].logSeconds)}});
-    return {{"conditions", conditions}, {"contrasts", contrasts}};
+    return withAssumption(request, {{"conditions", conditions}, {"contrasts", contrasts}});
 }
 
 }  // namespace

@@ -98,6 +98,9 @@ int rescue(const std::string& study, const std::string& from)
         std::printf("  the database that stood there is now %s\n", protocols::printable(done.earlier.string()).c_str());
     if (done.acts > 0)
         std::printf("  exports and other acts that were recorded there since: %zu; the study keeps them\n", done.acts);
+    if (done.lacksActs)
+        std::printf(
+            "  some exports or other acts that were recorded there are altered or cannot be read: the study lacks them\n");
     return 0;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/safe_text.h"
@@ -35,7 +36,7 @@ constexpr std::size_t resimulatedStudies = 2000;
 struct ReportCall {
     std::string study, from, out, protocol, encoding, bounds, scale;
     std::vector<std::string> map, planned;
-    int alternatives = 3;
+    std::optional<int> alternatives;
     bool quick = false;
     bool resimulate = false;
     bool everyPair = false;
@@ -158,9 +159,11 @@ void addReport(CLI::App& app, Action& action)
     command->add_option("--from", call->from, "answers collected elsewhere: participant,fabric,condition,Q1_correct,Q2,Q3,Q4");
     command->add_option("--out", call->out, "folder of the report")->required();
     command->add_option("--protocol", call->protocol, "with --from: bounds, contrasts and questions from this protocol");
-    command->add_option("--alternatives", call->alternatives, "with --from: fabrics to choose among in Q1")
-        ->check(CLI::Range(2, 100))
-        ->capture_default_str();
+    command
+        ->add_option("--alternatives", call->alternatives,
+                     "with --from: answers to choose among, in every choice question that neither a protocol nor the file "
+                     "describes (default: 3)")
+        ->check(CLI::Range(2, 100));
     command->add_option("--map", call->map, "with --from: MEANING=COLUMN, where a column has another name, e.g. correct=hit")
         ->allow_extra_args(false);
     command->add_option("--bounds", call->bounds, "with --from: bounds of equivalence, LOW,HIGH (default: -0.5,0.5)");

@@ -61,6 +61,10 @@ cv::Mat MeasuredSignals::height(const protocols::FabricId& fabric, int index) co
                                        fabrics::knownHeightPath(m_dataset, fabric, index).string(),
                                        "a height file for every frame, because dataset.json has the calibration \"known\"",
                                        "add the file, or name a calibration file in dataset.json"});
+        if (!cv::checkRange(*known))
+            throw protocols::badInput({"holds heights that are not finite",
+                                       fabrics::knownHeightPath(m_dataset, fabric, index).string(), "a number in every pixel",
+                                       "fill the gaps, or remove the frame and its height"});
         height = signals::zeroedRelief(*known, {m_pitchMm, m_pitchMm}, std::nullopt, signals::Calibration{}.zeroPercentile);
     }
     height.convertTo(height, CV_32F);

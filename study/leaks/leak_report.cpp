@@ -186,7 +186,7 @@ LeakReport leakReport(const database::StudyStore& store, const std::optional<pro
     LeakReport report;
     report.study = store.facts().name;
     report.isUnblinded = store.unblinding().has_value();
-    report.modes = openModes(folder.folder);
+    report.modes = openModes(store.namedFolder());  // a copy has modes of its own
     auto tables = tablesOfDatabase(folder.database());
     const SeenStudy seen = seenStudy(tables);
     report.trials = seen.trials.size();

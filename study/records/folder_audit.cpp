@@ -31,7 +31,8 @@ namespace fs = std::filesystem;
 constexpr const char* knownFiles[] = {"study.db",      "study.db-wal",        "study.db-shm",    ".lock",
                                       "protocol.json", "allocation-key.json", "station-key.json"};
 constexpr const char* knownFolders[] = {"stimuli", "erasures", "prompts"};
-constexpr const char* serverNote = "server.json";
+/// Of the owner's folder while the study lies on a server; sessions on this computer leave the queue there.
+constexpr const char* filesOnServer[] = {"server.json", "queue.db", "queue.db-wal", "queue.db-shm"};
 
 /// True for PREFIX, a number and ENDING.
 bool isNumbered(std::string_view name, std::string_view prefix, std::string_view ending)
@@ -296,7 +297,7 @@ void lookAtTop(const database::StudyStore& store, const fs::path& top, Search& s
         [&](const std::string& name) {
             if (name == "allocation-key.sealed") return hasPassphrase;
             if (name == "masked-key.json") return store.isUpgradedCopy();
-            if (name == serverNote) return !store.serverFolder().empty();
+            if (isOneOf(filesOnServer, name)) return !store.serverFolder().empty();
             return isOneOf(knownFiles, name) || registered.contains(name) || belongsToKeptDatabase(name, top);
         },
         [&](const std::string& name) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -40,11 +41,16 @@ public:
           m_fabrics(study.fabrics.size()),
           m_conditions(study.protocol.conditions.size()),
           m_first(question * m_conditions * m_fabrics),
-          m_perUnit(perUnit)
+          m_perUnit(perUnit),
+          m_isComplete(participants.size(), true)
     {
         for (std::size_t c = 0; c < m_conditions; ++c) {
             auto& means = m_means.emplace_back();
-            for (std::size_t p = 0; p < participants.size(); ++p) means.push_back(stats::meanOf(valuesOf(c, p)));
+            for (std::size_t p = 0; p < participants.size(); ++p) {
+                const auto values = valuesOf(c, p);
+                means.push_back(stats::meanOf(values));
+                if (values.size() != m_fabrics) m_isComplete[p] = false;
+            }
         }
     }
 
@@ -92,19 +98,28 @@ public:
     AnswerCells::PairedMeans pairedMeans(std::size_t a, std::size_t b) const
     {
         AnswerCells::PairedMeans paired;
-        for (std::size_t p = 0; p < participants(); ++p)
-            if (m_means[a][p].exists() && m_means[b][p].exists()) {
+        for (std::size_t p = 0; p < participants(); ++p) {
+            if (m_isComplete[p] && m_fabrics > 0) {
                 paired.a.push_back(*m_means[a][p]);
                 paired.b.push_back(*m_means[b][p]);
+            } else if (const auto both = commonMeans({a, b}, p); !both.empty()) {
+                paired.a.push_back(both[0]);
+                paired.b.push_back(both[1]);
             }
+        }
         return paired;
     }
     stats::BlockTable completeBlocks() const
     {
         stats::BlockTable table;
         table.conditions = m_conditions;
-        for (std::size_t p = 0; p < participants(); ++p)
-            addRow(table, [&](std::size_t c) { return m_means[c][p].exists() ? std::optional(*m_means[c][p]) : std::nullopt; });
+        std::vector<std::size_t> all(m_conditions);
+        std::iota(all.begin(), all.end(), std::size_t{0});
+        for (std::size_t p = 0; p < participants(); ++p) {
+            const auto row = commonMeans(all, p);
+            table.values.insert(table.values.end(), row.begin(), row.end());
+            table.blocks += row.empty() ? 0 : 1;
+        }
         return table;
     }
     /// Blocks of participant and fabric that are answered in every condition.
@@ -124,6 +139,20 @@ public:
     }
 
 private:
+    /// Means over the fabrics that the participant answered under each of these conditions; empty without such a fabric.
+    std::vector<double> commonMeans(const std::vector<std::size_t>& conditions, std::size_t participant) const
+    {
+        std::vector<std::vector<double>> values(conditions.size());
+        for (std::size_t f = 0; f < m_fabrics; ++f) {
+            const auto isThere = [&](std::size_t c) { return valueAt(c, participant, f).has_value(); };
+            if (!std::ranges::all_of(conditions, isThere)) continue;
+            for (std::size_t i = 0; i < values.size(); ++i) values[i].push_back(*valueAt(conditions[i], participant, f));
+        }
+        std::vector<double> means;
+        for (const auto& own : values)
+            if (!own.empty()) means.push_back(*stats::meanOf(own));
+        return means;
+    }
     std::size_t at(std::size_t condition, std::size_t fabric) const { return m_first + condition * m_fabrics + fabric; }
 
     template <class Part>
@@ -152,6 +181,7 @@ private:
     const std::vector<const SimulatedAnswers*>& m_participants;
     std::size_t m_fabrics, m_conditions, m_first;
     double m_perUnit;
+    std::vector<bool> m_isComplete;           ///< whether the participant answered everything
     std::vector<std::vector<Value>> m_means;  ///< [condition][participant]
 };
 
@@ -174,9 +204,10 @@ reports::ConditionRatings ratingsUnder(const QuestionCells& cells, std::size_t c
     under.mean = stats::meanOf(ratings);
     under.sd = stats::describe(ratings).sd;
     under.participants = means.size();
+    const bool isComplete = ratings.size() == cells.participants() * cells.fabrics();
+    under.meanOfParticipants = isComplete ? under.mean : stats::meanOf(means);
     under.ci95 = stats::describe(means).ci95;
-    if (!under.ci95.low.exists())
-        under.ci95.low = under.ci95.high = Value::undefined("needs the means of at least 2 participants");
+    if (means.size() < 2) under.ci95.low = under.ci95.high = Value::undefined("needs the means of at least 2 participants");
     return under;
 }
 

@@ -182,6 +182,41 @@ private Q_SLOTS:
         QCOMPARE(store.answers().size(), 6u);
     }
 
+    /// The answers are what a rescue is for.
+    void damagedActsDoNotKeepTheAnswersAway_data()
+    {
+        QTest::addColumn<QString>("harm");
+        QTest::newRow("a table that is gone") << "DROP TABLE acts";
+        QTest::newRow("an altered act") << "UPDATE acts SET details = '{}'";
+    }
+    void damagedActsDoNotKeepTheAnswersAway()
+    {
+        QFETCH(const QString, harm);
+        const StudyFolder folder = newStudy();
+        const std::filesystem::path older = folder.folder.string() + "-older.db";
+        {
+            OpenSession session(folder, "S01");
+            session.playUntilAnswers(3);
+            session.store.copyTo(older);
+            session.playUntilAnswers(6);
+            std::filesystem::remove(folder.database());
+            errorOf([&] { session.playUntilAnswers(7); });
+        }
+        putInPlace(older, folder);
+        const auto head = StudyStore(folder, StudyStore::Access::Read).head();
+        QCOMPARE(recordAct(folder, {"export", "Ada", "test", "here", "/out", head, {}}), std::nullopt);
+        {
+            tests::support::RawSqlite raw(folder.database());
+            raw.dropTriggers();
+            QCOMPARE(raw.run(harm.toStdString()), std::string());
+        }
+        const auto done = StudyStore::rescue(folder, rescueFiles(folder).front());
+        QVERIFY(done.lacksActs && done.acts == 0);
+        const StudyStore store(folder, StudyStore::Access::Read);
+        QCOMPARE(store.answers().size(), 6u);
+        QCOMPARE(store.faults(), std::vector<std::string>());
+    }
+
     void theWriteAheadLogOfARescueFileIsBroughtBackToo()
     {
         const StudyFolder folder = newStudy();
@@ -443,12 +478,14 @@ private Q_SLOTS:
         session.send(study::session::Noted{"an unmistakable remark", false});
         std::filesystem::create_directory(copy.parent_path());
         protocols::writeWholeFile(copy, "he made an unmistakable remark today");
+        protocols::writeWholeFile(folder.folder / "study.db.sql", "INSERT INTO notes VALUES ('an unmistakable remark')");
         for (int times = 0; times < 3; ++times) {
             const auto record = session.store.erase(erasure);
-            QCOMPARE(record.found, std::vector<std::string>{"notes/copy.txt"});
+            QCOMPARE(record.found, (std::vector<std::string>{"notes/copy.txt", "study.db.sql"}));
             study::records::writeErasureCertificate(session.store, erasure, record);
         }
         std::filesystem::remove(copy);
+        std::filesystem::remove(folder.folder / "study.db.sql");
         QCOMPARE(session.store.erase(erasure).found, std::vector<std::string>());
     }
 
@@ -465,11 +502,13 @@ private Q_SLOTS:
         noted("S02", "left-handed, retrained as a child");
         noted("S01", "the participant was uncertain about the first");
         noted("S02", "the participant was uncertain about the last");
-        noted("S01", "asked for her data to be erased");
+        noted("S01", "the \"scratchy\" one, again");
+        protocols::writeWholeFile(folder.folder / "copy.txt", "the participant was uncertain about the first");
         StudyStore store(folder, StudyStore::Access::Write);
-        const auto record = store.erase({protocols::ParticipantId("S01"), true, "Ada", "asked for her data to be erased", {}});
-        QCOMPARE(record.found, std::vector<std::string>());
-        QCOMPARE(record.sharedTexts, std::size_t{3});
+        const auto record = store.erase({protocols::ParticipantId("S01"), true, "Ada", "noted: the \"scratchy\" one, again", {}});
+        // A beginning that two notes share does not hide the rest of one.
+        QCOMPARE(record.found, std::vector<std::string>{"copy.txt"});
+        QCOMPARE(record.sharedTexts, std::size_t{2});
         QVERIFY(record.searchedTexts > 0);
     }
 

@@ -173,11 +173,84 @@ private Q_SLOTS:
         }
     }
 
+    /// Blanks, tabs and no-break spaces at the ends of a name make nobody else of it.
+    void blanksAroundNamesAreNoPartOfThem()
+    {
+        QTemporaryDir folder;
+        const auto data = reports::readAnswersCsv(written(
+            folder,
+            "participant,fabric,condition,instruction,Q1_correct,Q1_answer\n"
+            "P01,F1,a,fast,1,F1\nP01 ,F2,a,fast ,0,F1 \n\tP01,\u00A0F1\u00A0,b,fast,1,\u00A0F1\nP0 1,F2, b\t,fast,1,F2\n"));
+        QCOMPARE(data.participants, (std::vector<std::string>{"P01", "P0 1"}));
+        QCOMPARE(data.fabrics, (std::vector<std::string>{"F1", "F2"}));
+        QCOMPARE(data.conditions, (std::vector<std::string>{"a", "b"}));
+        QCOMPARE(data.questions[0].instructions.size(), std::size_t{1});
+        for (const std::size_t i : {0U, 1U, 2U})
+            QCOMPARE(*std::get<reports::ChosenAnswer>(data.responses[i].content).answer, std::string("F1"));
+        const auto rows = reports::readAnswersCsv(written(folder,
+                                                          "participant,fabric,condition,question,rating\n"
+                                                          "P1,F1,a,Q2,5\nP1 ,F1,a,Q3 ,6\nP1,F1,b,Q3,6\n"));
+        QCOMPARE(rows.participants.size(), std::size_t{1});
+        QCOMPARE(rows.questions.size(), std::size_t{2});
+    }
+
+    /// Of a pair only the word and its score are known: another word would make "different" of "SAME".
+    void sameAndDifferentAreTheOnlyWords()
+    {
+        protocols::Protocol protocol;
+        const protocols::AnswerKind kind = protocols::SameDifferent{};
+        protocol.phases = {{{{protocols::QuestionId("Q1"), "Same?", kind}}, kind}};
+        const std::string head = "participant,fabric,condition,Q1_correct,Q1_answer\n";
+        QTemporaryDir folder;
+        const auto data = reports::readAnswersCsv(
+            written(folder, head + "P1,F1,a,1,Same\nP1,F2,a,0, SAME \nP1,F3,a,1,Different\nP1,F4,a,1,\n"), {protocol, "ab"});
+        QStringList words;
+        for (const auto& response : data.responses)
+            words << QString::fromStdString(std::get<reports::ChosenAnswer>(response.content).answer.value_or("none"));
+        QCOMPARE(words, (QStringList{"same", "same", "different", "none"}));
+        try {
+            reports::readAnswersCsv(written(folder, head + "P1,F1,a,1,same\nP1,F2,a,0,gleich\n"), {protocol, "ab"});
+            QFAIL("another word was read");
+        } catch (const protocols::Error& error) {
+            for (const char* part :
+                 {"line 3", "column Q1_answer", "\"gleich\" is neither same nor different", "same or different"})
+                QVERIFY2(QString(error.what()).contains(part), error.what());
+        }
+    }
+
+    void theDefaultNumberOfAlternativesIsNamed()
+    {
+        QTemporaryDir folder;
+        QStringList notes;
+        reports::AnswersCsvOptions options;
+        options.note = [&](const std::string& sentence) { notes << QString::fromStdString(sentence); };
+        const auto wide = written(folder, header + "P1,F1,a,1,5\nP1,F1,b,0,6\n");
+        QVERIFY(reports::readAnswersCsv(wide, options).questions[0].alternativesAssumed);
+        QCOMPARE(notes.size(), 1);
+        QVERIFY2(notes[0].contains("the choices of Q1 are tested against 1/3, the default of this program") &&
+                     notes[0].contains("--alternatives"),
+                 qPrintable(notes[0]));
+        options.alternatives = 4;
+        const auto stated = reports::readAnswersCsv(wide, options);
+        QVERIFY(!stated.questions[0].alternativesAssumed && notes.size() == 1);
+        QVERIFY(stated.questions[0].kind == protocols::AnswerKind(protocols::ForcedChoice{4}));
+        options.alternatives.reset();
+        const auto rows = written(folder, "participant,fabric,condition,question,correct\nP1,F1,a,match,1\nP1,F1,b,match,0\n");
+        QVERIFY(reports::readAnswersCsv(rows, options).questions[0].alternativesAssumed);
+        QVERIFY2(notes.size() == 2 && notes[1].contains("the choices of match"), qPrintable(notes.join('\n')));
+        protocols::Protocol protocol;
+        const protocols::AnswerKind choice = protocols::ForcedChoice{3};
+        protocol.phases = {{{{protocols::QuestionId("match"), "Which?", choice}}, choice}};
+        options.protocol = protocol;
+        QVERIFY(!reports::readAnswersCsv(rows, options).questions[0].alternativesAssumed && notes.size() == 2);
+    }
+
     void extraColumnsAreNamedAndNotAnalysed()
     {
         QTemporaryDir folder;
         QStringList notes;
         reports::AnswersCsvOptions options;
+        options.alternatives = 3;
         options.note = [&](const std::string& sentence) { notes << QString::fromStdString(sentence); };
         const auto data = reports::readAnswersCsv(
             written(

@@ -254,6 +254,16 @@ private Q_SLOTS:
         const auto table = protocols::readForeignTable(path("report") / "tables" / "same_hits.csv").table;
         QCOMPARE(table.rows[0][*table.column("hits")], std::string("29"));
         QVERIFY(table.rows[0][*table.column("d\u2032")].starts_with("0.7354"));
+        const auto page = [&] { return protocols::readWholeFile(path("report") / "index.html"); };
+        QVERIFY(page().find("tested against 1/2, because half of the pairs were the same") != std::string::npos);
+        // 75 of 165 pairs were the same.
+        std::erase_if(data.responses, [&](const StudyResponse& one) {
+            const auto& choice = std::get<ChosenAnswer>(one.content);
+            return one.participant == data.participants[0] && choice.correct == (*choice.answer == "same");
+        });
+        writeReport(analyse(data), path("report"));
+        QVERIFY(page().find("because half of the pairs") == std::string::npos);
+        QVERIFY(page().find("tested against 1/2, but 45 % of the pairs were the same") != std::string::npos);
     }
 
     void everyQuestionKeepsItsOwnScale()
@@ -288,6 +298,11 @@ private Q_SLOTS:
         QVERIFY(protocols::readWholeFile(path("report") / "index.html")
                     .find("Chance is 1/m, where m is the number of answers to choose from: 4 for Q1 and 2 for Same.") !=
                 std::string::npos);
+        StudyData assumed = studyOf({{"Q1", "", protocols::ForcedChoice{3}}});
+        assumed.questions[0].alternativesAssumed = true;
+        writeReport(analyse(assumed), path("report"));
+        QVERIFY(protocols::readWholeFile(path("report") / "index.html")
+                    .find("Chance is 1/3. For Q1 this is the default of this program") != std::string::npos);
     }
 
     void answersOfAnotherKindAreAFault()

@@ -148,6 +148,28 @@ private Q_SLOTS:
         QVERIFY(json["difference"]["estimate"].get<double>() > 2.5);
     }
 
+    /// The largest of several differences is large by chance, too: its p and interval are those of so many tests.
+    void theLargestContrastIsCorrected()
+    {
+        StudyData data = plantedStudy({});
+        const StudyAnalysis unplanned = analyse(data, quick);
+        const ContrastWithoutTrend& largest = unplanned.order.questions[1].contrast;
+        const std::size_t pairs = data.conditions.size() * (data.conditions.size() - 1) / 2;
+        QVERIFY(!largest.primary && pairs > 1);
+        QCOMPARE(largest.pickedFrom, pairs);
+        data.planned = {{largest.a, largest.b}};
+        const StudyAnalysis planned = analyse(data, quick);
+        const ContrastWithoutTrend& primary = planned.order.questions[1].contrast;
+        QCOMPARE(primary.pickedFrom, std::size_t(1));
+        QVERIFY(std::fabs(*largest.plain.p - std::min(1.0, double(pairs) * *primary.plain.p)) < 1e-12);
+        QVERIFY(std::fabs(*largest.adjusted.p - std::min(1.0, double(pairs) * *primary.adjusted.p)) < 1e-12);
+        QCOMPARE(*largest.plain.estimate, *primary.plain.estimate);
+        QVERIFY(*largest.plain.ci.low<*primary.plain.ci.low&& * largest.plain.ci.high> * primary.plain.ci.high);
+        QVERIFY(pageOf(unplanned).find("picked from: " + std::to_string(pairs) + " for Q1") != std::string::npos);
+        QVERIFY(pageOf(planned).find("picked from: ") == std::string::npos);
+        QCOMPARE(statisticsJson(unplanned)["order_effects"]["questions"]["Q2"]["contrast"]["picked_from"], pairs);
+    }
+
     void filesHoldTheNewParts()
     {
         StudyData data = plantedStudy({});

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "protocols/files/number_text.h"
 #include "reports/figures/report_figures.h"
 #include "reports/json/results_json.h"
 #include "reports/json/statistics_json.h"
@@ -96,6 +97,118 @@ private Q_SLOTS:
         const Json claims = claimsOf(studyOfOneOddFabric());
         QCOMPARE(claims.size(), std::size_t(4 * 3 * 2));
         for (const Json& row : claims) QVERIFY(row["planned"] == false && row["primary"] == false);
+    }
+
+    /// Nobody rated the second fabric under B. On the first, which has ratings under both, A and B do not differ.
+    void missingFabricsMakeNoDifferenceOfConditions()
+    {
+        const double first[2][6] = {{2, 3, 2, 3, 2, 3}, {3, 2, 2, 3, 3, 2}}, second[] = {8, 8, 9, 8, 9, 9};
+        StudyData data = builders::emptyStudy(6, 2, {"A", "B"}, {{"Q2", "", builders::onScale}});
+        for (std::size_t p = 0; p < 6; ++p) {
+            data.groupOf[data.participants[p]] = p % 2 == 0 ? "even" : "odd";
+            for (const std::size_t c : {0U, 1U})
+                data.responses.push_back(builders::rated(data.participants[p], "F01", data.conditions[c], "Q2", first[c][p]));
+            data.responses.push_back(builders::rated(data.participants[p], "F02", "A", "Q2", second[p]));
+        }
+        const StudyAnalysis analysis = reports::analyse(data);
+        const Json results = reports::resultsJson(analysis), statistics = reports::statisticsJson(analysis);
+        // R: t.test(c(2,3,2,3,2,3), c(3,2,2,3,3,2), paired = TRUE)
+        const Json& row = results["comparisons"][0];
+        QCOMPARE(row["n"], 6);
+        QCOMPARE(row["mean_difference"], 0.0);
+        QCOMPARE(row["statistic"], 0.0);
+        QVERIFY(std::abs(row["p"].get<double>() - 1) < 1e-12);
+        QCOMPARE(row["d_z"], 0.0);
+        QCOMPARE(results["equivalence"][0]["mean_difference"], 0.0);
+        const Json& both = statistics["Q2"]["on_common_fabrics"];
+        QCOMPARE(both["friedman"]["Q"], 0.0);
+        QCOMPARE(both["rm_anova"]["F"], 0.0);
+        QCOMPARE(statistics["effect_sizes"]["Q2"]["partial_eta_squared"], 0.0);
+        // The names of the reference keep its definition: means over all fabrics that are answered.
+        QVERIFY(std::abs(statistics["Q2"]["pairwise_t_participant_means"][0]["diff"].get<double>() - 3) < 1e-12);
+        // Differences of the even: -1, 0, -1; of the odd: 1, 0, 1.
+        const reports::GroupTest& groups = analysis.groups.questions[0].contrasts[0].test;
+        QVERIFY(std::abs(*groups.difference + 4.0 / 3) < 1e-12);
+
+        std::erase_if(data.responses, [](const auto& one) { return one.fabric == "F01" && one.participant == "P01"; });
+        const Json rest = reports::resultsJson(reports::analyse(data));
+        QCOMPARE(rest["comparisons"][0]["n"], 5);  // P01 has no fabric under both
+    }
+
+    /// t(399) = -1,200 and more: p has more than 300 zeros. A corrected p stood there as 0.
+    void aPBelowTheSmallestDoubleIsNoZero()
+    {
+        StudyData data = builders::emptyStudy(400, 1, {"A", "B"}, {{"Q2", "", builders::onScale}});
+        for (std::size_t p = 0; p < data.participants.size(); ++p)
+            for (const int c : {0, 1})
+                data.responses.push_back(
+                    builders::rated(data.participants[p], "F01", data.conditions[static_cast<std::size_t>(c)], "Q2",
+                                    c == 0 ? 2 + 0.1 * static_cast<double>(p % 3) : 8 + 0.1 * static_cast<double>(p % 2)));
+        const StudyAnalysis analysis = reports::analyse(data, {.depth = reports::Depth::Quick});
+        const Json results = reports::resultsJson(analysis);
+        const Json &comparison = results["comparisons"][0], &equivalence = results["equivalence"][0];
+        for (const char* key : {"p", "p_holm"}) {
+            QVERIFY2(comparison[key].is_null(), key);
+            QVERIFY(QString::fromStdString(comparison["why"][key]).startsWith("below the smallest double"));
+        }
+        QVERIFY(equivalence["p_upper"].is_null() && equivalence["p_lower"] == 1.0);
+        const Json these = rowOf(results["claims"], "Q2", "A", "B", "these_fabrics");
+        QVERIFY(these["p_adjusted"].is_null() && these["p_equivalence_adjusted"] == 1.0);
+        for (const reports::ReportTable& one : reports::reportTables(analysis))
+            for (const auto& row : one.table.rows)
+                for (std::size_t i = 0; i < row.size(); ++i)
+                    if (one.table.columns[i].name.starts_with("p")) QVERIFY2(row[i].csv != "0", one.table.name.c_str());
+    }
+
+    /// P01 rated eight fabrics under A, the others one each: the mean of all ratings is not that of the interval beside it.
+    void aMeanBesideAnIntervalIsItsMiddle()
+    {
+        StudyData data = builders::emptyStudy(3, 8, {"A", "B"}, {{"Q2", "", builders::onScale}});
+        for (std::size_t p = 0; p < 3; ++p)
+            for (std::size_t f = 0; f < 8; ++f) {
+                const auto add = [&](const char* condition, double rating) {
+                    data.responses.push_back(builders::rated(data.participants[p], data.fabrics[f], condition, "Q2", rating));
+                };
+                if (p == 0 || f == p) add("A", p == 0 ? 9 : static_cast<double>(p));
+                add("B", 0.1 * static_cast<double>(7 * p + f));
+            }
+        const StudyAnalysis analysis = reports::analyse(data, {.depth = reports::Depth::Quick});
+        const Json results = reports::resultsJson(analysis);
+        const Json &a = results["questions"]["Q2"]["A"], &b = results["questions"]["Q2"]["B"];
+        QCOMPARE(a["mean"], 7.5);
+        QCOMPARE(a["mean_of_participants"], 4.0);  // of 9, 1 and 2
+        QVERIFY(std::abs((a["ci95"][0].get<double>() + a["ci95"][1].get<double>()) / 2 - 4) < 1e-12);
+        QCOMPARE(b["mean_of_participants"], b["mean"]);
+        const auto columnOf = [](const StudyAnalysis& study) {
+            for (const reports::ReportTable& one : reports::reportTables(study))
+                for (const reports::TableColumn& column : one.table.columns)
+                    if (one.table.name == "q2_ratings" && column.name == "mean of participants") return column.use;
+            return reports::ColumnUse::InDocuments;
+        };
+        QVERIFY(columnOf(analysis) == reports::ColumnUse::Everywhere);
+        std::erase_if(data.responses, [](const auto& one) { return one.condition == "A"; });
+        QVERIFY(columnOf(reports::analyse(data, {.depth = reports::Depth::Quick})) == reports::ColumnUse::InCsv);
+    }
+
+    /// Satterthwaite's degrees of freedom have one decimal on the page and all digits in files; whole ones stay whole.
+    void degreesOfFreedomAreNotRoundedToWholeNumbers()
+    {
+        StudyData data = studyOfOneOddFabric();
+        int count = 0;
+        std::erase_if(data.responses, [&](const auto&) { return count++ % 9 == 0; });  // complete data have whole ones
+        const StudyAnalysis analysis = reports::analyse(data, {.depth = reports::Depth::Quick});
+        const auto& ratings = std::get<reports::RatingAnalysis>(analysis.questions[1].findings);
+        const double df2 = *ratings.model.condition.df2;
+        QVERIFY(df2 != std::floor(df2));
+        std::string model, anova;
+        for (const reports::ReportTable& one : reports::reportTables(analysis))
+            if (one.table.name == "all_conditions")
+                for (const auto& row : one.table.rows)
+                    if (row[0].csv == "Q2")
+                        (row[1].csv.starts_with("mixed model") ? model : anova) = row[5].csv + " | " + row[6].text;
+        QCOMPARE(model.substr(0, model.find(" | ")), "2, " + protocols::shortest(df2));
+        QVERIFY2(model.ends_with("(2, " + protocols::fixed(df2, 1) + ")"), model.c_str());
+        QVERIFY2(anova.starts_with("2 | "), anova.c_str());  // Friedman's, the last of them
     }
 
     void oneOddFabricIsNoResultForFabricsLikeThese()

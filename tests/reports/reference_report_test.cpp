@@ -150,10 +150,19 @@ private Q_SLOTS:
         const reports::StudyData data = reports::readAnswersCsv(csv);
         const Json results = reports::resultsJson(reports::analyse(data));
         const Json statistics = reports::statisticsJson(reports::analyse(data));
-        for (const Json& row : results["comparisons"])
-            for (const Json& other : statistics.value(row["question"].get<std::string>(), Json::object())
-                                         .value("pairwise_t_participant_means", Json::array()))
-                if (other["a"] == row["a"] && other["b"] == row["b"]) QCOMPARE(other["p_holm"], row["p_holm"]);
+        int compared = 0;
+        for (const Json& row : results["comparisons"]) {
+            const Json question = statistics.value(row["question"].get<std::string>(), Json::object());
+            for (const Json& other :
+                 question.value("on_common_fabrics", question).value("pairwise_t_participant_means", Json::array()))
+                if (other["a"] == row["a"] && other["b"] == row["b"]) {
+                    QCOMPARE(other["p_holm"], row["p_holm"]);
+                    QCOMPARE(other["diff"], row["mean_difference"]);
+                    ++compared;
+                }
+        }
+        QVERIFY(statistics["Q2"].contains("on_common_fabrics") && !statistics["Q4"].contains("on_common_fabrics"));
+        QCOMPARE(compared, 3 * 36);  // three questions with ratings
         QCOMPARE(results["questions"]["Q2"]["h_f"]["mean"], statistics["Q2"]["cell_mean"]["h_f"]);
         QCOMPARE(results["questions"]["Q1"]["h_f"]["ci95"], statistics["q1_per_condition"][8]["wilson95"]);
     }

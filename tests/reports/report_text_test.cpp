@@ -60,6 +60,9 @@ private Q_SLOTS:
         QCOMPARE(p.why(), std::string("below the smallest double; log10 p = -434.29"));
         QCOMPARE(*writableP(1e-300, -690.0), 1e-300);
         QCOMPARE(*writableP(0.0, stats::Value::undefined("no logarithm")), 0.0);
+        QCOMPARE(writableP(0.0).why(), std::string("below the smallest double"));
+        QCOMPARE(*writableP(1e-300), 1e-300);
+        QCOMPARE(writableP(stats::Value::undefined("no test")).why(), std::string("no test"));
     }
 
     void wordsAgreeWithTheirNumber()

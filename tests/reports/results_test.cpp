@@ -162,7 +162,8 @@ private Q_SLOTS:
         QCOMPARE(keysOf(results["speed_accuracy"]), nineConditions);
         QCOMPARE(keysOf(results["questions"]["Q1"]["f"]),
                  (Keys{"trials", "correct", "matches_per_rendering", "proportion", "ci95", "p_chance", "p_chance_participants"}));
-        QCOMPARE(keysOf(results["questions"]["Q3"]["f"]), (Keys{"n", "mean", "sd", "participants", "ci95"}));
+        QCOMPARE(keysOf(results["questions"]["Q3"]["f"]),
+                 (Keys{"n", "mean", "sd", "participants", "ci95", "mean_of_participants"}));
         QCOMPARE(keysOf(comparison(results, "Q2", "h_g&f_g", "h&f")),
                  (Keys{"question", "a", "b", "test", "n", "statistic", "df", "p", "p_holm", "mean_difference", "ci95", "d_z",
                        "generalises_to", "planned"}));
@@ -317,6 +318,8 @@ private Q_SLOTS:
         QVERIFY(QString::fromStdString(row["why"]["p"]).contains("no variation"));
         QVERIFY(results["questions"]["Q1"]["f"]["p_chance_participants"].is_null());
         QVERIFY(results["questions"]["Q1"]["f"]["p_chance"].is_number());
+        QVERIFY(results["questions"]["Q2"]["f"]["ci95"].is_null());
+        QVERIFY(QString::fromStdString(results["questions"]["Q2"]["f"]["why"]["ci95"]).contains("no variation"));
     }
 
     void suspiciousParticipantsAreFlaggedAndKept()

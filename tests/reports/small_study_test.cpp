@@ -126,7 +126,7 @@ private Q_SLOTS:
                               "results.claims", "results.chain", "results.signals", "results.quality", "results.preregistration",
                               "results.without_flagged", "results.design", "results.touch", "results.operator_latency",
                               "results.why"}));
-        QCOMPARE(comparison.numbers, 222);
+        QCOMPARE(comparison.numbers, 228);
     }
 
     void statisticsAgreeWithR()
@@ -144,7 +144,8 @@ private Q_SLOTS:
                                                   }),
                                    comparison.additions.end());
         QCOMPARE(comparison.additions,
-                 (QStringList{"statistics.q1_cochran.rejects_falsely", "statistics.schema", "statistics.q1_glmm_crossed",
+                 (QStringList{"statistics.q1_cochran.rejects_falsely", "statistics.Q2.on_common_fabrics",
+                              "statistics.Q3.on_common_fabrics", "statistics.schema", "statistics.q1_glmm_crossed",
                               "statistics.lmm_contrasts", "statistics.lmm_variances", "statistics.lmm_leave_one_fabric_out",
                               "statistics.rating_ordinal", "statistics.rating_ordinal_by_question", "statistics.false_claims",
                               "statistics.order_effects"}));
@@ -219,11 +220,10 @@ private Q_SLOTS:
         QCOMPARE(
             figures[0].caption,
             std::string(
-                "Q1: correct matches per rendering, of 6 participants. Bars: share correct times the number of "
-                "participants. Whiskers: 95 % interval with participants and fabrics as samples. Dashed line: chance, 1/3."));
+                "Q1: correct matches per rendering, of 6 participants. Bars: mean share correct times the number of "
+                "participants. Whiskers: its 95 % interval with participants and fabrics as samples. Dashed line: chance, 1/3."));
         QCOMPARE(figures[1].caption,
-                 std::string("Ratings by condition and question: means over ratings. Whiskers: 95 % interval of "
-                             "the participants' means."));
+                 std::string("Ratings by condition and question: means of the participants' means, with their 95 % interval."));
     }
 
     void pageShowsEveryFigureAndTable()

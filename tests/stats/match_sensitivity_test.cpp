@@ -151,6 +151,21 @@ private Q_SLOTS:
         QVERIFY(*always.criterion.estimate < -2);
     }
 
+    /// Six participants who say the same do not show that all others would: an interval without width is none.
+    void equalRatesHaveNoInterval()
+    {
+        std::vector<MatchAnswer> answers;
+        for (std::size_t p = 0; p < 6; ++p)
+            for (std::size_t f = 0; f < 4; ++f) answers.push_back({p, f, f % 2 == 0, f != 1});
+        const auto result = stats::matchSensitivity(answers);
+        for (const ClusteredIndex& index : {result.dPrime, result.criterion}) {
+            QVERIFY(index.estimate.exists());
+            QVERIFY(!index.overParticipants.low.exists() && !index.overParticipants.high.exists());
+            QVERIFY(QString::fromStdString(index.overParticipants.low.why()).startsWith("no variation"));
+            QVERIFY(index.overBoth.low.exists());  // the fabrics differ
+        }
+    }
+
     void pairsOfOneKindAreRefused()
     {
         const auto none = stats::matchSensitivity({});

@@ -169,6 +169,34 @@ private Q_SLOTS:
         QCOMPARE(test.blocks, std::size_t{6});
     }
 
+    /// Three means that are 37/6 by different sums differ in the last bit. Every block then seemed to rank them alike.
+    void meansThatRoundingTellsApartAreTied()
+    {
+        const double mean = 37.0 / 6, above = std::nextafter(mean, 7), below = std::nextafter(mean, 6);
+        QVERIFY(below < mean && mean < above);
+        const std::vector<std::vector<double>> alike(4, {below, mean, above});
+        compareReasons({{"q", stats::friedmanTest(stats::blockTableOf(alike).table).q, "all conditions alike"}});
+        compareNumbers({{"exact p", stats::exactFriedman(stats::blockTableOf(alike).table).p, 1}});
+        const std::vector<std::vector<double>> first{{below, mean, 8}, {above, mean, 8}, {mean, below, 8}},
+            exact{{1, 1, 2}, {1, 1, 2}, {1, 1, 2}};
+        compareNumbers({{"q", stats::friedmanTest(stats::blockTableOf(first).table).q,
+                         *stats::friedmanTest(stats::blockTableOf(exact).table).q}});
+        // Differences of such means are zero, or of equal size.
+        const std::vector<double> x{above, 37.0 / 6 + 1, 37.0 / 6 - 1, above + 2}, y{below, below, above, 37.0 / 6};
+        const auto test = stats::wilcoxonSignedRank(x, y);
+        QCOMPARE(test.nZero, std::size_t{1});
+        compareNumbers({{"V", test.v, 4.5}});  // differences 1, -1, 2: mid-ranks 1.5, 1.5, 3
+        QCOMPARE(stats::wilcoxonSignedRank(x, y, {.arithmetic = stats::Arithmetic::Double}).nZero, std::size_t{0});
+        // Large whole numbers are exact.
+        const std::vector<double> large{1e16 + 2, 1e16 + 4, 1e16 + 8}, same(3, 1e16);
+        compareNumbers({{"V of large numbers", stats::wilcoxonSignedRank(large, same).v, 6}});
+        // What is small beside other numbers is no rounding: microseconds of an epoch, and values of many magnitudes.
+        const std::vector<double> stamps{1700000000.000101, 1700000000.000203, 1700000000.000307}, epoch(3, 1700000000.0);
+        QCOMPARE(stats::wilcoxonSignedRank(stamps, epoch).nZero, std::size_t{0});
+        const std::vector<std::vector<double>> wide(3, {1e-20 / 3, 2e-20 / 3, 0.3});
+        compareNumbers({{"q of many magnitudes", stats::friedmanTest(stats::blockTableOf(wide).table).q, 6}});
+    }
+
     // Three blocks that agree: Q = n (k - 1), W = 1, and F is infinite.
     void perfectAgreementHasNoF()
     {

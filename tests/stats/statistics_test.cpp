@@ -187,6 +187,11 @@ private Q_SLOTS:
         const auto constant = stats::describe(std::vector<double>(10, 0.04));
         QCOMPARE(*constant.sd, 0.0);
         QVERIFY(!constant.autocorrelationLag1.exists());
+        QVERIFY(!constant.ci95.low.exists() && !constant.ci95.high.exists());
+        QCOMPARE(constant.ci95.low.why(), std::string("no variation: all values are equal"));
+        const auto rounded = stats::describe(std::vector<double>{37.0 / 6, std::nextafter(37.0 / 6, 7), 37.0 / 6});
+        QVERIFY(!rounded.ci95.low.exists());
+        QVERIFY(stats::describe(std::vector<double>{1e15 + 1, 1e15 + 2}).ci95.low.exists());
         const auto infinite = stats::describe(std::vector<double>{1, std::numeric_limits<double>::infinity()});
         QVERIFY(!infinite.mean.exists());
     }

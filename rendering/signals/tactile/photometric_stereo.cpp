@@ -94,7 +94,7 @@ cv::Mat zeroedRelief(const cv::Mat& heightMm, const Pitch& pitch, std::optional<
         throw protocols::badInput({.what = "the height map holds values that are not finite",
                                    .where = "",
                                    .expected = "a number in every pixel",
-                                   .nextStep = "fill the gaps of the map, or leave it out"});
+                                   .nextStep = "check the map, the calibration or the model that it comes from"});
     height -= percentile(height, zeroPercentile);
     height.setTo(0, height <= 0);  // std::max would keep -0.
     return height;

@@ -140,7 +140,7 @@ constexpr Reader readers[] = {
     {"other accounts of the computer", "nothing, as long as the modes are 0600 and 0700", "the same"},
 };
 
-/// Of a study on a server, besides those above. (database/server/sql/roles.sql)
+/// A study on a server has these readers, too. (database/server/sql/roles.sql)
 constexpr Reader readersOnServer[] = {
     {"administrator of the server, and who reads its log or its backups",
      "facts, answers, notes and times, under codes; images and codes of presentations; not the allocation key", "the same"},

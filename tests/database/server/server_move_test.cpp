@@ -1,10 +1,13 @@
 // A study moves to a server and back: nothing is lost, nothing is half-made, and every wrong address is one clear line.
+#include <sys/stat.h>
+
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "database/disk/server_note.h"
+#include "database/server/answer_queue.h"
 #include "database/server/server_connection.h"
 #include "database/server/server_progress.h"
 #include "database/server/study_move.h"
@@ -206,6 +209,14 @@ void ServerMoveTest::theOwnersFolderIsLookedAtItself()
     const std::string text = study::records::textOfDataSheet(sheet);
     for (const char* said : {"server.json, mode 0600", "monitors, by their login", "not-sent-"})
         QVERIFY2(text.find(said) != std::string::npos, said);
+
+    // A session on the owner's computer leaves its queue; a pipe below a folder must not stop a reader.
+    const database::AnswerQueue queue(study);
+    fs::create_directory(study.folder / "prompts");
+    QCOMPARE(::mkfifo((study.folder / "prompts" / "pipe").c_str(), 0600), 0);
+    QVERIFY2(!faults().contains("queue.db"), qPrintable(faults()));
+    fs::remove_all(study.folder / "prompts");
+    QCOMPARE(faults(), QString());
 
     const fs::path photographs = folder("photographs").folder;
     fs::create_directory(photographs);

@@ -40,16 +40,29 @@ ratingResult <- function(question) function(condition) {
   ratings <- inCondition(condition, question)
   means <- meansOf(question)[, condition]
   list(n = number(length(ratings)), mean = number(mean(ratings)), sd = number(sd(ratings)),
-       participants = number(length(means)), ci95 = t.test(means)$conf.int[1:2])
+       participants = number(length(means)), ci95 = t.test(means)$conf.int[1:2], mean_of_participants = number(mean(means)))
 }
 
 # ---- pairs of conditions --------------------------------------------------------------------------------------------
-differences <- function(question, pair) meansOf(question)[, pair[1]] - meansOf(question)[, pair[2]]
-pairedT <- function(question) lapply(pairs, function(pair) t.test(differences(question, pair)))
-holm <- function(question) p.adjust(sapply(pairedT(question), function(test) test$p.value), "holm")
+# Means over the fabrics that a participant answered under each of these conditions.
+commonMeansOf <- function(question, some) {
+  cells <- tapply(answers[[question]], list(answers$participant, answers$fabric, answers$condition), mean)[participants, , some]
+  isMissing <- apply(is.na(cells), 1:2, any)
+  for (condition in some) cells[, , condition][isMissing] <- NA
+  apply(cells, c(1, 3), mean, na.rm = TRUE)
+}
+differences <- function(question, pair) {
+  means <- commonMeansOf(question, pair)
+  means[, pair[1]] - means[, pair[2]]
+}
+# The reference numbers behind statistics.json take all fabrics that are answered under a condition.
+answeredDifferences <- function(question, pair) meansOf(question)[, pair[1]] - meansOf(question)[, pair[2]]
+pairedT <- function(question, differencesOf = differences) lapply(pairs, function(pair) t.test(differencesOf(question, pair)))
+holm <- function(question, differencesOf = differences)
+  p.adjust(sapply(pairedT(question, differencesOf), function(test) test$p.value), "holm")
 # Two one-sided tests (Schuirmann 1987).
-tost <- function(question, pair) {
-  d <- differences(question, pair)
+tost <- function(question, pair, differencesOf = differences) {
+  d <- differencesOf(question, pair)
   list(lower = t.test(d, mu = bounds[1], alternative = "greater"), upper = t.test(d, mu = bounds[2], alternative = "less"),
        ci90 = t.test(d, conf.level = 0.9)$conf.int[1:2], estimate = mean(d), n = length(d), dz = mean(d) / sd(d),
        p = t.test(d)$p.value)
@@ -276,10 +289,10 @@ ratingStatistics <- function(question) {
     pairwise_t_participant_means = Map(function(pair, t, p_holm) {
       list(a = unbox(pair[1]), b = unbox(pair[2]), diff = number(t$estimate), t = number(t$statistic),
            df = number(t$parameter), p = number(t$p.value), p_holm = number(p_holm), n = number(n))
-    }, pairs, pairedT(question), holm(question)))
+    }, pairs, pairedT(question, answeredDifferences), holm(question, answeredDifferences)))
   for (pair in pairs) {
     name <- paste0("tost_", gsub("[^A-Za-z0-9]", "", pair[1]), "_vs_", gsub("[^A-Za-z0-9]", "", pair[2]), "_participant")
-    test <- tost(question, pair)
+    test <- tost(question, pair, answeredDifferences)
     result[[name]] <- list(
       bounds = bounds, estimate = number(test$estimate), t_lower = number(test$lower$statistic),
       p_lower = number(test$lower$p.value), t_upper = number(test$upper$statistic), p_upper = number(test$upper$p.value),
@@ -293,7 +306,7 @@ ratingStatistics <- function(question) {
 # ---- effect sizes, evidence, agreement, variances ---------------------------------------------------------------------
 inOrder <- within(answers, condition <- factor(condition, levels = conditions))
 effectSizes <- function(question) {
-  means <- data.frame(y = c(meansOf(question)), participant = participants, condition = rep(conditions, each = length(participants)))
+  means <- data.frame(y = c(commonMeansOf(question, conditions)), participant = participants, condition = rep(conditions, each = length(participants)))
   sizes <- suppressMessages(anova(afex::aov_ez("participant", "y", means, within = "condition"), es = c("ges", "pes")))
   list(n = number(length(participants)), generalises_to = unbox("these_fabrics"), partial_eta_squared = number(sizes$pes),
        generalised_eta_squared = number(sizes$ges))

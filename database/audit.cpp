@@ -21,7 +21,7 @@ namespace database {
 
 namespace {
 
-/// What is wrong with the study as a whole, and which answers no session writes.
+/// What is wrong with the study as a whole, and what no session writes: answers, and names of acts that there are not.
 struct Faults {
     std::vector<std::string> ofCopy, ofAnswers;
 };
@@ -367,6 +367,7 @@ Faults faultsOfLog(const SqliteConnection& sqlite)
     checkPlaces(sqlite, log, faults.ofCopy);
     append(faults.ofCopy, faultsOfStates(sqlite, log));
     checkPreregistrations(log, faults.ofCopy);
+    append(faults.ofAnswers, faultsOfNamedActs(sqlite, log));
     append(faults.ofAnswers, faultsOfAnswers(sqlite));
     return faults;
 }

@@ -225,26 +225,6 @@ void checkUpgradeSteps(const Log& log, std::vector<std::string>& faults)
     }
 }
 
-/// Entries of the log name the last act of their time. The chain of acts itself does not show that its end was cut off.
-void checkNamedActs(const SqliteConnection& sqlite, const Log& log, std::vector<std::string>& faults)
-{
-    std::map<std::int64_t, std::string> hashes;
-    QSqlQuery row = sqlite.run(QStringLiteral("SELECT number, hash FROM acts"));
-    while (row.next()) hashes[row.value(0).toLongLong()] = fromQt(row.value(1));
-    std::set<int> reported;
-    for (const auto& [sequence, entry] : log) {
-        const json payload = payloadIn(entry.event.payloadJson);
-        const auto named = payload.find("acts");
-        if (named == payload.end() || !named->is_object()) continue;
-        const int number = numberIn(*named, "number", 0);
-        const auto found = hashes.find(number);
-        if (found != hashes.end() && found->second == textIn(*named, "sha256")) continue;
-        if (reported.insert(number).second)
-            faults.push_back("act " + std::to_string(number) + ", which entry " + std::to_string(sequence) +
-                             " of the log names, is not among the acts: they were cut off or written anew");
-    }
-}
-
 /// What a question cannot have as its answer, in SQL.
 QString impossibleFor(const protocols::AnswerKind& kind)
 {
@@ -390,7 +370,27 @@ std::vector<std::string> faultsOfStates(const SqliteConnection& sqlite, const Lo
     checkErasures(sqlite, log, faults);
     checkProtocols(sqlite, log, faults);
     checkUpgradeSteps(log, faults);
-    checkNamedActs(sqlite, log, faults);
+    return faults;
+}
+
+std::vector<std::string> faultsOfNamedActs(const SqliteConnection& sqlite, const Log& log)
+{
+    std::vector<std::string> faults;
+    std::map<std::int64_t, std::string> hashes;
+    QSqlQuery row = sqlite.run(QStringLiteral("SELECT number, hash FROM acts"));
+    while (row.next()) hashes[row.value(0).toLongLong()] = fromQt(row.value(1));
+    std::set<int> reported;
+    for (const auto& [sequence, entry] : log) {
+        const json payload = payloadIn(entry.event.payloadJson);
+        const auto named = payload.find("acts");
+        if (named == payload.end() || !named->is_object()) continue;
+        const int number = numberIn(*named, "number", 0);
+        const auto found = hashes.find(number);
+        if (found != hashes.end() && found->second == textIn(*named, "sha256")) continue;
+        if (reported.insert(number).second)
+            faults.push_back("act " + std::to_string(number) + ", which entry " + std::to_string(sequence) +
+                             " of the log names, is not among the acts: they were cut off or written anew");
+    }
     return faults;
 }
 

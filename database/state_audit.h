@@ -16,6 +16,10 @@ using Log = std::map<std::int64_t, LogEntry>;  ///< by sequence number
 /// One line for each difference.
 std::vector<std::string> faultsOfStates(const SqliteConnection& sqlite, const Log& log);
 
+/// Entries of the log name the last act of their time. The chain of acts itself does not show that its end was cut off. A login
+/// of a server's station may invent such a name, so these faults do not keep a study on its server.
+std::vector<std::string> faultsOfNamedActs(const SqliteConnection& sqlite, const Log& log);
+
 /// By question, from all versions of the protocol. Lacks a question that has two kinds, and is empty where a version cannot be
 /// read.
 TellingFields fieldsOfAnswers(const SqliteConnection& sqlite);

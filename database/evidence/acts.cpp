@@ -1,5 +1,6 @@
 #include "database/evidence/acts.h"
 
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "database/disk/write_lock.h"
@@ -30,6 +31,13 @@ std::optional<Act> actOf(const ChainedAct& row)
     } catch (const nlohmann::json::exception&) {
         return std::nullopt;
     }
+}
+
+/// `verify` names it as a fault. Until somebody looks, it may be any copy of the whole log.
+Act unreadable(const ChainedAct& row)
+{
+    const std::string what = "act " + std::to_string(row.number) + ", which cannot be read";
+    return {row.kind, "", "", "", what, {std::numeric_limits<std::int64_t>::max(), ""}, row.wallTime, what};
 }
 
 void insert(const SqliteConnection& sqlite, const Act& act)
@@ -69,11 +77,7 @@ std::vector<Act> actsOf(const StudyStore& store)
     const SqliteConnection sqlite(store.folder().database(), SqliteConnection::Mode::Read);
     std::vector<Act> acts;
     for (const ChainedAct& row : chainedActsIn(sqlite)) {
-        auto act = actOf(row);
-        if (!act)
-            throw protocols::workFailed({"act " + std::to_string(row.number) + " cannot be read", sqlite.file().string(), "",
-                                         "see `vis2hap verify`; restore the study from a backup"});
-        acts.push_back(std::move(*act));
+        acts.push_back(actOf(row).value_or(unreadable(row)));
     }
     return acts;
 }
@@ -94,7 +98,9 @@ std::vector<Act> copiesSince(const StudyStore& store, std::int64_t sequence)
 {
     std::vector<Act> copies;
     for (Act& act : actsOf(store)) {
-        const bool leavesCopy = act.kind == "export" || act.kind == "backup" || act.kind == "report" || act.kind == serverAct;
+        const bool isReadable = !act.head.hash.empty();
+        const bool leavesCopy =
+            !isReadable || act.kind == "export" || act.kind == "backup" || act.kind == "report" || act.kind == serverAct;
         if (leavesCopy && !act.path.empty() && act.head.sequence >= sequence) copies.push_back(std::move(act));
     }
     return copies;

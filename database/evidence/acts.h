@@ -32,7 +32,7 @@ std::string detailsOf(const Act& act);
 /// or nothing. Never throws for that, because the act itself is done.
 std::optional<std::string> recordAct(const StudyFolder& folder, Act act);
 
-/// In the order in which they were done.
+/// In the order in which they were done. An act that cannot be read has no head, and says so in its path and its note.
 std::vector<Act> actsOf(const StudyStore& store);
 
 /// Every act in its order, also where its details cannot be read.

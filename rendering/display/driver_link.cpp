@@ -36,12 +36,18 @@ constexpr std::size_t mostWaiting = std::size_t{1} << 22;  // Bytes of lines tha
 constexpr std::size_t errorTextKept = 2000;
 constexpr milliseconds untilStopIsSeen(50);
 
-/// The environment for a lab's program, without the password of a server.
+/// Secrets of the owner, which a program of others may not inherit.
+bool isSecret(std::string_view variable)
+{
+    return variable.starts_with("PGPASSWORD=") || variable.starts_with("VIS2HAP_PASSPHRASE=");
+}
+
+/// The environment for a lab's program.
 std::vector<char*> environmentOfProgram()
 {
     std::vector<char*> variables;
     for (char** variable = environ; *variable != nullptr; ++variable)
-        if (!std::string_view(*variable).starts_with("PGPASSWORD=")) variables.push_back(*variable);
+        if (!isSecret(*variable)) variables.push_back(*variable);
     variables.push_back(nullptr);
     return variables;
 }

@@ -36,7 +36,7 @@ struct ColumnMeaning {
     const char* meaning;
 };
 
-constexpr const char* nanoseconds = "ns since the session was last opened";
+constexpr const char* nanoseconds = "ns on the clock of the sitting";
 
 constexpr const char* meaningOfState = "how far the session came; reports leave out who withdrew";
 

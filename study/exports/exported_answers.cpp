@@ -84,6 +84,9 @@ ExportedAnswers::ExportedAnswers(const database::StudyStore& store, const protoc
     store.eachAnswer([&](const CurrentAnswer& answer) {
         requireListed(answer, naming, store);
         inTime.add(answer);
+        if (!isPublic) return;
+        const auto [began, isFirst] = m_beganAtNs.try_emplace({answer.participant, answer.sitting}, answer.record.readyAtNs);
+        if (!isFirst) began->second = std::min(began->second, answer.record.readyAtNs);
     });
     m_places = inTime.places();
     for (const auto& enrolment : store.enrolments()) m_states.emplace(enrolment.participant, enrolment.state);
@@ -122,6 +125,13 @@ std::vector<ExportedField> ExportedAnswers::rowOf(const CurrentAnswer& answer) c
     const auto* question = questionWith(m_protocol, record.question);
     const auto right =
         record.answer && question ? isRight(question->kind, record.alternatives, entry.fabric, *record.answer) : std::nullopt;
+    const auto began = m_beganAtNs.find({answer.participant, answer.sitting});
+    const std::int64_t zero = began == m_beganAtNs.end() ? 0 : began->second;
+    const auto stamp = [zero](std::optional<std::int64_t> atNs) {
+        std::int64_t since = 0;
+        const bool isKnown = atNs && !__builtin_sub_overflow(*atNs, zero, &since);
+        return isKnown ? ExportedValue(since) : ExportedValue();
+    };
     const auto ifTouched = [&](const std::string& by) { return record.touchedAtNs ? ExportedValue(by) : ExportedValue(); };
     const auto ifBegun = [&](const std::string& by) { return record.answerBegunAtNs ? ExportedValue(by) : ExportedValue(); };
     std::vector<ExportedField> row{{"participant", answer.participant.value},
@@ -135,14 +145,14 @@ std::vector<ExportedField> ExportedAnswers::rowOf(const CurrentAnswer& answer) c
                                    {"rating", record.rating ? ExportedValue(record.rating->inScaleUnits()) : ExportedValue()},
                                    {"seconds", answer.seconds},
                                    {"response_seconds", valueIfThere(answer.responseSeconds)},
-                                   {"ready_at", record.readyAtNs},
-                                   {"touched_at", valueIfThere(record.touchedAtNs)},
+                                   {"ready_at", stamp(record.readyAtNs)},
+                                   {"touched_at", stamp(record.touchedAtNs)},
                                    {"touched_by", ifTouched(record.touchedBy)},
-                                   {"touch_ended_at", valueIfThere(record.touchEndedAtNs)},
-                                   {"answer_begun_at", valueIfThere(record.answerBegunAtNs)},
+                                   {"touch_ended_at", stamp(record.touchEndedAtNs)},
+                                   {"answer_begun_at", stamp(record.answerBegunAtNs)},
                                    {"answer_begun_by", ifBegun(record.answerBegunBy)},
-                                   {"answered_at", record.answeredAtNs},
-                                   {"stored_at", answer.storedAtNs},
+                                   {"answered_at", stamp(record.answeredAtNs)},
+                                   {"stored_at", stamp(answer.storedAtNs)},
                                    {"corrections", std::int64_t{answer.corrections}},
                                    {"voided", std::int64_t{answer.voided}},
                                    {"wall_time", answer.wallTime},

@@ -27,8 +27,9 @@ struct ExportedField {
 /// Never holds all answers: of a large study only the places of the presentations.
 class ExportedAnswers {
 public:
-    /// Reads the places. `isPublic`: without private columns, words, and answers of participants who withdrew. The references
-    /// must outlive this. Throws workFailed where an answer belongs to no presentation or participant of the study.
+    /// Reads the places. `isPublic`: without private columns, words, and answers of participants who withdrew, and with stamps
+    /// that count from the first presentation of each sitting. The references must outlive this. Throws workFailed where an
+    /// answer belongs to no presentation or participant of the study.
     ExportedAnswers(const database::StudyStore& store, const protocols::Protocol& protocol, const records::Naming& naming,
                     bool isPublic);
 
@@ -50,6 +51,9 @@ private:
     bool m_isPublic;
     records::Places m_places;
     std::map<protocols::ParticipantId, database::SlotState> m_states;
+    /// Of a public export: when the first presentation of a sitting was ready. The raw clock runs since the computer was started,
+    /// so that stamps of several people would tell days and times.
+    std::map<std::pair<protocols::ParticipantId, int>, std::int64_t> m_beganAtNs;
 };
 
 }  // namespace study::exports

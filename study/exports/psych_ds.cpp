@@ -90,7 +90,7 @@ std::string markdown(const std::string& text)
     return safe;
 }
 
-/// "3 participants (2 human, 1 simulated)"; a public data set holds nothing of those who withdrew.
+/// "3 participants (2 human, 1 simulated)"; a public data set holds no answers of those who withdrew.
 std::string participantsOf(const database::StudyStore& store, bool isPublic)
 {
     std::map<std::string, std::size_t> kinds;

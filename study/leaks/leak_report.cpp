@@ -1,10 +1,12 @@
 #include "study/leaks/leak_report.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "database/disk/station_key.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/strict_json.h"
 #include "protocols/files/temporary_folder.h"
 #include "protocols/records/anchor_trials.h"
 #include "protocols/records/trial_lists.h"
@@ -100,6 +102,16 @@ LeakReport::StationKey withStationKey(const database::StudyStore& store, const S
     return result;
 }
 
+/// As the making of the study says; studies of earlier versions do not.
+bool isDrawnFromNumber(const database::StudyStore& store)
+{
+    const auto made = protocols::storedJson(store.facts().madeWith);
+    const auto settings = made.is_object() ? made.find("settings") : made.end();
+    if (settings == made.end() || !settings->is_object()) return false;
+    const auto given = settings->find("key_seed_given");
+    return given != settings->end() && given->is_boolean() && given->get<bool>();
+}
+
 /// A secret drawn from a small number can be found by trying all small numbers: a sealed code opens with the right one.
 std::vector<std::string> guessedSecrets(const database::StudyStore& store, const SeenStudy& seen)
 {
@@ -114,7 +126,10 @@ std::vector<std::string> guessedSecrets(const database::StudyStore& store, const
         } catch (const protocols::Error&) {
             continue;  // a wrong key, as expected
         }
-    return {};
+    if (!isDrawnFromNumber(store)) return {};
+    return {
+        "the secret was drawn from a number (--key-seed): whoever guesses it, or reads it in the history of a shell, opens the "
+        "station key and the allocation"};
 }
 
 std::set<std::string> codesOf(const SeenStudy& seen)

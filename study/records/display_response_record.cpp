@@ -46,7 +46,7 @@ std::string displayResponseSentence(const database::StudyFacts& facts)
            "). The images are mapped through this response.";
 }
 
-std::string otherDisplaySentence(const database::StudyStore& store, const database::StudyFacts& facts)
+std::string otherDisplaySentence(const database::StudyStore& store, const database::StudyFacts& facts, bool namesThem)
 {
     const auto response = keptResponse(facts);
     if (!response.is_object()) return {};
@@ -65,8 +65,8 @@ std::string otherDisplaySentence(const database::StudyStore& store, const databa
     if (others.empty()) return {};
     std::string names;
     for (const std::string& name : others) names += (names.empty() ? "" : ", ") + name;
-    return reports::counted(sittings, "sitting") + " used another display (" + names +
-           ") than the one whose response was measured (" + measured + ").";
+    return reports::counted(sittings, "sitting") + " used another display" + (namesThem ? " (" + names + ")" : std::string()) +
+           " than the one whose response was measured (" + measured + ").";
 }
 
 }  // namespace study::records

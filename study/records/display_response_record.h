@@ -16,6 +16,6 @@ inline constexpr const char* displayResponseField = "display_response";
 std::string displayResponseSentence(const database::StudyFacts& facts);
 
 /// A sentence where sittings of people used a display of another name than the one that was measured; empty otherwise.
-std::string otherDisplaySentence(const database::StudyStore& store, const database::StudyFacts& facts);
+std::string otherDisplaySentence(const database::StudyStore& store, const database::StudyFacts& facts, bool namesThem);
 
 }  // namespace study::records

@@ -319,7 +319,8 @@ std::vector<std::string> stampsOf(const database::StudyStore& store, const datab
                          " ran without a display: participants of these sittings felt no image on the glass.");
     if (files == ProgramFiles::Named)
         for (std::string& sentence : programSentences(store, facts)) stamps.push_back(std::move(sentence));
-    if (auto sentence = otherDisplaySentence(store, facts); !sentence.empty()) stamps.push_back(std::move(sentence));
+    if (auto sentence = otherDisplaySentence(store, facts, files == ProgramFiles::Named); !sentence.empty())
+        stamps.push_back(std::move(sentence));
     return stamps;
 }
 

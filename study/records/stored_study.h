@@ -55,7 +55,7 @@ inline constexpr const char* imageWarningsField = "image_warnings";
 /// Field of StudyFacts::signalsJson with the prices of the renderings (reports::pricesFromJson).
 inline constexpr const char* pricesField = "prices";
 
-/// Whether sentences name the files of a lab's own programs; such a name may be a person's.
+/// Whether sentences name the files of a lab's own programs and the displays of sittings; such a name may be a person's.
 enum class ProgramFiles { Named, LeftOut };
 
 /// The sentences that every report must show: those of the study's facts and, where it is so, that images lay open.

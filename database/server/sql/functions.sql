@@ -881,6 +881,25 @@ EXCEPTION
 END
 $$;
 
+-- Whether the object has a member of this name, also where a text in it is none that PostgreSQL can store.
+CREATE OR REPLACE FUNCTION @schema@.server_names(payload text, name text) RETURNS boolean LANGUAGE plpgsql IMMUTABLE AS $$
+BEGIN
+    RETURN EXISTS (SELECT FROM json_object_keys(payload::json) k WHERE k = name);
+EXCEPTION
+    WHEN data_exception THEN RETURN strpos(payload, name) > 0;
+END
+$$;
+
+CREATE OR REPLACE FUNCTION @schema@.server_facts_named(payload text) RETURNS SETOF text LANGUAGE plpgsql IMMUTABLE AS $$
+DECLARE
+    committed json := @schema@.server_committed_facts(payload);
+BEGIN
+    IF json_typeof(committed) = 'object' THEN RETURN QUERY SELECT DISTINCT k FROM json_object_keys(committed) k; END IF;
+EXCEPTION
+    WHEN data_exception THEN RETURN;
+END
+$$;
+
 -- Facts stand outside the log. The payload holds the hash of each, which must agree.
 CREATE OR REPLACE FUNCTION @schema@.server_store_facts(its_participant text, facts jsonb, payload text) RETURNS void
     LANGUAGE plpgsql AS $$
@@ -983,6 +1002,12 @@ BEGIN
     payload := @schema@.server_text(event, 'payload', 1000000, false, 'event.');
     IF NOT @schema@.server_is_json_object(payload) THEN
         PERFORM @schema@.server_wrong_field('event.payload', 'the text of a JSON object');
+    END IF;
+    IF @schema@.server_names(payload, 'acts') THEN
+        PERFORM @schema@.server_wrong_field('event.payload', 'no "acts", which only this server states');
+    END IF;
+    IF its_kind NOT IN ('facts_given', 'debriefed') AND @schema@.server_names(payload, 'facts_sha256') THEN
+        PERFORM @schema@.server_wrong_field('event.payload', 'hashes of facts with the events facts_given and debriefed only');
     END IF;
     sitting := @schema@.server_whole(event, 'sitting', false, 'event.', 0, whole_number);
     at_ns := @schema@.server_stamp(event, 'at_ns', false, 'event.');
@@ -1103,13 +1128,21 @@ BEGIN
         RAISE EXCEPTION USING ERRCODE = 'VH203', MESSAGE = 'presentations of ' || its_id || ' have no answer yet',
             DETAIL = 'every answer before the end of the session', HINT = 'take the participant up again';
     END IF;
-    IF its.state = 'withdrawn' AND new_state <> 'withdrawn' THEN
+    IF its.state = 'withdrawn' AND (new_state IS NOT DISTINCT FROM 'finished' OR cardinality(rows) > 0 OR voided IS NOT NULL) THEN
         RAISE EXCEPTION USING ERRCODE = 'VH212', MESSAGE = 'participant ' || its_id || ' has withdrawn',
             DETAIL = 'a participant who takes part', HINT = 'choose another participant';
     END IF;
     facts := @schema@.server_part(entry, 'facts', 'array');
     IF facts IS NULL OR jsonb_array_length(facts) > 1000 THEN
         PERFORM @schema@.server_wrong_field('facts', 'a list of at most 1000 facts');
+    END IF;
+    IF jsonb_array_length(facts) > 0 AND its_kind NOT IN ('facts_given', 'debriefed') THEN
+        PERFORM @schema@.server_wrong_field('facts', 'facts with the events facts_given and debriefed only');
+    END IF;
+    -- Every hash in the payload belongs to a fact that is sent.
+    IF (SELECT count(*) FROM @schema@.server_facts_named(payload))
+       <> (SELECT count(DISTINCT f.value ->> 0) FROM jsonb_array_elements(facts) f) THEN
+        PERFORM @schema@.server_wrong_field('event.payload', 'a hash in facts_sha256 for each fact that is sent, and no other');
     END IF;
 
     PERFORM @schema@.server_store_facts(its_id, facts, payload);
@@ -1218,6 +1251,7 @@ BEGIN
     FOREACH name IN ARRAY ARRAY['who', 'program', 'host', 'path', 'hash'] LOOP
         PERFORM @schema@.server_text(parsed, name, 10000, false, 'details.');
     END LOOP;
+    IF parsed ? 'note' THEN PERFORM @schema@.server_text(parsed, 'note', 10000, false, 'details.'); END IF;
     IF NOT EXISTS (SELECT FROM @schema@.events e
                    WHERE e.sequence = @schema@.server_whole(parsed, 'entry', false, 'details.') AND e.hash = parsed ->> 'hash') THEN
         PERFORM @schema@.server_wrong_field('details.hash', 'the hash of the entry in the log');

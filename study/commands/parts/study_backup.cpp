@@ -75,6 +75,7 @@ void pack(const fs::path& folder, const std::string& name, const fs::path& archi
     QProcess tar;
     QProcessEnvironment surroundings = QProcessEnvironment::systemEnvironment();
     surroundings.remove(QStringLiteral("TAR_OPTIONS"));
+    surroundings.remove(QStringLiteral("VIS2HAP_PASSPHRASE"));
     tar.setProcessEnvironment(surroundings);
     tar.setProcessChannelMode(QProcess::ForwardedChannels);
     tar.start(QStringLiteral("tar"), arguments);

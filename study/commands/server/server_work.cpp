@@ -98,8 +98,12 @@ int toFolder(const std::string& address, const std::string& folder, const std::v
 const char* reachOf(const database::ServerRights& rights)
 {
     if (rights.imagesTo == "display")
-        return "nothing but its own present presentation, and no image: no table, no key, nothing ahead";
-    return "nothing but its own present presentation: no table, no key, nothing ahead. Whoever keeps the images of the "
+        return "no table, no key, nothing ahead and no image. It may take up each participant who is at no other station, and "
+               "reads "
+               "that participant's log";
+    return "no table, no key, nothing ahead. It may take up each participant who is at no other station, and gets the log and "
+           "the "
+           "presentations that this participant has had. Whoever keeps the images of the "
            "presentations can tell which of them were the same; `vis2hap server roles ADDRESS --images display` closes this.";
 }
 

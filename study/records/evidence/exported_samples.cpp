@@ -4,6 +4,7 @@
 
 #include "database/evidence/finger_records.h"
 #include "protocols/files/csv_table.h"
+#include "protocols/files/foreign/foreign_table.h"
 #include "protocols/files/number_text.h"
 
 namespace study::records {
@@ -29,11 +30,11 @@ std::string fingerSamplesCsv(const database::StudyStore& store, const protocols:
         if (naming) {
             const auto named = naming->entries.find({record.participant, record.trial});
             const Naming::Entry entry = named == naming->entries.end() ? Naming::Entry{} : named->second;
-            names = {entry.fabric.value, entry.condition};
+            names = {protocols::safeCell(entry.fabric.value), protocols::safeCell(entry.condition)};
             if (anchored) names.push_back(nameOf(entry.anchor));
         }
         const auto add = [&](const std::vector<std::string>& values) {
-            std::vector<std::string> cells{record.participant.value, std::to_string(record.trial.value),
+            std::vector<std::string> cells{protocols::safeCell(record.participant.value), std::to_string(record.trial.value),
                                            std::to_string(record.attempt), record.voided ? "1" : "0"};
             cells.insert(cells.end(), values.begin(), values.end());
             cells.insert(cells.end(), names.begin(), names.end());

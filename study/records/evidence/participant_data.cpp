@@ -13,6 +13,7 @@
 #include "database/study_rows.h"
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/foreign/foreign_table.h"
 #include "protocols/files/number_text.h"
 #include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
@@ -253,8 +254,11 @@ std::string answersCsv(const ordered_json& data)
     head.insert(head.end(), columns.begin(), columns.end());
     std::string text = protocols::csvRow(head);
     for (const auto& row : data["answers"]) {
-        std::vector<std::string> cells{data["participant"].get<std::string>()};
-        for (const auto& column : columns) cells.push_back(cellOf(row, column));
+        std::vector<std::string> cells{protocols::safeCell(data["participant"].get<std::string>())};
+        for (const auto& column : columns) {
+            const bool isText = row.contains(column) && row[column].is_string();
+            cells.push_back(isText ? protocols::safeCell(cellOf(row, column)) : cellOf(row, column));
+        }
         text += protocols::csvRow(cells);
     }
     return text;

@@ -41,6 +41,8 @@ private Q_SLOTS:
     void aSlotThatAStationHasSeenWaitsForTheOwner();
     void voidsInARowShowNothingAhead();
     void voidsBetweenAnswersHoldNobodyUp();
+    void aStationCannotInventActsOrFacts();
+    void anActOfAnotherFormIsRefused();
     void aRefusedEntryStaysOutOfTheLog();
     void theOwnerKeepsStatementsOutOfTheLog();
     void aLoginThatLogsStatementsIsNamed();
@@ -186,6 +188,52 @@ void RolesTest::nothingIsStoredForAnybodyElse()
     QVERIFY(errorOf([&] { bert.run("SELECT * FROM @schema@.presentation(?)", {2}); }).contains("not due"));
     QCOMPARE(send(bert, sentEntry("P11", 0, "begun")), QString());
     QCOMPARE(readStudy(m_owner).faults(), std::vector<std::string>());
+}
+
+/// What only the server or another event states would keep the study from coming back, or change what people said of themselves.
+void RolesTest::aStationCannotInventActsOrFacts()
+{
+    const StudyFolder study = studyOfAnna("inventions", {.participants = 2});
+    const ServerConnection anna(as("anna", "inventions"));
+    anna.call("join_study", {"one", token, "test"});
+    anna.call("claim", {"P01", "human"});
+    const auto refusalOf = [&](const char* kind, const char* payload, const nlohmann::json& facts) {
+        auto entry = sentEntry("P01", 0, kind);
+        entry["event"]["payload"] = payload;
+        entry["facts"] = facts;
+        return errorOf([&] { anna.call("store", {QString::fromStdString(entry.dump())}); });
+    };
+    const auto none = nlohmann::json::array();
+    QVERIFY(refusalOf("noted", R"({"text":"x","acts":{"number":999,"sha256":"x"}})", none).contains("acts"));
+    QVERIFY(refusalOf("noted", R"({"text":"x","facts_sha256":{"age":"0"}})", none).contains("facts"));
+    QVERIFY(refusalOf("facts_given", R"({"facts_sha256":{"age":"0"}})", none).contains("facts_sha256"));
+    QVERIFY(refusalOf("noted", R"({"text":"x"})", {{"age", "SEVENTY", std::string(64, 'd')}}).contains("facts"));
+    QCOMPARE(refusalOf("noted", R"({"text":"acts and facts_sha256"})", none), QString());
+    anna.call("leave", {});
+
+    // The way back is open where an earlier version let such a name in, and the next verify tells it.
+    const ServerConnection owner(as("owner", "inventions"));
+    owner.run(
+        "SELECT @schema@.server_append('P01', 1, 'noted', '{\"acts\":{\"number\":999,\"sha256\":\"x\"}}', 1, "
+        "'2026-01-01T00:00:00Z')");
+    QCOMPARE(errorOf([&] { moveToFolder(as("owner", "inventions"), study, {}, {"one"}); }), QString());
+    const auto faults = readStudy(study).faults();
+    QCOMPARE(faults.size(), std::size_t{1});
+    QVERIFY2(faults[0].starts_with("act 999, which entry"), faults[0].c_str());
+}
+
+/// The details of an act are shown and listed by many commands.
+void RolesTest::anActOfAnotherFormIsRefused()
+{
+    const ServerConnection karl(as("karl"));
+    const auto head = readStudy(m_owner).head();
+    nlohmann::json details{{"who", "x"},  {"program", "x"},         {"host", "x"},
+                           {"path", "x"}, {"entry", head.sequence}, {"hash", head.hash}};
+    details["note"] = 5;
+    const auto record = [&] { karl.call("record_act", {"export", QString::fromStdString(details.dump()), ""}); };
+    QVERIFY(errorOf(record).contains("note"));
+    details["note"] = "a fault";
+    QCOMPARE(errorOf(record), QString());
 }
 
 StudyFolder RolesTest::studyOfAnna(const char* name, StudyRecipe recipe) const

@@ -95,9 +95,10 @@ private Q_SLOTS:
         QCOMPARE(cv::countNonZero(felt()), 0);
     }
 
-    void theDriverGetsNoPasswordOfAServer()
+    void theDriverGetsNoSecretOfTheOwner()
     {
         qputenv("PGPASSWORD", "Sekret1");
+        qputenv("VIS2HAP_PASSPHRASE", "Sekret2");
         qputenv("OF_THE_LAB", "kept");
         const std::string seen = m_folder.filePath("environment").toStdString();
         {
@@ -105,12 +106,14 @@ private Q_SLOTS:
             display.show(grey);
         }
         qunsetenv("PGPASSWORD");
+        qunsetenv("VIS2HAP_PASSPHRASE");
         qunsetenv("OF_THE_LAB");
         QFile file(QString::fromStdString(seen));
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QByteArray variables = file.readAll();
         QVERIFY(variables.contains("OF_THE_LAB=kept"));
         QVERIFY(!variables.contains("Sekret1") && !variables.contains("PGPASSWORD"));
+        QVERIFY(!variables.contains("Sekret2") && !variables.contains("VIS2HAP_PASSPHRASE"));
     }
 
     void aWaitForADriverCanBeStopped_data()

@@ -494,6 +494,20 @@ void MainJobTest::aPublicExportHasNoDaysNotesOrWords()
                 if (row[0] == file.toStdString()) explained.push_back(row[1]);
             QCOMPARE(explained, columnsOf(folder + file));
         }
+    // The raw clock runs since the computer was started, so that it would tell days.
+    const auto answers = protocols::readForeignTable(path("public/answers.csv").toStdString()).table;
+    const auto cellOf = [&](const std::vector<std::string>& row, const char* name) {
+        return row[static_cast<std::size_t>(std::ranges::find(answers.columns, name) - answers.columns.begin())];
+    };
+    std::map<std::string, long long> began;
+    for (const auto& row : answers.rows) {
+        const long long ready = std::stoll(cellOf(row, "ready_at"));
+        QVERIFY(std::stoll(cellOf(row, "answered_at")) >= ready);
+        const auto [first, isNew] = began.try_emplace(cellOf(row, "participant") + "/" + cellOf(row, "sitting"), ready);
+        if (!isNew) first->second = std::min(first->second, ready);
+    }
+    QVERIFY(!began.empty());
+    for (const auto& [sitting, first] : began) QCOMPARE(first, 0);
     std::ifstream citation(path("public/CITATION.cff").toStdString());
     const std::string text{std::istreambuf_iterator<char>(citation), {}};
     QVERIFY(text.find("  - name: \"A. \\\"B\\\" C\"\n") != std::string::npos);

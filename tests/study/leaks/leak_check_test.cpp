@@ -430,6 +430,17 @@ private Q_SLOTS:
         QCOMPARE(text.exitCode, 1);
         QVERIFY2(text.out.contains("hits cannot be counted"), qPrintable(text.out));
     }
+
+    /// A date is no small number, and still a guess.
+    void aSecretThatWasDrawnFromANumberIsAFinding()
+    {
+        const QTemporaryDir temporary;
+        const QString cloth = temporary.filePath("cloth"), study = temporary.filePath("study");
+        support::mustRun({"fabrics", "make", cloth, "--fabrics", "7", "--samples", "10"});
+        support::mustRun({"study", "new", study, "--dataset", cloth, "--key-seed", "20260301", "--no-passphrase"});
+        const auto run = support::runProgram({"leak-check", study});
+        QVERIFY2(run.exitCode == 1 && run.out.contains("(--key-seed): whoever guesses it"), qPrintable(run.out));
+    }
 };
 
 QTEST_GUILESS_MAIN(LeakCheckTest)

@@ -119,7 +119,7 @@ struct Traces {
     std::size_t shared = 0;              ///< texts without such a part
 };
 
-/// Other people may have said the same words, and the protocol or the reason of the erasure may hold them. A file with such words
+/// Other people may have given the same words, and the protocol or the reason of the erasure may hold them. A file with such words
 /// proves nothing.
 Traces tracesOf(const SqliteConnection& sqlite, const Erasure& erasure, const std::set<std::string>& texts)
 {

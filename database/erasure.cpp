@@ -119,8 +119,8 @@ struct Traces {
     std::size_t shared = 0;              ///< texts without such a part
 };
 
-/// Other people may have given the same words, and the protocol or the reason of the erasure may hold them. A file with such words
-/// proves nothing.
+/// Other people may have given the same words, and the protocol or the reason of the erasure may hold them. A file with such
+/// words proves nothing.
 Traces tracesOf(const SqliteConnection& sqlite, const Erasure& erasure, const std::set<std::string>& texts)
 {
     const std::set<std::string> begunAlike = foundInStudy(sqlite, erasure, {texts.begin(), texts.end()});

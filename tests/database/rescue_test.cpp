@@ -62,6 +62,21 @@ void touch(const std::filesystem::path& file)
 class RescueTest : public QObject {
     Q_OBJECT
 
+    /// A study.db of 3 answers in the folder, and a rescue file that goes on to 6.
+    static void putOlderBesideRescue(const StudyFolder& folder)
+    {
+        const std::filesystem::path older = folder.folder.string() + "-older.db";
+        {
+            OpenSession session(folder, "S01");
+            session.playUntilAnswers(3);
+            session.store.copyTo(older);
+            session.playUntilAnswers(6);
+            std::filesystem::remove(folder.database());
+            errorOf([&] { session.playUntilAnswers(7); });
+        }
+        putInPlace(older, folder);
+    }
+
 private Q_SLOTS:
     void aVanishedDatabaseStopsTheSessionAndLosesNothing_data()
     {
@@ -156,21 +171,12 @@ private Q_SLOTS:
     void actsOfTheReplacedDatabaseAreKept()
     {
         const StudyFolder folder = newStudy();
-        const std::filesystem::path older = folder.folder.string() + "-older.db";
         const auto act = [&](const char* path) {
             const auto head = StudyStore(folder, StudyStore::Access::Read).head();
             QCOMPARE(recordAct(folder, {"export", "Ada", "test", "here", path, head, {}}), std::nullopt);
         };
         act("/first");
-        {
-            OpenSession session(folder, "S01");
-            session.playUntilAnswers(3);
-            session.store.copyTo(older);
-            session.playUntilAnswers(6);
-            std::filesystem::remove(folder.database());
-            errorOf([&] { session.playUntilAnswers(7); });
-        }
-        putInPlace(older, folder);
+        putOlderBesideRescue(folder);
         act("/second");
         const auto known = headOfActs(StudyStore(folder, StudyStore::Access::Read));
         QCOMPARE(StudyStore::rescue(folder, rescueFiles(folder).front()).acts, std::size_t{1});
@@ -193,16 +199,7 @@ private Q_SLOTS:
     {
         QFETCH(const QString, harm);
         const StudyFolder folder = newStudy();
-        const std::filesystem::path older = folder.folder.string() + "-older.db";
-        {
-            OpenSession session(folder, "S01");
-            session.playUntilAnswers(3);
-            session.store.copyTo(older);
-            session.playUntilAnswers(6);
-            std::filesystem::remove(folder.database());
-            errorOf([&] { session.playUntilAnswers(7); });
-        }
-        putInPlace(older, folder);
+        putOlderBesideRescue(folder);
         const auto head = StudyStore(folder, StudyStore::Access::Read).head();
         QCOMPARE(recordAct(folder, {"export", "Ada", "test", "here", "/out", head, {}}), std::nullopt);
         {

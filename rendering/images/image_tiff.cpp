@@ -130,6 +130,26 @@ int typeOf(TIFF* tiff, const std::filesystem::path& file, bool mayHaveColours)
     throw notATiff(file, std::to_string(bits) + " bits of sample format " + std::to_string(format), mayHaveColours);
 }
 
+/// Bytes of pixels for each byte of the file, at most: the longest repetition that a code of this compression can stand for.
+std::uint64_t mostExpansion(TIFF* tiff)
+{
+    std::uint16_t compression = COMPRESSION_NONE;
+    TIFFGetFieldDefaulted(tiff, TIFFTAG_COMPRESSION, &compression);
+    switch (compression) {
+        case COMPRESSION_NONE:
+            return 1;
+        case COMPRESSION_PACKBITS:
+            return 64;
+        case COMPRESSION_DEFLATE:
+        case COMPRESSION_ADOBE_DEFLATE:
+            return 1100;
+        case COMPRESSION_LZW:
+            return 2700;
+        default:
+            return 1u << 16;  // ZSTD and LZMA state repetitions by their length
+    }
+}
+
 cv::Mat readPixels(const std::filesystem::path& file, bool mayHaveColours)
 {
     Memory memory{protocols::readWholeFile(file), 0, {}};
@@ -149,7 +169,8 @@ cv::Mat readPixels(const std::filesystem::path& file, bool mayHaveColours)
                                    file.string(), "at most " + std::to_string(mostTiffBytes) + " bytes when decoded",
                                    "reduce the image, or export it with 8 bits"});
     if (TIFFIsTiled(tiff.get())) throw notATiff(file, "tiled", mayHaveColours);
-    if (pixels * CV_ELEM_SIZE(type) > memory.bytes.size() * 1100ull + (1u << 20)) throw notATiff(file, "the file is truncated");
+    if (pixels * CV_ELEM_SIZE(type) > memory.bytes.size() * mostExpansion(tiff.get()) + (1u << 20))
+        throw notATiff(file, "the file is truncated");
     cv::Mat image(int(height), int(width), type);
     if (TIFFScanlineSize64(tiff.get()) != std::uint64_t(width) * CV_ELEM_SIZE(type))
         throw notATiff(file, "the length of its rows does not match its width");

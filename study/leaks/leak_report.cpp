@@ -189,9 +189,15 @@ std::optional<LeakReport::Power> LeakReport::power() const
     return power;
 }
 
+bool LeakReport::isTooSmallToTell() const
+{
+    const auto found = power();
+    return found && !found->share;
+}
+
 bool LeakReport::learnsNothing() const
 {
-    return hasTruth && !isUnblinded && findings.empty() && modes.empty() && aboveChance().empty();
+    return hasTruth && !isUnblinded && findings.empty() && modes.empty() && aboveChance().empty() && !isTooSmallToTell();
 }
 
 LeakReport leakReport(const database::StudyStore& store, const std::optional<protocols::AllocationKey>& key,

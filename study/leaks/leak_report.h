@@ -54,7 +54,10 @@ struct LeakReport {
     };
     /// None for a study without choices, and where hits are not counted.
     std::optional<Power> power() const;
-    /// The operator with a shell learns nothing: no finding, no mode, the hits counted, and no guesser above chance.
+    /// The study has choices, but so few that not even a guesser who is always right would stand out.
+    bool isTooSmallToTell() const;
+    /// The operator with a shell learns nothing: no finding, no mode, the hits of enough trials counted, and no guesser above
+    /// chance.
     bool learnsNothing() const;
 };
 

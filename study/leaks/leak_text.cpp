@@ -45,7 +45,9 @@ std::string powerText(const std::optional<LeakReport::Power>& power)
 {
     if (!power) return "";
     const std::string of = std::to_string(power->trials) + " true pieces (chance " + percent(power->chance) + ")";
-    if (!power->share) return "; with only " + of + " even one who names them all would not stand out: this verdict says nothing";
+    if (!power->share)
+        return "; with only " + of + " even one who names them all would not stand out: this verdict says nothing. " +
+               std::string("Simulate a whole study of the same protocol and check that one");
     return "; one who names " + percent(*power->share) + " or more of " + of + " would stand out";
 }
 

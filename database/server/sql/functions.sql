@@ -890,6 +890,55 @@ EXCEPTION
 END
 $$;
 
+-- What the program needs of the payload of each kind: eventFromRecord() in study/session/session_record.cpp. Nobody could open
+-- a participant again whose log has an event that cannot be read.
+CREATE OR REPLACE FUNCTION @schema@.server_fault_of_payload(its_kind text, payload text) RETURNS text
+    LANGUAGE plpgsql IMMUTABLE AS $$
+DECLARE
+    parsed json := payload;
+    field record;
+    value json;
+    is_right boolean;
+BEGIN
+    FOR field IN
+        SELECT * FROM (VALUES
+            ('sitting_started', 'dead_time_ns', 'a whole number', false),
+            ('consented', 'by', 'a text', false),
+            ('facts_given', 'given', 'a list of texts', true), ('facts_given', 'by', 'a text', false),
+            ('familiarisation_shown', 'item', 'a whole number', true),
+            ('scale_placed', 'shown', 'a whole number', true), ('scale_placed', 'spoken', 'a whole number', true),
+            ('scale_placed', 'by', 'a text', false),
+            ('checklist_done', 'ticked', 'a list of texts', true), ('checklist_done', 'readings', 'an object of texts', true),
+            ('tray_ready', 'pieces', 'a list of texts', false),
+            ('touched', 'by', 'a text', false), ('touched', 'ago_ns', 'a whole number', false),
+            ('answered', 'begun_ago_ns', 'a whole number', false), ('answered', 'begun_by', 'a text', false),
+            ('answered', 'touch_ended_ago_ns', 'a whole number', false), ('answered', 'entries', 'a whole number', false),
+            ('corrected', 'question', 'a text', true), ('corrected', 'why', 'a text', true),
+            ('voided', 'why', 'a text', true), ('withdrawn', 'why', 'a text', true),
+            ('noted', 'text', 'a text', true), ('noted', 'flag', 'true or false', false)
+        ) AS needed(kind, name, form, is_needed) WHERE needed.kind = its_kind
+    LOOP
+        value := parsed -> field.name;
+        CONTINUE WHEN value IS NULL AND NOT field.is_needed;
+        is_right := json_typeof(value) = CASE field.form
+            WHEN 'a text' THEN 'string' WHEN 'true or false' THEN 'boolean' WHEN 'a whole number' THEN 'number'
+            WHEN 'a list of texts' THEN 'array' ELSE 'object' END;
+        IF is_right AND field.form = 'a whole number' THEN
+            is_right := value::text ~ '^-?[0-9]{1,18}$'
+                AND (field.name LIKE '%\_ns' OR value::text::numeric BETWEEN -2147483648 AND 2147483647);
+        ELSIF is_right AND field.form = 'a list of texts' THEN
+            is_right := NOT EXISTS (SELECT FROM json_array_elements(value) v WHERE json_typeof(v.value) <> 'string');
+        ELSIF is_right AND field.form = 'an object of texts' THEN
+            is_right := NOT EXISTS (SELECT FROM json_each(value) v WHERE json_typeof(v.value) <> 'string');
+        END IF;
+        IF is_right IS NOT TRUE THEN RETURN field.name || ': ' || field.form; END IF;
+    END LOOP;
+    RETURN '';
+EXCEPTION
+    WHEN data_exception THEN RETURN 'texts without the character of code 0';
+END
+$$;
+
 CREATE OR REPLACE FUNCTION @schema@.server_facts_named(payload text) RETURNS SETOF text LANGUAGE plpgsql IMMUTABLE AS $$
 DECLARE
     committed json := @schema@.server_committed_facts(payload);
@@ -1145,6 +1194,9 @@ BEGIN
         PERFORM @schema@.server_wrong_field('event.payload', 'a hash in facts_sha256 for each fact that is sent, and no other');
     END IF;
 
+    IF @schema@.server_fault_of_payload(its_kind, payload) <> '' THEN
+        PERFORM @schema@.server_wrong_field('event.payload', @schema@.server_fault_of_payload(its_kind, payload));
+    END IF;
     PERFORM @schema@.server_store_facts(its_id, facts, payload);
     number := @schema@.server_append(its_id, sitting, its_kind, payload, at_ns, wall_time, places, content);
     INSERT INTO @schema@.responses

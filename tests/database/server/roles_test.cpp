@@ -8,6 +8,8 @@
 #include "database/server/server_rights.h"
 #include "database/server/server_roles.h"
 #include "database/server/study_move.h"
+#include "protocols/files/errors.h"
+#include "study/session/session_record.h"
 #include "tests/support/error_text.h"
 #include "tests/support/server/private_server.h"
 #include "tests/support/server/server_session.h"
@@ -208,6 +210,22 @@ void RolesTest::aStationCannotInventActsOrFacts()
     QVERIFY(refusalOf("noted", R"({"text":"x","facts_sha256":{"age":"0"}})", none).contains("facts"));
     QVERIFY(refusalOf("facts_given", R"({"facts_sha256":{"age":"0"}})", none).contains("facts_sha256"));
     QVERIFY(refusalOf("noted", R"({"text":"x"})", {{"age", "SEVENTY", std::string(64, 'd')}}).contains("facts"));
+    const std::pair<const char*, const char*> unreadable[] = {
+        {"noted", "{}"},
+        {"noted", R"({"text":7})"},
+        {"noted", R"({"text":"x","flag":"yes"})"},
+        {"facts_given", R"({"given":["age",3]})"},
+        {"familiarisation_shown", R"({"item":2147483648})"},
+        {"scale_placed", R"({"shown":1.5,"spoken":10})"},
+        {"checklist_done", R"({"ticked":[],"readings":{"lux":3}})"},
+        {"touched", R"({"by":"display","ago_ns":1e3})"},
+        {"tray_ready", R"({"pieces":null})"},
+    };
+    for (const auto& [kind, payload] : unreadable) {
+        QVERIFY_THROWS_EXCEPTION(protocols::Error, study::session::eventFromRecord(kind, payload));
+        QVERIFY2(refusalOf(kind, payload, none).contains("event.payload"), payload);
+    }
+    QVERIFY(refusalOf("noted", R"({"text":"a \u0000 nul"})", none).contains("event.payload"));
     QCOMPARE(refusalOf("noted", R"({"text":"acts and facts_sha256"})", none), QString());
     anna.call("leave", {});
 

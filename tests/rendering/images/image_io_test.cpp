@@ -200,6 +200,33 @@ private Q_SLOTS:
         QVERIFY(sameBits(readTiff(file), height));
     }
 
+    /// ZSTD states a repetition by its length: a blank scan of 16 MB has 620 bytes.
+    void tiffOfOneColourIsRead()
+    {
+        constexpr quint32 side = 4000, strip = 122, shortest = 3, longest = 4, zstd = 50000;
+        constexpr quint32 block = 131072, blocks = side * side / block;
+        QByteArray frame("\x28\xb5\x2f\xfd\x00\x38", 6);  // no size, a window of 128 KiB
+        for (quint32 b = 0; b <= blocks; ++b) {
+            const quint32 header = (b < blocks ? block : side * side % block) << 3 | 1 << 1 | quint32(b == blocks);
+            frame += QByteArray::fromRawData(reinterpret_cast<const char*>(&header), 3) + char(7);
+        }
+        const quint32 entries[][3] = {{256, longest, side},  {257, longest, side}, {258, shortest, 8},
+                                      {259, shortest, zstd}, {262, shortest, 1},   {273, longest, strip},
+                                      {277, shortest, 1},    {278, longest, side}, {279, longest, quint32(frame.size())}};
+        QByteArray tiff("II*\0\x08\0\0\0\x09\0", 10);
+        for (const auto& [tag, type, value] : entries) {
+            const quint32 words[] = {tag | type << 16, 1, value};
+            tiff += QByteArray(reinterpret_cast<const char*>(words), sizeof words);
+        }
+        const fs::path file = pathOf(m_folder) / "even.tiff";
+        tiff += QByteArray(4, '\0') + frame;
+        write(file, tiff.toStdString());
+        const cv::Mat even = readTiff(file);
+        QVERIFY(even.size() == cv::Size(side, side) && cv::countNonZero(even == 7) == side * side);
+        write(file, tiff.replace(10 + 3 * 12 + 8, 2, "\x01\0", 2).toStdString());  // calls itself uncompressed
+        QVERIFY(contains(refusalOf([&] { readTiff(file); }), "truncated"));
+    }
+
     void npyComesBackBitForBit_data()
     {
         QTest::addColumn<int>("type");

@@ -394,11 +394,16 @@ private Q_SLOTS:
         StudyRecipe recipe;
         recipe.participants = 1;
         recipe.alternatives = 2;
+        recipe.keySeed = secretSeeds[0];
         const auto folder = buildStudy(fs::path(temporary.path().toStdString()) / "study", recipe);
         const database::StudyStore store(folder, database::StudyStore::Access::Read);
         const auto key = readAllocationKeyForTestDriver(store, database::ParticipantKind::Scripted, {});
+        fs::remove(folder.allocationKey());
+        closeToOthers(folder.folder);
         const auto report = leakReport(store, key, {});
         QVERIFY(report.power() && !report.power()->share);
+        QVERIFY(report.findings.empty() && report.modes.empty() && report.aboveChance().empty());
+        QVERIFY(report.isTooSmallToTell() && !report.learnsNothing());  // the exit code is not 0, either
         QVERIFY(QString::fromStdString(textOf(report)).contains("this verdict says nothing"));
         QCOMPARE(jsonOf(report)["why"]["least_share_found"], "too few trials");
     }

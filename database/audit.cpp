@@ -21,7 +21,7 @@ namespace database {
 
 namespace {
 
-/// What is wrong with the study as a whole, and what no session writes: answers, and names of acts that there are not.
+/// What is wrong with the study as a whole, and what no session writes: answers, facts, and names of acts that there are not.
 struct Faults {
     std::vector<std::string> ofCopy, ofAnswers;
 };
@@ -365,7 +365,9 @@ Faults faultsOfLog(const SqliteConnection& sqlite)
     checkUpgrade(log, faults.ofCopy);
     checkFixedTables(sqlite, log, faults.ofCopy);
     checkPlaces(sqlite, log, faults.ofCopy);
-    append(faults.ofCopy, faultsOfStates(sqlite, log));
+    StateFaults ofStates = faultsOfStates(sqlite, log);
+    append(faults.ofCopy, std::move(ofStates.ofActs));
+    append(faults.ofAnswers, std::move(ofStates.ofFacts));
     checkPreregistrations(log, faults.ofCopy);
     append(faults.ofAnswers, faultsOfNamedActs(sqlite, log));
     append(faults.ofAnswers, faultsOfAnswers(sqlite));

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <functional>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -23,6 +24,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/safe_text.h"
+#include "protocols/files/sha256.h"
 #include "protocols/files/temporary_folder.h"
 #include "protocols/files/whole_file.h"
 
@@ -214,39 +216,95 @@ std::vector<std::int64_t> interruptedErasures(const SqliteConnection& sqlite, co
     return open;
 }
 
-/// The entries of the folder by their names in a certificate.
-std::set<std::string> namesIn(const StudyFolder& study)
+/// Files outside of the study folder whose bytes may hold what was erased. Those of other accounts are searched up to a size,
+/// because anybody may put a file there that has no end.
+std::vector<std::filesystem::path> rescueFilesAround(const StudyFolder& study)
 {
-    std::set<std::string> names;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(study.folder))
-        names.insert(protocols::printable(entry.path().lexically_relative(study.folder).string()));
-    return names;
+    constexpr std::uintmax_t largestOfOthers = 4ULL << 30;
+    std::vector<std::filesystem::path> files = rescueFilesOutside(study);
+    for (const auto& file : rescueFilesOfOthers(study)) {
+        std::error_code unknown;
+        const auto size = std::filesystem::file_size(file, unknown);
+        if (!unknown && size <= largestOfOthers && ::access(file.c_str(), R_OK) == 0) files.push_back(file);
+    }
+    return files;
 }
 
-/// Files that the certificate of an earlier erasure of this participant names, and that still stand there. What was removed then
-/// can no longer be searched for in them. The database itself was written anew.
-std::vector<std::string> namedBefore(const SqliteConnection& sqlite, const std::string& participant, const StudyFolder& study)
+std::filesystem::path pathOf(const std::string& name, const StudyFolder& study) { return study.folder / name; }
+
+/// How a message and a certificate, which nobody can change later, name the file.
+std::string shownName(const FoundFile& file)
+{
+    return file.name.empty() ? "a file whose name holds a removed text, with the SHA-256 " + file.sha256 : file.name;
+}
+
+FoundFile foundFile(const std::string& name, const std::set<std::string>& texts, const StudyFolder& study)
+{
+    const bool holdsText = std::ranges::any_of(texts, [&](const auto& text) { return name.find(text) != std::string::npos; });
+    FoundFile file{holdsText ? "" : protocols::printable(name)};
+    std::error_code unknown;
+    if (const auto bytes = std::filesystem::file_size(pathOf(name, study), unknown); !unknown) file.bytes = std::int64_t(bytes);
+    try {
+        file.sha256 = protocols::sha256OfFile(pathOf(name, study));
+    } catch (const protocols::Error&) {
+        // Then its name counts alone.
+    }
+    return file;
+}
+
+/// Files that the certificate of an earlier erasure of this participant names.
+std::vector<FoundFile> filesInCertificates(const SqliteConnection& sqlite, const std::string& participant)
 {
     std::set<std::int64_t> erasures;
     QSqlQuery row = sqlite.run(QStringLiteral("SELECT event FROM erasures WHERE participant = ?"), {toQt(participant)});
     while (row.next()) erasures.insert(row.value(0).toLongLong());
-    std::set<std::string> files;
+    std::vector<FoundFile> files;
     row = sqlite.run(QStringLiteral("SELECT payload FROM events WHERE kind = ? AND participant = ''"), {toQt(certifiedKind)});
     while (row.next()) {
         const nlohmann::json payload = payloadIn(fromQt(row.value(0)));
         const auto found = payload.find(foundField);
         if (found == payload.end() || !erasures.contains(numberIn(payload, "erasure", 0))) continue;
-        for (const auto& name : *found)
-            if (name.is_string()) files.insert(name.get<std::string>());
+        for (const auto& file : *found) {
+            if (!file.is_object()) continue;
+            const auto bytes = file.find("bytes");
+            const bool isSized = bytes != file.end() && bytes->is_number_integer();
+            files.push_back({textIn(file, "name"), isSized ? bytes->get<std::int64_t>() : 0, textIn(file, "sha256")});
+        }
     }
-    for (const char* own : {"study.db", "study.db-wal", "study.db-shm"}) files.erase(own);
-    if (files.empty()) return {};
-    const std::set<std::string> present = namesIn(study);
-    std::erase_if(files, [&](const std::string& file) {
-        std::error_code gone;
-        return !present.contains(file) && !(file.starts_with('/') && std::filesystem::exists(file, gone));
-    });
-    return {files.begin(), files.end()};
+    return files;
+}
+
+/// Those that are still there under their names, or with the same content under any name: what was removed then can no longer be
+/// searched for in them. Of a database its rows decide.
+std::vector<FoundFile> stillThere(const std::vector<FoundFile>& named, const Erasure& erasure, const StudyFolder& study)
+{
+    if (named.empty()) return {};
+    std::map<std::string, std::filesystem::path> present;  // by printable name
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(study.folder))
+        if (entry.is_regular_file() && !entry.is_symlink())
+            present.emplace(protocols::printable(entry.path().lexically_relative(study.folder).string()), entry.path());
+    for (const auto& file : rescueFilesAround(study)) present.emplace(protocols::printable(file.string()), file);
+    for (const char* own : {"study.db", "study.db-wal", "study.db-shm"}) present.erase(own);
+    std::vector<FoundFile> found;
+    for (const auto& [name, path] : present) {
+        std::error_code unknown;
+        const auto bytes = std::int64_t(std::filesystem::file_size(path, unknown));
+        const auto same = std::ranges::find_if(named, [&](const FoundFile& file) {
+            return file.name == name || (!unknown && file.bytes == bytes && file.sha256 == protocols::sha256OfFile(path));
+        });
+        if (same == named.end() || !rowsAbout(path, erasure.participant.value, erasure.answersToo, study).value_or(true))
+            continue;
+        found.push_back({same->name.empty() ? "" : name, bytes, same->sha256});
+    }
+    return found;
+}
+
+void addFound(const FoundFile& file, ErasureRecord& record)
+{
+    const std::string shown = shownName(file);
+    if (std::ranges::find(record.found, shown) != record.found.end()) return;
+    record.found.push_back(shown);
+    record.foundFiles.push_back(file);
 }
 
 protocols::Error noRoom(const std::filesystem::path& place, std::uintmax_t bytes, int reason)
@@ -272,20 +330,6 @@ dev_t deviceOf(const std::filesystem::path& folder)
 {
     struct stat status {};
     return ::stat(folder.c_str(), &status) == 0 ? status.st_dev : dev_t{};
-}
-
-/// Files outside of the study folder whose bytes may hold what was erased. Those of other accounts are searched up to a size,
-/// because anybody may put a file there that has no end.
-std::vector<std::filesystem::path> rescueFilesAround(const StudyFolder& study)
-{
-    constexpr std::uintmax_t largestOfOthers = 4ULL << 30;
-    std::vector<std::filesystem::path> files = rescueFilesOutside(study);
-    for (const auto& file : rescueFilesOfOthers(study)) {
-        std::error_code unknown;
-        const auto size = std::filesystem::file_size(file, unknown);
-        if (!unknown && size <= largestOfOthers && ::access(file.c_str(), R_OK) == 0) files.push_back(file);
-    }
-    return files;
 }
 
 /// What the steps after the removal need: a temporary copy and a write-ahead log with every page, and the certificate. The
@@ -352,14 +396,14 @@ ErasureRecord eraseFrom(const SqliteConnection& sqlite, const Erasure& erasure)
     const protocols::ByteSearch search = protocols::searchFiles(study.folder, traces.sequences, rescueFilesAround(study));
     record.searchedFiles = search.files;
     record.searchedTexts = traces.sequences.size();
-    record.found = search.found;
     // Numbers and times are too short for the search, so that copies of the database count as found by their rows.
-    auto copies = copiesBeforeUpgradeOf(erasure.participant.value, study);
+    std::vector<std::string> names = search.found;
+    std::ranges::copy(copiesBeforeUpgradeOf(erasure.participant.value, study), std::back_inserter(names));
     const bool answersToo = erasure.answersToo || !record.interrupted.empty();
-    std::ranges::copy(databasesAbout(erasure.participant.value, answersToo, study), std::back_inserter(copies));
-    std::ranges::copy(namedBefore(sqlite, erasure.participant.value, study), std::back_inserter(copies));
-    for (const std::string& copy : copies)
-        if (std::ranges::find(record.found, copy) == record.found.end()) record.found.push_back(copy);
+    std::ranges::copy(databasesAbout(erasure.participant.value, answersToo, study), std::back_inserter(names));
+    for (const std::string& name : names) addFound(foundFile(name, texts, study), record);
+    for (const FoundFile& file : stillThere(filesInCertificates(sqlite, erasure.participant.value), erasure, study))
+        addFound(file, record);
     return record;
 }
 
@@ -367,7 +411,11 @@ void recordCertificate(const StudyStore& store, const ErasureRecord& record, con
 {
     const SqliteConnection sqlite(store.folder().database(), SqliteConnection::Mode::Write);
     nlohmann::ordered_json payload{{"erasure", record.event}, {"sha256", sha256}};
-    for (const std::string& file : record.found) payload[foundField].push_back(protocols::printable(file));
+    for (const FoundFile& file : record.foundFiles) {
+        nlohmann::ordered_json entry{{"bytes", file.bytes}, {"sha256", file.sha256}};
+        if (!file.name.empty()) entry["name"] = file.name;
+        payload[foundField].push_back(entry);
+    }
     Transaction transaction(sqlite);
     database::store(sqlite, actOnStudy(certifiedKind, payload, wallTimeNow()));
     transaction.commit();

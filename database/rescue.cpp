@@ -236,12 +236,13 @@ void keepActs(const StudyFolder& folder, const fs::path& file, Rescue& result)
     made.run(QStringLiteral("PRAGMA wal_checkpoint(TRUNCATE)"));
 }
 
-/// Renames study.db, with its write-ahead log where that may hold something. Returns its new name.
+/// Gives study.db another name, with its write-ahead log where that may hold something. It keeps its own name until the rescued
+/// one replaces it, so that nothing is missing after an interruption, where the file system has links. Returns the new name.
 fs::path movePresentAside(const StudyFolder& folder)
 {
     fs::path earlier = freeName(folder.folder, "study-before-rescue-");
-    fs::rename(folder.database(), earlier);
     std::error_code ignored;
+    if (::link(folder.database().c_str(), earlier.c_str()) != 0) fs::rename(folder.database(), earlier);
     const fs::path log = folder.database().string() + "-wal";
     if (fs::exists(log, ignored) && fs::file_size(log, ignored) > 0) fs::rename(log, earlier.string() + "-wal");
     return earlier;
@@ -309,7 +310,10 @@ Rescue bringBack(const StudyFolder& folder, const std::filesystem::path& rescue)
         }
         writeWhole(rescued, made.file);
     }
-    if (continuesPresent) keepActs(folder, made.file, result);
+    if (continuesPresent)
+        keepActs(folder, made.file, result);
+    else
+        result.lacksActs = hasPresent;  // nobody can read which acts it had
     if (hasPresent) result.earlier = movePresentAside(folder);
     for (const char* ending : {"-wal", "-shm"}) fs::remove(folder.database().string() + ending, ignored);
     protocols::putFileInPlace(made.file, folder.database());

@@ -130,18 +130,6 @@ bool hasRowsAbout(const SqliteConnection& kept, const std::string& participant, 
                            has("events WHERE participant = ? AND salt <> ''")));
 }
 
-bool isAbout(const fs::path& file, const std::string& participant, bool answersToo, const StudyFolder& folder)
-{
-    try {
-        const SqliteConnection kept(file, SqliteConnection::Mode::Kept);
-        if (hidesTables(kept)) return true;  // Its other tables may hold what was erased, and are not read.
-        checkedVersion(kept);
-        return originOf(kept, folder) != Origin::AnotherStudy && hasRowsAbout(kept, participant, answersToo);
-    } catch (const protocols::Error&) {
-        return false;
-    }
-}
-
 }  // namespace
 
 fs::path freeName(const fs::path& where, const std::string& prefix)
@@ -220,18 +208,33 @@ Origin originOf(const SqliteConnection& database, const StudyFolder& folder)
     return protocols::sha256(*key) == committed ? Origin::ThisStudy : Origin::AnotherStudy;
 }
 
+std::optional<bool> rowsAbout(const fs::path& file, const std::string& participant, bool answersToo, const StudyFolder& folder)
+{
+    try {
+        const SqliteConnection kept(file, SqliteConnection::Mode::Kept);
+        if (hidesTables(kept)) return true;  // Its other tables may hold what was erased, and are not read.
+        checkedVersion(kept);
+        return originOf(kept, folder) != Origin::AnotherStudy && hasRowsAbout(kept, participant, answersToo);
+    } catch (const protocols::Error&) {
+        return std::nullopt;
+    }
+}
+
 std::vector<std::string> databasesAbout(const std::string& participant, bool answersToo, const StudyFolder& folder)
 {
     std::vector<std::string> found;
     std::error_code unreadable;
+    const auto isAbout = [&](const fs::path& file) { return rowsAbout(file, participant, answersToo, folder).value_or(false); };
     for (const auto& entry : fs::directory_iterator(folder.folder, unreadable)) {
         const fs::path& file = entry.path();
+        const std::string name = file.filename().string();
         const bool isOther = file.extension() == ".db" && file.filename() != folder.database().filename();
-        if (isOther && isRegular(file) && isAbout(file, participant, answersToo, folder))
-            found.push_back(file.filename().string());
+        const bool isOfSession =
+            name.starts_with("held-" + participant + "-") || name.starts_with("not-sent-" + participant + "-");
+        if (isRegular(file) && ((isOther && isAbout(file)) || (answersToo && isOfSession))) found.push_back(name);
     }
     for (const fs::path& file : rescueFilesOutside(folder))
-        if (isAbout(file, participant, answersToo, folder)) found.push_back(file.string());
+        if (isAbout(file)) found.push_back(file.string());
     return found;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,8 +42,13 @@ enum class Origin {
 };
 Origin originOf(const SqliteConnection& database, const StudyFolder& folder);
 
+/// Whether the file holds rows of the participant that an erasure removes. None where it cannot be read as a study's database.
+std::optional<bool> rowsAbout(const std::filesystem::path& file, const std::string& participant, bool answersToo,
+                              const StudyFolder& folder);
+
 /// Databases in the study folder and outside that still hold facts of the participant or, if `answersToo`, answers or entries
-/// with their content; relative to the folder where they lie in it. A file that cannot be read as a database is left out.
+/// with their content; relative to the folder where they lie in it. A file that cannot be read as a database is left out. With
+/// the answers count what a session on a server left: held-ID-N.json and not-sent-ID-N.json.
 std::vector<std::string> databasesAbout(const std::string& participant, bool answersToo, const StudyFolder& folder);
 
 }  // namespace database

@@ -144,15 +144,25 @@ struct Erasure {
 };
 
 /// What an erasure did.
+/// A file that still holds something after an erasure, as the log remembers it.
+struct FoundFile {
+    std::string name = {};  ///< printable; empty where the name itself holds a removed text
+    std::int64_t bytes = 0;
+    std::string sha256 = {};  ///< of the content; empty where it could not be read
+};
+
 struct ErasureRecord {
     std::int64_t event = 0;  ///< entry of the log
     int answers = 0, notes = 0, facts = 0;
     std::int64_t fingerSamples = 0;
     std::string wallTime;
-    std::size_t searchedFiles = 0;   ///< files of the study in which the removed texts were looked for
-    std::size_t searchedTexts = 0;   ///< salts, facts, notes and words that nothing else in the study holds
-    std::size_t sharedTexts = 0;     ///< others, which the study still holds, so that no file can be searched for them
-    std::vector<std::string> found;  ///< files that still hold one of them, relative to the study, also by earlier certificates
+    std::size_t searchedFiles = 0;  ///< files of the study in which the removed texts were looked for
+    std::size_t searchedTexts = 0;  ///< salts, facts, notes and words that nothing else in the study holds
+    std::size_t sharedTexts = 0;    ///< others, which the study still holds, so that no file can be searched for them
+    /// Files that still hold one of them, relative to the study, also by earlier certificates. Where the name holds one, too, the
+    /// hash of the content stands for it.
+    std::vector<std::string> found;
+    std::vector<FoundFile> foundFiles;  ///< the same files
     /// Earlier erasures of this participant, by their entries, that ended before the search: their texts are no longer known.
     std::vector<std::int64_t> interrupted;
 };

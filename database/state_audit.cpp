@@ -361,15 +361,15 @@ void checkFinished(const SqliteConnection& sqlite, std::vector<std::string>& fau
 
 }  // namespace
 
-std::vector<std::string> faultsOfStates(const SqliteConnection& sqlite, const Log& log)
+StateFaults faultsOfStates(const SqliteConnection& sqlite, const Log& log)
 {
-    std::vector<std::string> faults;
+    StateFaults faults;
     const std::map<std::string, Told> all = toldBy(log);
-    checkParticipants(sqlite, all, faults);
-    checkFacts(sqlite, all, faults);
-    checkErasures(sqlite, log, faults);
-    checkProtocols(sqlite, log, faults);
-    checkUpgradeSteps(log, faults);
+    checkParticipants(sqlite, all, faults.ofActs);
+    checkFacts(sqlite, all, faults.ofFacts);
+    checkErasures(sqlite, log, faults.ofActs);
+    checkProtocols(sqlite, log, faults.ofActs);
+    checkUpgradeSteps(log, faults.ofActs);
     return faults;
 }
 

@@ -14,7 +14,11 @@ namespace database {
 using Log = std::map<std::int64_t, LogEntry>;  ///< by sequence number
 
 /// One line for each difference.
-std::vector<std::string> faultsOfStates(const SqliteConnection& sqlite, const Log& log);
+struct StateFaults {
+    std::vector<std::string> ofActs;   ///< of participants, protocols and erasures
+    std::vector<std::string> ofFacts;  ///< what a login of a server's station may cause by a payload of its own making
+};
+StateFaults faultsOfStates(const SqliteConnection& sqlite, const Log& log);
 
 /// Entries of the log name the last act of their time. The chain of acts itself does not show that its end was cut off. A login
 /// of a server's station may invent such a name, so these faults do not keep a study on its server.

@@ -9,11 +9,15 @@
 #include "database/stored_texts.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/strict_json.h"
+#include "protocols/files/utf8.h"
 #include "protocols/json_count.h"
 
 namespace database {
 
 namespace {
+
+/// Bytes. A server takes 10,000; a folder with hundreds of faults has more.
+constexpr std::size_t longestNote = 4000;
 
 /// Empty where the details cannot be read.
 std::optional<Act> actOf(const ChainedAct& row)
@@ -56,7 +60,7 @@ std::string detailsOf(const Act& act)
 {
     nlohmann::ordered_json details{{"who", act.who},   {"program", act.program},     {"host", act.host},
                                    {"path", act.path}, {"entry", act.head.sequence}, {"hash", act.head.hash}};
-    if (!act.note.empty()) details["note"] = act.note;
+    if (!act.note.empty()) details["note"] = protocols::inShort(act.note, longestNote);
     return details.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 

@@ -8,6 +8,7 @@
 #include "database/disk/server_note.h"
 #include "database/disk/station_key.h"
 #include "database/disk/write_lock.h"
+#include "database/server/held_log.h"
 #include "database/server/server_connection.h"
 #include "database/server/server_scripts.h"
 #include "database/server/table_rows.h"
@@ -254,6 +255,21 @@ void recordStay(const StudyFolder& folder, Act act, const std::string& address, 
                                      folder.folder.string(), "", "run the same command again"});
 }
 
+/// The queue of sessions in this folder. What its owner gave up stays as a file, like at every station.
+void clearQueue(const StudyFolder& folder)
+{
+    std::error_code ignored;
+    if (!fs::is_regular_file(fs::symlink_status(folder.queue(), ignored))) return;
+    try {
+        AnswerQueue queue(folder);
+        while (const auto first = queue.first()) keepNotSent(folder, queue, *first);
+    } catch (const protocols::Error& fault) {
+        if (fault.exitCode() == protocols::ExitCode::Environment) throw;
+        return;  // a damaged queue stays, and verify names it
+    }
+    for (const char* ending : {"", "-wal", "-shm"}) fs::remove(folder.queue().string() + ending, ignored);
+}
+
 /// A link stays a link. Pipes, sockets and devices stay behind: `verify` looks at the folder itself.
 void copyWhatCanBeRead(const fs::directory_entry& entry, const fs::path& to)
 {
@@ -342,6 +358,7 @@ LogHead moveToFolder(const ServerAddress& address, const StudyFolder& folder, co
     if (hasStudy(server)) dropStudy(server);
     const LogHead head = headIn(SqliteConnection(folder.database(), SqliteConnection::Mode::Read));
     if (!by.program.empty()) recordStay(folder, by, note.address, head);
+    clearQueue(folder);
     fs::remove(serverNoteOf(folder.folder));
     return head;
 }

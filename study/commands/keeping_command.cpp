@@ -100,7 +100,7 @@ int rescue(const std::string& study, const std::string& from)
         std::printf("  exports and other acts that were recorded there since: %zu; the study keeps them\n", done.acts);
     if (done.lacksActs)
         std::printf(
-            "  some exports or other acts that were recorded there are altered or cannot be read: the study lacks them\n");
+            "  exports and other acts that were recorded there, and are altered or cannot be read, are not in the study\n");
     return 0;
 }
 

@@ -151,4 +151,11 @@ std::string newPassphrase(const PassphraseOption& option, const std::string& key
     return *given;
 }
 
+QProcessEnvironment environmentWithoutSecrets()
+{
+    QProcessEnvironment surroundings = QProcessEnvironment::systemEnvironment();
+    for (const char* secret : {variable, "PGPASSWORD"}) surroundings.remove(QLatin1String(secret));
+    return surroundings;
+}
+
 }  // namespace study::commands

@@ -36,7 +36,7 @@ struct ColumnMeaning {
     const char* meaning;
 };
 
-constexpr const char* nanoseconds = "ns on the clock of the sitting";
+constexpr const char* nanoseconds = "ns on the clock of the sitting; in a public export since its first presentation";
 
 constexpr const char* meaningOfState = "how far the session came; reports leave out who withdrew";
 
@@ -58,7 +58,7 @@ constexpr ColumnMeaning answerMeanings[] = {
     {"touched_by", "text", "", oneOf("display; operator"), "who stamped the first touch"},
     {"answered_at", "whole number", nanoseconds, any, "the answer was entered"},
     {"stored_at", "whole number", nanoseconds, any,
-     "the latest entry of the answer was on disk: of its correction, where there is one"},
+     "the latest entry of the answer was on disk: of its correction, where there is one, and then empty in a public export"},
     {"corrections", "whole number", "", from(0), "times that this answer was corrected"},
     {"voided", "whole number", "", oneOf("0; 1"), "1 where the presentation was voided, so that the answer does not count"},
     {"wall_time", "text", "ISO 8601, UTC", any, "day and time of the latest entry of the answer"},

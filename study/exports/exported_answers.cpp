@@ -134,6 +134,8 @@ std::vector<ExportedField> ExportedAnswers::rowOf(const CurrentAnswer& answer) c
     };
     const auto ifTouched = [&](const std::string& by) { return record.touchedAtNs ? ExportedValue(by) : ExportedValue(); };
     const auto ifBegun = [&](const std::string& by) { return record.answerBegunAtNs ? ExportedValue(by) : ExportedValue(); };
+    // A correction may be of another sitting, whose clock this is not.
+    const ExportedValue storedAt = m_isPublic && answer.corrections > 0 ? ExportedValue() : stamp(answer.storedAtNs);
     std::vector<ExportedField> row{{"participant", answer.participant.value},
                                    {"trial", std::int64_t{record.trial.value}},
                                    {"question", record.question.value},
@@ -152,7 +154,7 @@ std::vector<ExportedField> ExportedAnswers::rowOf(const CurrentAnswer& answer) c
                                    {"answer_begun_at", stamp(record.answerBegunAtNs)},
                                    {"answer_begun_by", ifBegun(record.answerBegunBy)},
                                    {"answered_at", stamp(record.answeredAtNs)},
-                                   {"stored_at", stamp(answer.storedAtNs)},
+                                   {"stored_at", storedAt},
                                    {"corrections", std::int64_t{answer.corrections}},
                                    {"voided", std::int64_t{answer.voided}},
                                    {"wall_time", answer.wallTime},

@@ -49,6 +49,12 @@ bool isCopyBeforeUpgrade(const std::string& name, const database::StudyFolder& f
     return name == first || isNumbered(name, first + "-", "");
 }
 
+/// True for what a session leaves that cannot go on with its server.
+bool isOfServerSession(const std::string& name)
+{
+    return name.ends_with(".json") && (name.starts_with("held-") || name.starts_with("not-sent-"));
+}
+
 std::set<std::string> registeredFiles(const database::StudyStore& store)
 {
     std::set<std::string> names;
@@ -297,6 +303,10 @@ void lookAtTop(const database::StudyStore& store, const fs::path& top, Search& s
         [&](const std::string& name) {
             if (name == "allocation-key.sealed") return hasPassphrase;
             if (name == "masked-key.json") return store.isUpgradedCopy();
+            if (isOfServerSession(name)) {
+                findings.notes.push_back(name + ": a session with a server left it; read it and delete it");
+                return true;
+            }
             if (isOneOf(filesOnServer, name)) return !store.serverFolder().empty();
             return isOneOf(knownFiles, name) || registered.contains(name) || belongsToKeptDatabase(name, top);
         },

@@ -12,7 +12,9 @@
 
 #include "database/evidence/acts.h"
 #include "database/rescue_files.h"
+#include "protocols/files/byte_search.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
 #include "study/records/erasure_certificate.h"
 #include "tests/support/error_text.h"
@@ -432,6 +434,7 @@ private Q_SLOTS:
         }
         const auto done = StudyStore::rescue(folder, rescueFiles(folder).front());
         QVERIFY(std::filesystem::exists(done.earlier));
+        QVERIFY(done.lacksActs);  // nobody can read which there were
         QCOMPARE(StudyStore(folder, StudyStore::Access::Read).answers().size(), 24u);
     }
 
@@ -484,6 +487,49 @@ private Q_SLOTS:
         std::filesystem::remove(copy);
         std::filesystem::remove(folder.folder / "study.db.sql");
         QCOMPARE(session.store.erase(erasure).found, std::vector<std::string>());
+    }
+
+    /// The log and the certificate cannot be changed later, so a name that holds a removed text may not stand in them.
+    void aNameThatHoldsARemovedTextIsNotKept()
+    {
+        const StudyFolder folder = newStudy();
+        const Erasure erasure{protocols::ParticipantId("S01"), true, "Ada", "asked for it", {}};
+        const std::filesystem::path letter = folder.folder / "letters" / "Anna-Maria Schmidt.txt";
+        OpenSession session(folder, "S01");
+        session.playUntilAnswers(2);
+        session.send(study::session::Noted{"Anna-Maria Schmidt", false});
+        std::filesystem::create_directory(letter.parent_path());
+        protocols::writeWholeFile(letter, "Dear Anna-Maria Schmidt");
+        const std::string shown = "a file whose name holds a removed text, with the SHA-256 " + protocols::sha256OfFile(letter);
+        for (int times = 0; times < 2; ++times) {  // the second time nobody knows the text
+            const auto record = session.store.erase(erasure);
+            QCOMPARE(record.found, std::vector<std::string>{shown});
+            const auto file = study::records::writeErasureCertificate(session.store, erasure, record);
+            QVERIFY(!QString::fromStdString(protocols::readWholeFile(file)).contains("Anna"));
+        }
+        std::filesystem::rename(letter, folder.folder / "x.txt");
+        QCOMPARE(session.store.erase(erasure).found, std::vector<std::string>{shown});
+        QCOMPARE(protocols::searchFiles(folder.folder, {"Anna-Maria"}).found, std::vector<std::string>{"x.txt"});
+        std::filesystem::remove(folder.folder / "x.txt");
+        QVERIFY(session.store.erase(erasure).found.empty());
+    }
+
+    /// Rescue files take the names of earlier ones.
+    void anotherDatabaseOfAnEarlierNameIsNoTrace()
+    {
+        const StudyFolder folder = newStudy();
+        const Erasure erasure{protocols::ParticipantId("S01"), true, "Ada", "asked for it", {}};
+        OpenSession session(folder, "S01");
+        session.playUntilAnswers(2);
+        session.store.copyTo(folder.folder / "rescue-1.db");
+        const auto first = session.store.erase(erasure);
+        QCOMPARE(first.found, std::vector<std::string>{"rescue-1.db"});
+        study::records::writeErasureCertificate(session.store, erasure, first);
+        std::filesystem::remove(folder.folder / "rescue-1.db");
+        session.store.copyTo(folder.folder / "rescue-1.db");
+        QCOMPARE(session.store.erase(erasure).found, std::vector<std::string>());
+        protocols::writeWholeFile(folder.folder / "held-S01-1.json", "{}");
+        QCOMPARE(session.store.erase(erasure).found, std::vector<std::string>{"held-S01-1.json"});
     }
 
     /// What others said stays, and so do the protocol and the reason. The search for the same words would find them.

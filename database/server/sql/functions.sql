@@ -123,6 +123,10 @@ BEGIN
 END
 $$;
 
+-- isKeptText() in protocols/files/utf8.h: other texts come back changed.
+CREATE OR REPLACE FUNCTION @schema@.server_is_kept_text(value text) RETURNS boolean LANGUAGE sql IMMUTABLE AS
+$$ SELECT translate(value, chr(65279) || chr(65534) || chr(65535), '') = value $$;
+
 CREATE OR REPLACE FUNCTION @schema@.server_text(object jsonb, name text, longest int, may_be_null boolean DEFAULT false,
                                                 place text DEFAULT '') RETURNS text LANGUAGE plpgsql AS $$
 DECLARE
@@ -132,9 +136,9 @@ BEGIN
     IF kind = 'null' AND may_be_null THEN RETURN NULL; END IF;
     IF kind = 'string' THEN
         value := object ->> name;
-        IF octet_length(value) <= longest THEN RETURN value; END IF;
+        IF octet_length(value) <= longest AND @schema@.server_is_kept_text(value) THEN RETURN value; END IF;
     END IF;
-    PERFORM @schema@.server_wrong_field(place || name, 'a text of at most ' || longest || ' bytes'
+    PERFORM @schema@.server_wrong_field(place || name, 'a text of at most ' || longest || ' bytes, each character of it visible'
                                         || CASE WHEN may_be_null THEN ', or null' ELSE '' END);
 END
 $$;
@@ -180,11 +184,16 @@ BEGIN
 END
 $$;
 
+-- An object that this program can read as well as PostgreSQL: without the character of code 0, numbers that no double holds, and
+-- deep nesting. Of a name that occurs twice jsonb keeps one value, so numbers and brackets are looked for in the text.
 CREATE OR REPLACE FUNCTION @schema@.server_is_json_object(value text) RETURNS boolean LANGUAGE plpgsql IMMUTABLE AS $$
+DECLARE
+    without_texts text := regexp_replace(value, '"([^"\\]|\\.)*"', '', 'g');
 BEGIN
-    RETURN coalesce(json_typeof(value::json) = 'object', false);
+    RETURN coalesce(jsonb_typeof(value::jsonb) = 'object' AND without_texts !~ '[eE][+]?[0-9]{3}|[0-9]{200}'
+                    AND length(translate(without_texts, '[{', '')) > length(without_texts) - 50, false);
 EXCEPTION
-    WHEN invalid_text_representation OR statement_too_complex THEN RETURN false;
+    WHEN data_exception OR statement_too_complex OR program_limit_exceeded THEN RETURN false;
 END
 $$;
 
@@ -872,32 +881,14 @@ CREATE OR REPLACE FUNCTION @schema@.server_bytes_of_content(r @schema@.responses
         || @schema@.server_field(r.entries)
 $$;
 
--- NULL where the payload has none, or holds texts that PostgreSQL cannot store.
-CREATE OR REPLACE FUNCTION @schema@.server_committed_facts(payload text) RETURNS json LANGUAGE plpgsql IMMUTABLE AS $$
-BEGIN
-    RETURN payload::json -> 'facts_sha256';
-EXCEPTION
-    WHEN data_exception THEN RETURN NULL;
-END
-$$;
-
--- Whether the object has a member of this name, also where a text in it is none that PostgreSQL can store.
-CREATE OR REPLACE FUNCTION @schema@.server_names(payload text, name text) RETURNS boolean LANGUAGE plpgsql IMMUTABLE AS $$
-BEGIN
-    RETURN EXISTS (SELECT FROM json_object_keys(payload::json) k WHERE k = name);
-EXCEPTION
-    WHEN data_exception THEN RETURN strpos(payload, name) > 0;
-END
-$$;
-
 -- What the program needs of the payload of each kind: eventFromRecord() in study/session/session_record.cpp. Nobody could open
 -- a participant again whose log has an event that cannot be read.
 CREATE OR REPLACE FUNCTION @schema@.server_fault_of_payload(its_kind text, payload text) RETURNS text
     LANGUAGE plpgsql IMMUTABLE AS $$
 DECLARE
-    parsed json := payload;
+    parsed jsonb := payload;
     field record;
-    value json;
+    value jsonb;
     is_right boolean;
 BEGIN
     FOR field IN
@@ -920,32 +911,28 @@ BEGIN
     LOOP
         value := parsed -> field.name;
         CONTINUE WHEN value IS NULL AND NOT field.is_needed;
-        is_right := json_typeof(value) = CASE field.form
+        is_right := jsonb_typeof(value) = CASE field.form
             WHEN 'a text' THEN 'string' WHEN 'true or false' THEN 'boolean' WHEN 'a whole number' THEN 'number'
             WHEN 'a list of texts' THEN 'array' ELSE 'object' END;
         IF is_right AND field.form = 'a whole number' THEN
-            is_right := value::text ~ '^-?[0-9]{1,18}$'
-                AND (field.name LIKE '%\_ns' OR value::text::numeric BETWEEN -2147483648 AND 2147483647);
+            is_right := payload::json ->> field.name ~ '^-?[0-9]{1,18}$'  -- as it is written
+                AND (field.name LIKE '%\_ns' OR value::numeric BETWEEN -2147483648 AND 2147483647);
         ELSIF is_right AND field.form = 'a list of texts' THEN
-            is_right := NOT EXISTS (SELECT FROM json_array_elements(value) v WHERE json_typeof(v.value) <> 'string');
+            is_right := NOT EXISTS (SELECT FROM jsonb_array_elements(value) v WHERE jsonb_typeof(v.value) <> 'string');
         ELSIF is_right AND field.form = 'an object of texts' THEN
-            is_right := NOT EXISTS (SELECT FROM json_each(value) v WHERE json_typeof(v.value) <> 'string');
+            is_right := NOT EXISTS (SELECT FROM jsonb_each(value) v WHERE jsonb_typeof(v.value) <> 'string');
         END IF;
         IF is_right IS NOT TRUE THEN RETURN field.name || ': ' || field.form; END IF;
     END LOOP;
     RETURN '';
-EXCEPTION
-    WHEN data_exception THEN RETURN 'texts without the character of code 0';
 END
 $$;
 
 CREATE OR REPLACE FUNCTION @schema@.server_facts_named(payload text) RETURNS SETOF text LANGUAGE plpgsql IMMUTABLE AS $$
 DECLARE
-    committed json := @schema@.server_committed_facts(payload);
+    committed jsonb := payload::jsonb -> 'facts_sha256';
 BEGIN
-    IF json_typeof(committed) = 'object' THEN RETURN QUERY SELECT DISTINCT k FROM json_object_keys(committed) k; END IF;
-EXCEPTION
-    WHEN data_exception THEN RETURN;
+    IF jsonb_typeof(committed) = 'object' THEN RETURN QUERY SELECT k FROM jsonb_object_keys(committed) k; END IF;
 END
 $$;
 
@@ -954,18 +941,18 @@ CREATE OR REPLACE FUNCTION @schema@.server_store_facts(its_participant text, fac
     LANGUAGE plpgsql AS $$
 DECLARE
     item jsonb;
-    committed json;
+    committed jsonb := payload::jsonb -> 'facts_sha256';
 BEGIN
     IF jsonb_array_length(facts) = 0 THEN RETURN; END IF;
-    committed := @schema@.server_committed_facts(payload);
     FOR item IN SELECT f.value FROM jsonb_array_elements(facts) f LOOP
         IF jsonb_typeof(item) <> 'array' OR jsonb_array_length(item) <> 3
            OR EXISTS (SELECT FROM jsonb_array_elements(item) part WHERE jsonb_typeof(part.value) <> 'string')
            OR octet_length(item ->> 0) NOT BETWEEN 1 AND 200 OR octet_length(item ->> 1) > 100000
-           OR item ->> 2 !~ '^[0-9a-f]{64}$' THEN
+           OR item ->> 2 !~ '^[0-9a-f]{64}$' OR NOT @schema@.server_is_kept_text(item ->> 0)
+           OR NOT @schema@.server_is_kept_text(item ->> 1) THEN
             PERFORM @schema@.server_wrong_field('facts', 'lists of a fact, its value and a salt of 64 hexadecimal digits');
         END IF;
-        IF json_typeof(committed) IS DISTINCT FROM 'object'
+        IF jsonb_typeof(committed) IS DISTINCT FROM 'object'
            OR (committed ->> (item ->> 0)) IS DISTINCT FROM @schema@.server_hash(
                   @schema@.server_field(item ->> 2) || @schema@.server_field(item ->> 0) || @schema@.server_field(item ->> 1)) THEN
             PERFORM @schema@.server_wrong_field('facts', 'the hash of every fact in facts_sha256 of the payload');
@@ -1050,12 +1037,12 @@ BEGIN
     END IF;
     payload := @schema@.server_text(event, 'payload', 1000000, false, 'event.');
     IF NOT @schema@.server_is_json_object(payload) THEN
-        PERFORM @schema@.server_wrong_field('event.payload', 'the text of a JSON object');
+        PERFORM @schema@.server_wrong_field('event.payload', 'the text of a JSON object that the program can read');
     END IF;
-    IF @schema@.server_names(payload, 'acts') THEN
+    IF payload::jsonb ? 'acts' THEN
         PERFORM @schema@.server_wrong_field('event.payload', 'no "acts", which only this server states');
     END IF;
-    IF its_kind NOT IN ('facts_given', 'debriefed') AND @schema@.server_names(payload, 'facts_sha256') THEN
+    IF its_kind NOT IN ('facts_given', 'debriefed') AND payload::jsonb ? 'facts_sha256' THEN
         PERFORM @schema@.server_wrong_field('event.payload', 'hashes of facts with the events facts_given and debriefed only');
     END IF;
     sitting := @schema@.server_whole(event, 'sitting', false, 'event.', 0, whole_number);
@@ -1295,8 +1282,7 @@ DECLARE
 BEGIN
     PERFORM @schema@.server_require_line(its_kind, 'the kind of the act');
     PERFORM @schema@.server_require_line(its_time, 'the time of the act');
-    IF details IS NULL OR octet_length(details) > 100000 OR strpos(details, chr(92) || 'u0000') > 0
-       OR NOT @schema@.server_is_json_object(details) THEN
+    IF details IS NULL OR octet_length(details) > 100000 OR NOT @schema@.server_is_json_object(details) THEN
         PERFORM @schema@.server_wrong_field('details', 'the text of a JSON object of at most 100000 bytes');
     END IF;
     parsed := details;
@@ -1309,12 +1295,12 @@ BEGIN
         PERFORM @schema@.server_wrong_field('details.hash', 'the hash of the entry in the log');
     END IF;
     PERFORM @schema@.server_require_statement();
-    -- A move compares all rows, and a copy that is on its way would lack this one.
+    LOCK TABLE @schema@.acts IN SHARE ROW EXCLUSIVE MODE;
+    -- A copy that is on its way would lack this one. The move waits for the lock, too.
     IF (SELECT s.state FROM @schema@.server_study s WHERE s.id = 1) IS DISTINCT FROM 'open' THEN
         RAISE EXCEPTION USING ERRCODE = 'VH206', MESSAGE = 'the study is being moved',
             DETAIL = 'a study whose move is complete', HINT = 'complete the move first';
     END IF;
-    LOCK TABLE @schema@.acts IN SHARE ROW EXCLUSIVE MODE;
     SELECT a.number + 1, a.hash INTO number, previous FROM @schema@.acts a ORDER BY a.number DESC LIMIT 1;
     IF number IS NULL THEN
         number := 1;
@@ -1340,8 +1326,7 @@ DECLARE
     number bigint;
 BEGIN
     PERFORM @schema@.server_require_line(its_time, 'the time of the task');
-    IF payload IS NULL OR octet_length(payload) > 10000 OR strpos(payload, chr(92) || 'u0000') > 0
-       OR NOT @schema@.server_is_json_object(payload) THEN
+    IF payload IS NULL OR octet_length(payload) > 10000 OR NOT @schema@.server_is_json_object(payload) THEN
         PERFORM @schema@.server_wrong_field('payload', 'the text of a JSON object of at most 10000 bytes');
     END IF;
     parsed := payload;
@@ -1454,7 +1439,7 @@ $$;
 -- Before the study is copied elsewhere: nothing is added from here on. cancel_leaving() opens it again. `given_up`: a JSON list
 -- of stations that are away, whose answers may be lost.
 CREATE OR REPLACE FUNCTION @schema@.begin_leaving(given_up jsonb DEFAULT '[]') RETURNS void LANGUAGE plpgsql
-    SET search_path = pg_catalog, pg_temp AS $$
+    SET search_path = pg_catalog, pg_temp SET lock_timeout = '10s' AS $$
 DECLARE
     live text;
     away text;
@@ -1481,6 +1466,11 @@ BEGIN
             DETAIL = 'every station closed while it reaches the server',
             HINT = 'open the study there and close it; --lose-answers-at STATION gives up what waits there';
     END IF;
+    BEGIN
+        LOCK TABLE @schema@.acts IN SHARE ROW EXCLUSIVE MODE;  -- what is being recorded comes with the study
+    EXCEPTION
+        WHEN lock_not_available THEN PERFORM @schema@.server_refuse_busy();
+    END;
     UPDATE @schema@.server_study SET state = 'leaving' WHERE id = 1;
 END
 $$;

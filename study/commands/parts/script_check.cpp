@@ -7,6 +7,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/safe_text.h"
 #include "reports/scripts/reproduction.h"
+#include "study/commands/passphrase_option.h"
 
 namespace study::commands {
 
@@ -36,6 +37,7 @@ void checkReport(const std::filesystem::path& report, const std::string& languag
     }
     QProcess process;
     process.setWorkingDirectory(QString::fromStdString(folder.string()));
+    process.setProcessEnvironment(environmentWithoutSecrets());
     process.setProcessChannelMode(QProcess::MergedChannels);
     process.start(asked.program, {asked.script});
     const bool hasEnded = process.waitForFinished(longestMs);

@@ -10,6 +10,7 @@
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/open_files.h"
 #include "protocols/files/whole_file.h"
+#include "study/commands/passphrase_option.h"
 
 namespace study::commands {
 
@@ -73,9 +74,8 @@ void pack(const fs::path& folder, const std::string& name, const fs::path& archi
                                 "--",
                                 QString::fromStdString(name)};
     QProcess tar;
-    QProcessEnvironment surroundings = QProcessEnvironment::systemEnvironment();
+    QProcessEnvironment surroundings = environmentWithoutSecrets();
     surroundings.remove(QStringLiteral("TAR_OPTIONS"));
-    surroundings.remove(QStringLiteral("VIS2HAP_PASSPHRASE"));
     tar.setProcessEnvironment(surroundings);
     tar.setProcessChannelMode(QProcess::ForwardedChannels);
     tar.start(QStringLiteral("tar"), arguments);

@@ -144,7 +144,10 @@ constexpr Reader readers[] = {
 constexpr Reader readersOnServer[] = {
     {"administrator of the server, and who reads its log or its backups",
      "facts, answers, notes and times, under codes; images and codes of presentations; not the allocation key", "the same"},
-    {"stations, by their login", "image, tray and code of the present presentation, and what they send", "the same"},
+    {"stations, by their login",
+     "image, tray and code of the present presentation, and what they send; a station may take up each participant who is at no "
+     "other station, and gets the whole log and the presentations that this participant has had",
+     "the same"},
     {"monitors, by their login", "progress and stations", "the same"},
     {"analysts, by their login", "the rows of the study without facts about people", "the same"},
 };
@@ -248,7 +251,7 @@ ordered_json elsewhereOf(const database::StudyStore& store)
         "commands that remove them.");
     sentences.push_back(
         "The folder of a station keeps answers while they wait for the server, and those of a session that could not go on "
-        "(not-sent-….json, held-….json). No erasure reaches the latter: delete them at the station.");
+        "(not-sent-….json, held-….json). No erasure reaches the latter at a station: delete them there.");
     return sentences;
 }
 

@@ -211,7 +211,7 @@ void ServerMoveTest::theOwnersFolderIsLookedAtItself()
         QVERIFY2(text.find(said) != std::string::npos, said);
 
     // A session on the owner's computer leaves its queue; a pipe below a folder must not stop a reader.
-    const database::AnswerQueue queue(study);
+    database::AnswerQueue(study).put({0, "P01", "human", "{}"});
     fs::create_directory(study.folder / "prompts");
     QCOMPARE(::mkfifo((study.folder / "prompts" / "pipe").c_str(), 0600), 0);
     QVERIFY2(!faults().contains("queue.db"), qPrintable(faults()));
@@ -229,6 +229,13 @@ void ServerMoveTest::theOwnersFolderIsLookedAtItself()
     const auto notes = study::records::findingsOf(readStudy(study)).notes;
     const auto isOpen = [](const std::string& note) { return note.find("other users may read") != std::string::npos; };
     QVERIFY(std::ranges::any_of(notes, isOpen));
+
+    // What waited there follows a server that is no more.
+    fs::remove(study.folder / "linked");
+    fs::permissions(study.folder / "station-key.json", fs::perms::owner_read | fs::perms::owner_write);
+    moveToFolder(database::serverAddressFrom(m_server->address("owned")), study, {});
+    QVERIFY(!fs::exists(study.queue()) && fs::exists(study.folder / "not-sent-P01-1.json"));
+    QCOMPARE(faults(), QString());
 }
 
 /// Acts that are cut off while the study is on a server, or after it, are missed by the next verify.

@@ -14,6 +14,7 @@
 #include <set>
 
 #include "database/disk/payload_fields.h"
+#include "database/disk/raw_database.h"
 #include "database/event_chain.h"
 #include "database/rescue_files.h"
 #include "database/schema.h"
@@ -46,8 +47,9 @@ std::vector<std::string> textsFrom(const SqliteConnection& sqlite, const char* s
     return texts;
 }
 
-/// What the erasure removes, as texts: facts, and with the answers also notes, words and salts.
-std::set<std::string> textsToRemove(const SqliteConnection& sqlite, const Erasure& erasure)
+/// What the erasure removes, as texts: facts, and with the answers also notes, words and salts. `shortOnes`: others that are too
+/// short for a search.
+std::set<std::string> textsToRemove(const SqliteConnection& sqlite, const Erasure& erasure, std::set<std::string>& shortOnes)
 {
     struct Source {
         const char* select;
@@ -57,6 +59,8 @@ std::set<std::string> textsToRemove(const SqliteConnection& sqlite, const Erasur
         {"SELECT value FROM participant_facts WHERE participant = ?", false},
         {"SELECT salt FROM participant_facts WHERE participant = ?", false},
         {"SELECT text FROM notes WHERE participant = ?", true},
+        {"SELECT json_extract(payload, '$.text') FROM events WHERE participant = ? AND kind = 'noted'", true},
+        {"SELECT json_extract(payload, '$.why') FROM events WHERE participant = ? AND kind IN ('withdrawn', 'voided')", true},
         {"SELECT choice FROM responses WHERE participant = ? AND choice IS NOT NULL", true},
         // A long text lies in several pages of the file, and its beginning in one.
         {"SELECT substr(samples, 1, 64) FROM finger_samples WHERE participant = ?", true},
@@ -66,7 +70,8 @@ std::set<std::string> textsToRemove(const SqliteConnection& sqlite, const Erasur
     for (const Source& source : sources) {
         if (source.isAnswer && !erasure.answersToo) continue;
         for (std::string& text : textsFrom(sqlite, source.select, erasure.participant.value))
-            if (text.size() >= shortestText) texts.insert(std::move(text));
+            (text.size() < shortestText ? shortOnes : texts).insert(std::move(text));
+        shortOnes.erase("");
     }
     return texts;
 }
@@ -230,6 +235,8 @@ std::vector<std::filesystem::path> rescueFilesAround(const StudyFolder& study)
     return files;
 }
 
+bool isOwnFile(const std::string& name) { return name == "study.db" || name == "study.db-wal" || name == "study.db-shm"; }
+
 std::filesystem::path pathOf(const std::string& name, const StudyFolder& study) { return study.folder / name; }
 
 /// How a message and a certificate, which nobody can change later, name the file.
@@ -244,6 +251,7 @@ FoundFile foundFile(const std::string& name, const std::set<std::string>& texts,
     FoundFile file{holdsText ? "" : protocols::printable(name)};
     std::error_code unknown;
     if (const auto bytes = std::filesystem::file_size(pathOf(name, study), unknown); !unknown) file.bytes = std::int64_t(bytes);
+    if (isOwnFile(name)) return file;
     try {
         file.sha256 = protocols::sha256OfFile(pathOf(name, study));
     } catch (const protocols::Error&) {
@@ -284,7 +292,7 @@ std::vector<FoundFile> stillThere(const std::vector<FoundFile>& named, const Era
         if (entry.is_regular_file() && !entry.is_symlink())
             present.emplace(protocols::printable(entry.path().lexically_relative(study.folder).string()), entry.path());
     for (const auto& file : rescueFilesAround(study)) present.emplace(protocols::printable(file.string()), file);
-    for (const char* own : {"study.db", "study.db-wal", "study.db-shm"}) present.erase(own);
+    std::erase_if(present, [](const auto& file) { return isOwnFile(file.first); });
     std::vector<FoundFile> found;
     for (const auto& [name, path] : present) {
         std::error_code unknown;
@@ -351,6 +359,32 @@ void requireRoom(const std::filesystem::path& database)
     }
 }
 
+/// The files of the open database are read through it: to open and close them once more would drop the locks of this process.
+protocols::ByteSearch searchFiles(const SqliteConnection& sqlite, const StudyFolder& study,
+                                  const std::vector<std::string>& sequences)
+{
+    protocols::ByteSearch search = protocols::searchFiles(study.folder, sequences, rescueFilesAround(study), isOwnFile);
+    const RawDatabase raw(sqlite.handle());
+    if (!raw.isThere()) return protocols::searchFiles(study.folder, sequences, rescueFilesAround(study));
+    const protocols::ByteSequences wanted(sequences);
+    std::vector<char> block(std::size_t{1} << 20);
+    std::string carried;  // the end of the block before
+    ++search.files;
+    for (std::int64_t at = 0, end = raw.databaseBytes(); at < end; at += std::int64_t(block.size())) {
+        block.resize(std::size_t(std::min<std::int64_t>(end - at, std::int64_t(block.size()))));
+        if (!raw.readDatabase(at, block))
+            throw protocols::environmentFault({"the database cannot be read", sqlite.file().string(), "a disk without faults",
+                                               "run the command again, which completes the erasure"});
+        carried.append(block.data(), block.size());
+        if (wanted.areIn(carried)) {
+            search.found.emplace_back("study.db");
+            break;
+        }
+        carried.erase(0, carried.size() - std::min(carried.size(), wanted.longest()));
+    }
+    return search;
+}
+
 void writeAnew(const SqliteConnection& sqlite)
 {
     try {
@@ -381,7 +415,9 @@ ErasureRecord eraseFrom(const SqliteConnection& sqlite, const Erasure& erasure)
     requireRoom(sqlite.file());
     ErasureRecord record;
     record.interrupted = interruptedErasures(sqlite, erasure.participant.value);
-    const std::set<std::string> texts = textsToRemove(sqlite, erasure);
+    std::set<std::string> shortOnes;
+    const std::set<std::string> texts = textsToRemove(sqlite, erasure, shortOnes);
+    record.shortTexts = shortOnes.size();
     // SQLite overwrites what it frees; VACUUM then writes every page anew.
     sqlite.run(QStringLiteral("PRAGMA secure_delete = ON"));
     removeFromTables(sqlite, erasure, record);
@@ -393,7 +429,7 @@ ErasureRecord eraseFrom(const SqliteConnection& sqlite, const Erasure& erasure)
     const Traces traces = tracesOf(sqlite, erasure, texts);
     record.sharedTexts = traces.shared;
     const StudyFolder study{sqlite.file().parent_path()};
-    const protocols::ByteSearch search = protocols::searchFiles(study.folder, traces.sequences, rescueFilesAround(study));
+    const protocols::ByteSearch search = searchFiles(sqlite, study, traces.sequences);
     record.searchedFiles = search.files;
     record.searchedTexts = traces.sequences.size();
     // Numbers and times are too short for the search, so that copies of the database count as found by their rows.

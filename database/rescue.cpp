@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "database/audit.h"
+#include "database/disk/payload_fields.h"
 #include "database/disk/server_note.h"
 #include "database/erasure.h"
 #include "database/event_chain.h"
@@ -138,6 +139,17 @@ void requireOwnKeys(const StudyFolder& folder, const SqliteConnection& rescued)
     }
 }
 
+/// Whether the log has the erasure of this certificate, at its entry and of its participant.
+bool hasErasure(const SqliteConnection& sqlite, std::int64_t erasure, const fs::path& certificate)
+{
+    QSqlQuery row =
+        sqlite.run(QStringLiteral("SELECT payload FROM events WHERE sequence = ? AND kind = 'erased' AND participant = ''"),
+                   {qlonglong(erasure)});
+    if (!row.next()) return false;
+    const std::string line = "\nParticipant: " + textIn(payloadIn(fromQt(row.value(0))), "participant") + "\n";
+    return protocols::readIfPossible(certificate).value_or(line).find(line) != std::string::npos;
+}
+
 /// A database from before an erasure would bring the erased data back.
 void requireErasuresOf(const StudyFolder& folder, const SqliteConnection& rescued)
 {
@@ -146,9 +158,7 @@ void requireErasuresOf(const StudyFolder& folder, const SqliteConnection& rescue
         const std::string name = entry.path().filename().string();
         std::int64_t erasure = 0;
         if (std::sscanf(name.c_str(), "erasure-%" SCNd64 ".txt", &erasure) != 1) continue;
-        const auto kind =
-            fromQt(rescued.value(QStringLiteral("SELECT kind FROM events WHERE sequence = ?"), {qlonglong(erasure)}));
-        if (kind != "erased")
+        if (!hasErasure(rescued, erasure, entry.path()))
             throw refused(
                 "the rescue file is from before the erasure of " + name + " and would bring the erased data back", rescued.file(),
                 "a rescue file or a backup from after it",
@@ -302,6 +312,7 @@ Rescue bringBack(const StudyFolder& folder, const std::filesystem::path& rescue)
         if (const auto present = hasPresent ? headOfPresent(folder) : std::nullopt; present && present->sequence > 0) {
             continuesPresent = true;
             requireBeginning(folder, *present, rescued);
+            requireErasuresOf(folder, rescued);
             result.events -= static_cast<std::size_t>(present->sequence);
             makeComplete(folder);
         } else {

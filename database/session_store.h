@@ -158,6 +158,7 @@ struct ErasureRecord {
     std::string wallTime;
     std::size_t searchedFiles = 0;  ///< files of the study in which the removed texts were looked for
     std::size_t searchedTexts = 0;  ///< salts, facts, notes and words that nothing else in the study holds
+    std::size_t shortTexts = 0;     ///< others of less than 8 bytes, which stand in many files by chance
     std::size_t sharedTexts = 0;    ///< others, which the study still holds, so that no file can be searched for them
     /// Files that still hold one of them, relative to the study, also by earlier certificates. Where the name holds one, too, the
     /// hash of the content stands for it.

@@ -369,11 +369,15 @@ void Transaction::commit()
 
 ReadSnapshot::ReadSnapshot(const SqliteConnection& connection) : m_connection(connection)
 {
+    if (m_connection.m_hasSnapshot) return;
     m_connection.run(QStringLiteral("BEGIN"));
+    m_isOwn = m_connection.m_hasSnapshot = true;
 }
 
 ReadSnapshot::~ReadSnapshot()
 {
+    if (!m_isOwn) return;
+    m_connection.m_hasSnapshot = false;
     try {
         m_connection.run(QStringLiteral("ROLLBACK"));
     } catch (const protocols::Error&) {

@@ -69,6 +69,7 @@ public:
 
 private:
     friend class Transaction;
+    friend class ReadSnapshot;
     void open(const QString& name, const QString& options);
     void openForReading();
     void openKept();
@@ -80,6 +81,7 @@ private:
 
     std::filesystem::path m_file;
     QString m_name;
+    mutable bool m_hasSnapshot = false;  ///< a ReadSnapshot is open
     QSqlDatabase m_connection;
     mutable std::map<QString, QSqlQuery> m_kept;   ///< by their text; without those that are in use
     mutable Transaction* m_transaction = nullptr;  ///< the open one
@@ -104,7 +106,7 @@ private:
     bool m_isSpoilt = false;  ///< a part of it failed
 };
 
-/// Lets several statements read one state of the database while a writer may change it.
+/// Lets several statements read one state of the database while a writer may change it. Within another one it does nothing.
 class ReadSnapshot {
 public:
     explicit ReadSnapshot(const SqliteConnection& connection);
@@ -114,6 +116,7 @@ public:
 
 private:
     const SqliteConnection& m_connection;
+    bool m_isOwn = false;
 };
 
 /// The version of the SQLite library, such as "3.40.1".

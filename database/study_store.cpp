@@ -147,6 +147,20 @@ std::unique_ptr<protocols::TemporaryFolder> upgraded(const StudyFolder& folder, 
 }
 
 /// Runs a write with the open files in place before it and after it, so that an acknowledged answer is in the folder.
+/// Through another name of the file another program could write, with a lock and a write-ahead log of its own.
+void requireOwnFile(const StudyFolder& folder, StudyStore::Access access)
+{
+    std::error_code unknown;
+    const std::string file = folder.database().string(), word = protocols::shellWord(file);
+    if (std::filesystem::is_symlink(folder.database(), unknown))
+        throw protocols::badInput({"study.db is a link to another file", file, "the database itself",
+                                   "open the folder of that file, or copy the study with vis2hap backup"});
+    if (access == StudyStore::Access::Write && std::filesystem::hard_link_count(folder.database(), unknown) > 1 && !unknown)
+        throw protocols::badInput(
+            {"study.db is the same file as another one (hard link)", file, "a file of its own",
+             "close every program of the study, then: cp -p " + word + " " + word + ".new && mv " + word + ".new " + word});
+}
+
 template <class Connection, class Write>
 auto written(Connection& connection, const Write& write)
 {
@@ -212,6 +226,7 @@ StudyStore::StudyStore(const StudyFolder& folder, Access access)
                                          note->address + "' " + folder.folder.string()});
     std::error_code unreadable;
     const bool isThere = std::filesystem::is_regular_file(folder.database(), unreadable);
+    if (isThere) requireOwnFile(folder, access);
     if (unreadable == std::errc::permission_denied)
         throw protocols::badInput({"this account may not look into the folder", folder.folder.string(),
                                    "a folder of this account", "ask the account that made the study, or its owner"});
@@ -252,6 +267,15 @@ StudyStore::StudyStore(StudyStore&&) noexcept = default;
 StudyStore& StudyStore::operator=(StudyStore&&) noexcept = default;
 
 const StudyFolder& StudyStore::folder() const { return m_connection->folder; }
+
+std::unique_ptr<ReadSnapshot> StudyStore::readOneState() const
+{
+    auto state = std::make_unique<ReadSnapshot>(m_connection->sqlite);
+    m_connection->sqlite.value(QStringLiteral("SELECT COUNT(*) FROM sqlite_master"));  // the state is that of the first reading
+    return state;
+}
+
+const SqliteConnection& StudyStore::connection() const { return m_connection->sqlite; }
 
 bool StudyStore::isUpgradedCopy() const { return !m_connection->upgradedFrom.empty(); }
 
@@ -374,6 +398,13 @@ std::vector<EventRecord> StudyStore::events(const protocols::ParticipantId& part
 std::vector<EventRecord> StudyStore::eventsOfKind(const std::string& kind) const
 {
     return eventsOfKindIn(m_connection->sqlite, kind);
+}
+
+std::size_t StudyStore::eventsAfter(std::int64_t sequence, const std::string& kind) const
+{
+    return m_connection->sqlite
+        .value(QStringLiteral("SELECT COUNT(*) FROM events WHERE sequence > ? AND kind = ?"), {qlonglong(sequence), toQt(kind)})
+        .toULongLong();
 }
 
 std::optional<std::int64_t> StudyStore::firstEventOfKind(const std::string& kind) const

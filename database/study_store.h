@@ -16,6 +16,9 @@ class TemporaryFolder;
 
 namespace database {
 
+class ReadSnapshot;
+class SqliteConnection;
+
 class StudyStore final : public SessionStore {
 public:
     /// Makes study.db in an existing folder, in one transaction, with the blinded lists of all slots and the hash of every
@@ -44,6 +47,11 @@ public:
     StudyStore& operator=(StudyStore&&) noexcept;
 
     const StudyFolder& folder() const override;
+    /// As long as the result lives, this store reads one state of the study, for files that must agree with each other, and an
+    /// erasure is refused. Only for a store that was opened to read.
+    std::unique_ptr<ReadSnapshot> readOneState() const;
+    /// What the other parts of database/ read from.
+    const SqliteConnection& connection() const;
     /// Whether the folder is an upgraded copy of a study of an earlier version, which vanishes with the store.
     bool isUpgradedCopy() const;
     /// The folder that was opened; for a copy, the one of its study.
@@ -104,6 +112,8 @@ public:
     std::vector<EventRecord> eventsOfKind(const std::string& kind) const;
     /// Entry of the log with the first of them, whatever was erased since; none where there is no such event.
     std::optional<std::int64_t> firstEventOfKind(const std::string& kind) const;
+    /// Number of entries of this kind behind an entry.
+    std::size_t eventsAfter(std::int64_t sequence, const std::string& kind) const;
     /// Number of current answers, without reading them.
     std::size_t answerCount() const;
     std::vector<CurrentAnswer> answers() const;  ///< answers of all participants, by slot, trial and question

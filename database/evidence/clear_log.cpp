@@ -9,7 +9,7 @@ namespace database {
 
 LogHead eachClearEntry(const StudyStore& store, const std::function<void(const ClearEntry&)>& take)
 {
-    const SqliteConnection sqlite(store.folder().database(), SqliteConnection::Mode::Read);
+    const SqliteConnection& sqlite = store.connection();
     const ReadSnapshot snapshot(sqlite);
     LogHead head;
     QSqlQuery row =
@@ -27,7 +27,7 @@ LogHead eachClearEntry(const StudyStore& store, const std::function<void(const C
 
 std::vector<LoggedAnswer> answersGivenBy(const StudyStore& store, const protocols::ParticipantId& participant)
 {
-    const SqliteConnection sqlite(store.folder().database(), SqliteConnection::Mode::Read);
+    const SqliteConnection& sqlite = store.connection();
     std::vector<LoggedAnswer> answers;
     QSqlQuery row = sqlite.run(
         QStringLiteral("SELECT event, (SELECT e.sitting FROM events e WHERE e.sequence = event), "
@@ -47,7 +47,7 @@ std::vector<LoggedAnswer> answersGivenBy(const StudyStore& store, const protocol
 
 std::vector<LoggedNote> notesAbout(const StudyStore& store, const protocols::ParticipantId& participant)
 {
-    const SqliteConnection sqlite(store.folder().database(), SqliteConnection::Mode::Read);
+    const SqliteConnection& sqlite = store.connection();
     std::vector<LoggedNote> notes;
     QSqlQuery row = sqlite.run(QStringLiteral("SELECT event, trial, attempt, question, text, is_flag, (SELECT e.wall_time FROM "
                                               "events e WHERE e.sequence = event) FROM notes WHERE participant = ? ORDER BY id"),

@@ -35,7 +35,7 @@ void addRow(FingerRecord& record, const QSqlQuery& row)
 void eachFingerRecord(const StudyStore& store, const protocols::ParticipantId& participant,
                       const std::function<void(const FingerRecord&)>& take)
 {
-    const SqliteConnection sqlite(store.folder().database(), SqliteConnection::Mode::Read);
+    const SqliteConnection& sqlite = store.connection();
     const ReadSnapshot snapshot(sqlite);
     QSqlQuery row = sqlite.run(
         QStringLiteral(
@@ -63,7 +63,7 @@ void eachFingerRecord(const StudyStore& store, const protocols::ParticipantId& p
 
 std::int64_t fingerSampleCount(const StudyStore& store, const protocols::ParticipantId& participant)
 {
-    const SqliteConnection sqlite(store.folder().database(), SqliteConnection::Mode::Read);
+    const SqliteConnection& sqlite = store.connection();
     return sqlite
         .value(QStringLiteral("SELECT TOTAL(count) FROM finger_samples WHERE participant = ? OR ? = ''"),
                {toQt(participant.value), toQt(participant.value)})

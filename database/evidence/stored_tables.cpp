@@ -6,7 +6,7 @@ namespace database {
 
 std::vector<StoredTable> storedTables(const StudyStore& store)
 {
-    const SqliteConnection sqlite(store.folder().database(), SqliteConnection::Mode::Read);
+    const SqliteConnection& sqlite = store.connection();
     const ReadSnapshot snapshot(sqlite);
     std::vector<StoredTable> tables;
     QSqlQuery name = sqlite.run(

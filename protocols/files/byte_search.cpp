@@ -61,14 +61,17 @@ bool ByteSequences::areIn(std::string_view bytes) const
 }
 
 ByteSearch searchFiles(const std::filesystem::path& folder, const std::vector<std::string>& sequences,
-                       const std::vector<std::filesystem::path>& others)
+                       const std::vector<std::filesystem::path>& others,
+                       const std::function<bool(const std::string& name)>& isLeftOut)
 {
     ByteSearch search;
     const ByteSequences wanted(sequences);
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
         if (!entry.is_regular_file() || entry.is_symlink()) continue;
+        const std::string name = entry.path().lexically_relative(folder).string();
+        if (isLeftOut && isLeftOut(name)) continue;
         ++search.files;
-        if (holds(entry.path(), wanted)) search.found.push_back(entry.path().lexically_relative(folder).string());
+        if (holds(entry.path(), wanted)) search.found.push_back(name);
     }
     for (const auto& file : others) {
         ++search.files;

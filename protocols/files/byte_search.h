@@ -35,8 +35,9 @@ struct ByteSearch {
 };
 
 /// Compares the first comparedBytes of each sequence. Links are not followed. `others`: files elsewhere that are searched, too.
-/// Throws badInput where a file cannot be read.
+/// `isLeftOut`: files in the folder, by their relative names, that are not opened. Throws badInput where a file cannot be read.
 ByteSearch searchFiles(const std::filesystem::path& folder, const std::vector<std::string>& sequences,
-                       const std::vector<std::filesystem::path>& others = {});
+                       const std::vector<std::filesystem::path>& others = {},
+                       const std::function<bool(const std::string& name)>& isLeftOut = {});
 
 }  // namespace protocols

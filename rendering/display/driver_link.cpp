@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "protocols/files/errors.h"
+#include "protocols/secrets/secret_variables.h"
 
 extern char** environ;  // NOLINT: declared by the C library.
 
@@ -39,7 +40,8 @@ constexpr milliseconds untilStopIsSeen(50);
 /// Secrets of the owner, which a program of others may not inherit.
 bool isSecret(std::string_view variable)
 {
-    return variable.starts_with("PGPASSWORD=") || variable.starts_with("VIS2HAP_PASSPHRASE=");
+    return std::ranges::any_of(protocols::secretVariables,
+                               [&](const char* name) { return variable.starts_with(std::string(name) + "="); });
 }
 
 /// The environment for a lab's program.

@@ -37,14 +37,18 @@ int exportStudy(const ExportCall& call)
 {
     const auto& [study, out, format, participant, withLog, withSamples, passphrase, isPublic, licence, authors] = call;
     const auto store = records::openStudy(study);
+    StateForFiles state(store);
     const std::string whyNoMeans =
         exports::writeExport(store, out, {format, withLog, withSamples, isPublic, licence, authors}, passphraseFrom(passphrase));
     const auto leftOut = isPublic ? exports::answersLeftOut(store) : exports::LeftOutAnswers();
-    std::printf("%s: %s as %s%s\n", protocols::printable(out).c_str(),
-                reports::counted(store.answerCount() - leftOut.ofWithdrawn - leftOut.inWords, "answer").c_str(), format.c_str(),
-                store.unblinding() ? "" : ", blinded (no condition, no true piece)");
+    const std::size_t answers = store.answerCount() - leftOut.ofWithdrawn - leftOut.inWords;
+    const bool isBlinded = !store.unblinding();
+    const std::string head = records::headTextOf(store);
+    state.record("export", out);
+    std::printf("%s: %s as %s%s\n", protocols::printable(out).c_str(), reports::counted(answers, "answer").c_str(),
+                format.c_str(), isBlinded ? ", blinded (no condition, no true piece)" : "");
     if (!whyNoMeans.empty()) std::printf("  %s\n", protocols::printable(whyNoMeans).c_str());
-    std::printf("  log head %s\n", records::headTextOf(store).c_str());
+    std::printf("  log head %s\n", head.c_str());
     if (withLog) std::printf("  log.csv holds the log, acts.csv what was exported and saved; log.txt says how to check both\n");
     if (isPublic)
         std::printf(
@@ -56,7 +60,6 @@ int exportStudy(const ExportCall& call)
                     leftOut.ofWithdrawn == 1 ? "is" : "are");
     if (isPublic && authors.empty()) std::printf("  name the authors in CITATION.cff, or export again with --author NAME\n");
     if (withSamples) std::printf("  finger_samples.csv holds what the display measured of the fingers\n");
-    recordAct(store, "export", out);
     return 0;
 }
 
@@ -71,10 +74,12 @@ std::string countsOf(const ordered_json& data)
 int exportPerson(const ExportCall& call)
 {
     const auto store = records::openStudy(call.study);
+    StateForFiles state(store);
     const auto data = records::participantData(store, protocols::ParticipantId(call.participant));
     protocols::FolderDraft draft(call.out, protocols::Earlier::FilesJoined);
     records::writeParticipantData(store, data, draft.path());
     draft.putInPlace();
+    state.record("export", call.out);
     std::printf("%s: data of %s: %s%s\n", protocols::printable(call.out).c_str(), protocols::printable(call.participant).c_str(),
                 countsOf(data).c_str(),
                 data["blinded"].get<bool>() ? ", blinded (no condition, no fabric, nothing about right or wrong)" : "");
@@ -83,7 +88,6 @@ int exportPerson(const ExportCall& call)
                     protocols::printable(act["time"].get<std::string>()).c_str(),
                     act["answers_too"].get<bool>() ? "facts, debriefing, answers, notes and times" : "facts and debriefing");
     std::printf("  your-data.html is the sheet for this person\n");
-    recordAct(store, "export", call.out);
     return 0;
 }
 

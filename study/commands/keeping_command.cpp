@@ -9,6 +9,7 @@
 #include "database/study_store.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/safe_text.h"
+#include "reports/text/plain_words.h"
 #include "study/commands/command_line.h"
 #include "study/commands/parts/study_backup.h"
 #include "study/commands/parts/text_checks.h"
@@ -32,6 +33,8 @@ int erase(const std::string& study, const database::Erasure& erasure)
                 erasure.answersToo ? "facts, debriefing, answers and notes" : "facts and debriefing",
                 erasure.participant.value.c_str());
     for (const auto& file : record.found) std::printf("  still in %s\n", protocols::printable(file).c_str());
+    if (record.shortTexts > 0)
+        std::printf("  not searched for: %s of less than 8 bytes\n", reports::counted(record.shortTexts, "removed text").c_str());
     if (record.sharedTexts > 0)
         std::printf("  not searched for: %zu removed texts, because what stays in the study holds the same words\n",
                     record.sharedTexts);
@@ -50,15 +53,15 @@ int erase(const std::string& study, const database::Erasure& erasure)
 int backup(const std::string& study, const std::string& out)
 {
     const auto store = records::openStudy(study);
+    const Backup made = writeBackup(store, out);
     std::string faults;
-    for (const auto& fault : writeBackup(store, out)) {
-        std::fprintf(stderr, "warning: %s\n", protocols::printable(fault).c_str());
-        faults += (faults.empty() ? "" : "; ") + fault;
-    }
-    std::printf("%s: a copy of %s with %zu answers; `tar xf` restores it\n", protocols::printable(out).c_str(),
-                protocols::printable(study).c_str(), store.answers().size());
-    std::printf("  log head %s\n", records::headTextOf(store).c_str());
-    recordAct(store, "backup", out, faults);
+    for (const auto& fault : made.faults) faults += (faults.empty() ? "" : "; ") + fault;
+    recordAct(store, "backup", out, faults, made.head);
+    for (const auto& fault : made.faults) std::fprintf(stderr, "warning: %s\n", protocols::printable(fault).c_str());
+    std::printf("%s: a copy of %s with %s; `tar xf` restores it\n", protocols::printable(out).c_str(),
+                protocols::printable(study).c_str(), reports::counted(made.answers, "answer").c_str());
+    const std::string head = store.hasLastingHead() ? textOf(made.head) : records::headTextOf(store);
+    std::printf("  log head %s\n", protocols::printable(head).c_str());
     noteIfReadByAll(out);
     if (const auto acts = headOfActs(store); acts.sequence > 0)
         std::printf("  acts head %s\n", protocols::printable(textOf(acts)).c_str());

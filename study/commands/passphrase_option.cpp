@@ -15,6 +15,7 @@
 #include "protocols/files/foreign/text_encoding.h"
 #include "protocols/files/utf8.h"
 #include "protocols/files/whole_file.h"
+#include "protocols/secrets/secret_variables.h"
 
 namespace study::commands {
 
@@ -154,7 +155,7 @@ std::string newPassphrase(const PassphraseOption& option, const std::string& key
 QProcessEnvironment environmentWithoutSecrets()
 {
     QProcessEnvironment surroundings = QProcessEnvironment::systemEnvironment();
-    for (const char* secret : {variable, "PGPASSWORD"}) surroundings.remove(QLatin1String(secret));
+    for (const char* secret : protocols::secretVariables) surroundings.remove(QLatin1String(secret));
     return surroundings;
 }
 

@@ -28,23 +28,34 @@ void noteIfOpen(const std::filesystem::path& path)
 }  // namespace
 
 std::string addAct(const database::StudyStore& store, const std::string& kind, const std::filesystem::path& path,
-                   const std::string& operatorName, const std::string& note)
+                   const std::string& operatorName, const std::string& note, const std::optional<database::LogHead>& head)
 {
     if (store.isUpgradedCopy()) return "an earlier version made this study, and only the app or `replay` upgrades it";
     const auto by = session::operatedBy(operatorName, versionText());
     const std::string whole = path.empty() ? "" : std::filesystem::absolute(path).lexically_normal().string();
-    const database::Act act{kind, by.operatorName, by.program, by.host, whole, store.head(), {}, note};
+    const database::Act act{kind, by.operatorName, by.program, by.host, whole, head.value_or(store.head()), {}, note};
     return (store.serverFolder().empty() ? database::recordAct(store.folder(), act)
                                          : database::recordActOnServer({store.serverFolder()}, act))
         .value_or("");
 }
 
 void recordAct(const database::StudyStore& store, const std::string& kind, const std::filesystem::path& path,
-               const std::string& note)
+               const std::string& note, const std::optional<database::LogHead>& head)
 {
-    if (const std::string refused = addAct(store, kind, path, {}, note); !refused.empty())
+    if (const std::string refused = addAct(store, kind, path, {}, note, head); !refused.empty())
         std::fprintf(stderr, "not recorded: %s\n", protocols::printable(refused).c_str());
     noteIfOpen(path);
+}
+
+StateForFiles::StateForFiles(const database::StudyStore& store)
+    : m_store(store), m_state(store.readOneState()), m_head(store.head())
+{
+}
+
+void StateForFiles::record(const std::string& kind, const std::filesystem::path& path)
+{
+    m_state.reset();
+    recordAct(m_store, kind, path, {}, m_head);
 }
 
 void noteIfReadByAll(const std::filesystem::path& secret)

@@ -147,6 +147,7 @@ void playDirectly(const std::vector<players::Script>& scripts, const std::filesy
         const auto slot = slotOf(store, script.participant);
         requireScripted(slot, script);
         if (finishedAlready(slot, script)) continue;
+        session::requireKeptProtocol(store);  // before the participant takes a place
         store.enrol(script.participant, ParticipantKind::Scripted);
         const auto logged = store.events(script.participant);
         session::VirtualClock clock;
@@ -171,6 +172,7 @@ void playThroughWindow(const std::vector<players::Script>& scripts, const std::f
         const auto slot = slotOf(store, script.participant);
         requireScripted(slot, script);
         if (finishedAlready(slot, script)) continue;
+        session::requireKeptProtocol(store);  // before the participant takes a place
         store.enrol(script.participant, ParticipantKind::Scripted);
         const auto logged = store.events(script.participant);
         window.show();

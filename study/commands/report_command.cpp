@@ -98,17 +98,16 @@ reports::AnswersCsvOptions fileOptionsOf(const ReportCall& call)
 }
 
 /// Empty for a blinded study whose passphrase nobody gives.
-std::optional<reports::StudyData> dataFor(const ReportCall& call)
+std::optional<reports::StudyData> dataFor(const ReportCall& call, const std::optional<database::StudyStore>& store)
 {
-    if (call.from.empty()) return records::studyData(records::openStudy(call.study), passphraseFrom(call.passphrase));
+    if (store) return records::studyData(*store, passphraseFrom(call.passphrase));
     return reports::readAnswersCsv(call.from, fileOptionsOf(call));
 }
 
-reports::ReportOrigin originOf(const ReportCall& call)
+reports::ReportOrigin originOf(const std::optional<database::StudyStore>& store)
 {
-    if (call.study.empty()) return {};
-    const auto store = records::openStudy(call.study);
-    return {records::headTextOf(store), records::shownMadeWith(store, store.facts())};
+    if (!store) return {};
+    return {records::headTextOf(*store), records::shownMadeWith(*store, store->facts())};
 }
 
 int report(const ReportCall& call, StageTimes times)
@@ -117,11 +116,14 @@ int report(const ReportCall& call, StageTimes times)
         throw protocols::badInput(
             {"there is nothing to report on", "", "either a STUDY or --from ANSWERS.csv", "see `vis2hap report --help`"});
     requireFile(call);
-    std::optional<reports::StudyData> data = dataFor(call);
+    std::optional<database::StudyStore> store;  // none for answers from elsewhere
+    if (!call.study.empty()) store.emplace(records::openStudy(call.study));
+    std::optional<StateForFiles> state;
+    if (store) state.emplace(*store);
+    std::optional<reports::StudyData> data = dataFor(call, store);
     if (!data) {
-        const auto store = records::openStudy(call.study);
-        reports::writeProgressReport(records::blindedReport(store), call.out);
-        recordAct(store, "report", call.out);
+        reports::writeProgressReport(records::blindedReport(*store), call.out);
+        state->record("report", call.out);
         std::printf("%s/index.html: progress, balance and flags; the rest needs the owner's passphrase\n",
                     protocols::printable(call.out).c_str());
         if (!call.checkWith.empty()) checkReport(call.out, call.checkWith);
@@ -129,7 +131,7 @@ int report(const ReportCall& call, StageTimes times)
     }
     data->everyPair = call.everyPair;
     const auto note = [](const std::string& line) { std::fprintf(stderr, "%s\n", protocols::printable(line).c_str()); };
-    if (!call.study.empty() && !call.quick) data->pictures = frictionPictures(records::openStudy(call.study), *data, note);
+    if (store && !call.quick) data->pictures = frictionPictures(*store, *data, note);
     Progress progress("analysing");
     reports::AnalysisOptions options{call.quick ? reports::Depth::Quick : reports::Depth::Whole,
                                      call.resimulate ? resimulatedStudies : 0, [&](int done, int total, const std::string& step) {
@@ -138,11 +140,10 @@ int report(const ReportCall& call, StageTimes times)
                                      }};
     const reports::StudyAnalysis analysis = reports::analyse(std::move(*data), options);
     times.begin("writing tables, figures and pages");
-    reports::writeReport(analysis, call.out, originOf(call),
+    reports::writeReport(analysis, call.out, originOf(store),
                          call.pageOnly ? reports::WriteDocuments() : reports::allDocuments(note));
     times.end();
-    // Recorded before a word is printed: a reader such as `head` may close the pipe at any line.
-    if (!call.study.empty()) recordAct(records::openStudy(call.study), "report", call.out);
+    if (state) state->record("report", call.out);
     std::printf("%s\n%s/index.html\n", protocols::printableLines(reports::overviewText(analysis)).c_str(),
                 protocols::printable(call.out).c_str());
     if (!call.checkWith.empty()) checkReport(call.out, call.checkWith);

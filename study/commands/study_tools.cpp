@@ -2,10 +2,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "database/sqlite_connection.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/safe_text.h"
 #include "protocols/files/whole_file.h"
 #include "reports/documents/report_documents.h"
+#include "reports/text/plain_words.h"
 #include "reports/write_report.h"
 #include "study/commands/parts/friction_pictures.h"
 #include "study/commands/parts/study_backup.h"
@@ -52,17 +54,26 @@ fs::path freeName(const fs::path& study, const fs::path& into, const std::string
     return path;
 }
 
-app::ToolOutcome recorded(const ToolCall& call, const std::string& kind, std::string text, const std::string& note = {})
+app::ToolOutcome recorded(const ToolCall& call, const std::string& kind, std::string text, const std::string& note = {},
+                          const std::optional<database::LogHead>& head = {})
 {
-    const std::string refused = addAct(call.store, kind, call.out, call.operatorName, note);
+    const std::string refused = addAct(call.store, kind, call.out, call.operatorName, note, head);
     text += refused.empty() ? "Recorded in the study.\n" : "Not recorded in the study: " + refused + "\n";
     return {text + "Log head " + records::headTextOf(call.store) + "\n", call.out};
+}
+
+/// Ends the state that was read for the files of a tool, and returns its head.
+database::LogHead ended(const ToolCall& call, std::unique_ptr<database::ReadSnapshot>& state)
+{
+    const database::LogHead head = call.store.head();
+    state.reset();
+    return head;
 }
 
 app::ToolOutcome verified(const database::StudyStore& store)
 {
     const records::Findings findings = records::findingsOf(store);
-    std::string text = findings.faults.empty() ? "sound" : std::to_string(findings.faults.size()) + " faults:";
+    std::string text = findings.faults.empty() ? "sound" : reports::counted(findings.faults.size(), "fault") + ":";
     text += "\n";
     for (const auto& fault : findings.faults) text += protocols::printable(fault) + "\n";
     for (const auto& note : findings.notes) text += "note: " + protocols::printable(note) + "\n";
@@ -78,30 +89,35 @@ app::ToolOutcome sheets(const ToolCall& call)
 app::ToolOutcome backup(const ToolCall& call)
 {
     std::string faults, text;
-    for (const auto& fault : writeBackup(call.store, call.out)) {
+    const Backup made = writeBackup(call.store, call.out);
+    for (const auto& fault : made.faults) {
         text += "warning: " + fault + "\n";
         faults += (faults.empty() ? "" : "; ") + fault;
     }
-    text += std::to_string(call.store.answerCount()) + " answers; `tar xf` restores the study.\n";
-    return recorded(call, "backup", text, faults);
+    text += reports::counted(made.answers, "answer") + "; `tar xf` restores the study.\n";
+    return recorded(call, "backup", text, faults, made.head);
 }
 
 app::ToolOutcome exported(const ToolCall& call)
 {
     // As in reported(): an open key would show means to the operator.
+    auto state = call.store.readOneState();
     exports::writeExport(call.store, call.out, {.format = "csv", .withMeans = false}, {});
-    return recorded(call, "export",
-                    call.store.unblinding() ? "Answers of the unblinded study.\n" : "Blinded: progress, balance and flags.\n");
+    const std::string text =
+        call.store.unblinding() ? "Answers of the unblinded study.\n" : "Blinded: progress, balance and flags.\n";
+    return recorded(call, "export", text, {}, ended(call, state));
 }
 
 app::ToolOutcome reported(const ToolCall& call)
 {
+    auto state = call.store.readOneState();
     std::optional<reports::StudyData> data;
     // An open key would show scores while sessions run; the operator must not see them.
     if (call.store.unblinding()) data = records::studyData(call.store, {});
     if (!data) {
         reports::writeProgressReport(records::blindedReport(call.store), call.out);
-        return recorded(call, "report", "Blinded: progress, balance and flags. Results follow after the unblinding.\n");
+        return recorded(call, "report", "Blinded: progress, balance and flags. Results follow after the unblinding.\n", {},
+                        ended(call, state));
     }
     data->pictures = frictionPictures(call.store, *data, [](const std::string&) {});
     const reports::AnalysisOptions options{reports::Depth::Whole, 0, [&](int done, int total, const std::string& step) {
@@ -110,7 +126,7 @@ app::ToolOutcome reported(const ToolCall& call)
     reports::writeReport(reports::analyse(std::move(*data), options), call.out,
                          {records::headTextOf(call.store), records::shownMadeWith(call.store, call.store.facts())},
                          reports::allDocuments());
-    return recorded(call, "report", "Open index.html in a browser.\n");
+    return recorded(call, "report", "Open index.html in a browser.\n", {}, ended(call, state));
 }
 
 app::ToolOutcome dataSheet(const ToolCall& call)

@@ -8,6 +8,7 @@
 #include "protocols/files/safe_text.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
+#include "reports/text/plain_words.h"
 
 namespace study::records {
 
@@ -45,6 +46,16 @@ std::string copiesOf(const database::StudyStore& store, const protocols::Partici
                         : "Copies on record since the participant's first entry in the log:\n" + text;
 }
 
+/// Where an earlier database was put back, another erasure had this entry. Its certificate is the only trace of that.
+void keepEarlier(const std::filesystem::path& file)
+{
+    if (!std::filesystem::exists(std::filesystem::symlink_status(file))) return;
+    std::filesystem::path kept;
+    for (int number = 1; kept.empty() || std::filesystem::exists(std::filesystem::symlink_status(kept)); ++number)
+        kept = file.parent_path() / (file.stem().string() + "-of-another-log-" + std::to_string(number) + ".txt");
+    std::filesystem::rename(file, kept);
+}
+
 }  // namespace
 
 std::filesystem::path writeErasureCertificate(const database::StudyStore& store, const database::Erasure& erasure,
@@ -58,11 +69,12 @@ std::filesystem::path writeErasureCertificate(const database::StudyStore& store,
              erasure.answersToo
                  ? "facts, debriefing, answers, notes, times, samples of the finger, and the salts of their entries in the log"
                  : "facts and debriefing");
-    text += line("Rows removed", std::to_string(record.answers) + " answers, " + std::to_string(record.notes) + " notes, " +
-                                     std::to_string(record.facts) + " facts" +
-                                     (record.fingerSamples > 0
-                                          ? ", " + std::to_string(record.fingerSamples) + " samples of the finger on the display"
-                                          : std::string()));
+    const auto counted = [](int rows, const char* what) { return reports::counted(static_cast<std::size_t>(rows), what); };
+    text +=
+        line("Rows removed",
+             counted(record.answers, "answer") + ", " + counted(record.notes, "note") + ", " + counted(record.facts, "fact") +
+                 (record.fingerSamples > 0 ? ", " + std::to_string(record.fingerSamples) + " samples of the finger on the display"
+                                           : std::string()));
     text += line("What stays",
                  "the code of the participant, the number of the running order, and the times of enrolment and of "
                  "changes of its state" +
@@ -77,6 +89,9 @@ std::filesystem::path writeErasureCertificate(const database::StudyStore& store,
     if (record.sharedTexts > 0)
         text += line("Not searched for, because what stays in the study holds the same words",
                      std::to_string(record.sharedTexts) + " removed texts");
+    if (record.shortTexts > 0)
+        text +=
+            line("Not searched for, because they have less than 8 bytes", reports::counted(record.shortTexts, "removed text"));
     text += line("Found in", whereFound(record.found));
     for (const auto& file : database::rescueFilesOfOthers(store.folder()))
         text += line("Rows not read, because another account owns it", file.string());
@@ -90,6 +105,7 @@ std::filesystem::path writeErasureCertificate(const database::StudyStore& store,
     text += copiesOf(store, erasure.participant);
     protocols::makeFolders(database::certificatesFolder(store.folder()));
     const auto file = database::certificateFile(store.folder(), record.event);
+    keepEarlier(file);
     protocols::writeWholeFile(file, text, protocols::Sync::Now, protocols::Readers::OwnerOnly);
     // A certificate that is not recorded after a crash is noted by `verify`; a recorded one that is missing is a fault.
     database::recordCertificate(store, record, protocols::sha256(text));

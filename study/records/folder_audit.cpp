@@ -149,6 +149,8 @@ private:
             addFault(entry, "does not belong to the study: move it out of the folder");
             return false;
         }
+        if (name == "study.db" && S_ISREG(status.st_mode) && status.st_nlink > 1)
+            addFault(entry, "is the same file as another one (hard link), so that a second program could write to it");
         if (S_ISLNK(status.st_mode)) {
             addFault(entry, std::string("a link stands in the place of ") + (isFile ? "the file" : "the folder"));
             return false;
@@ -198,6 +200,8 @@ struct Certificate {
     std::string sha256;        ///< empty where the log has none
 };
 
+bool isCertificate(const std::string& name) { return name.starts_with("erasure-") && name.ends_with(".txt"); }
+
 /// By file name: the certificate of every erasure in the log.
 std::map<std::string, Certificate> certificatesIn(const database::StudyStore& store)
 {
@@ -232,6 +236,18 @@ std::string hashOfEntryIn(const database::SqliteConnection& sqlite, std::int64_t
     return database::fromQt(sqlite.value(QStringLiteral("SELECT hash FROM events WHERE sequence = ?"), {qlonglong(sequence)}));
 }
 
+/// A certificate stands there for an erasure that the log does not have: an older database was put back.
+bool lacksErasures(const database::StudyStore& store)
+{
+    const auto known = certificatesIn(store);
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(certificatesFolder(store.folder()), none)) {
+        const std::string name = entry.path().filename().string();
+        if (isCertificate(name) && !known.contains(name)) return true;
+    }
+    return false;
+}
+
 /// How the log of a kept database lies to that of the study. Throws Error where it is no database of this study.
 std::string relationOf(const database::StudyStore& store, const fs::path& file)
 {
@@ -245,7 +261,8 @@ std::string relationOf(const database::StudyStore& store, const fs::path& file)
     if (other.sequence < own.sequence && store.hashOfEntry(other.sequence) == other.hash)
         return "its log is the beginning of the study's (" + entries + " of " + std::to_string(own.sequence) + " entries)";
     if (other.sequence > own.sequence && hashOfEntryIn(kept, own.sequence) == own.hash)
-        return "its log has " + entries + " entries and goes on where that of the study ends: run vis2hap rescue";
+        return "its log has " + entries + " entries and goes on where that of the study ends" +
+               (lacksErasures(store) ? "; an erasure came after it" : ": run vis2hap rescue");
     return "its log (" + entries + " entries) is apart from the study's: it holds other answers";
 }
 
@@ -351,7 +368,16 @@ FolderFindings findingsInFolder(const database::StudyStore& store)
     const auto certificates = certificatesIn(store);
     if (const fs::path erasures = certificatesFolder(folder); fs::is_directory(erasures))
         search.look(
-            erasures, [&](const std::string& name) { return certificates.contains(name); }, Search::none);
+            erasures,
+            [&](const std::string& name) {
+                if (certificates.contains(name) || !isCertificate(name)) return certificates.contains(name);
+                findings.unknownFiles.emplace_back("erasures/" + name);
+                findings.faults.push_back("erasures/" + name +
+                                          ": is of an erasure that the log does not have: an earlier database was put back, or "
+                                          "somebody made this file. Erase that participant again, then move the file away");
+                return true;
+            },
+            Search::none);
     if (!findings.isReadable) return findings;
     if (store.hasLastingHead())  // erasures of older versions have no certificates
         for (const auto& [name, certificate] : certificates) checkCertificate(store, certificate, findings);

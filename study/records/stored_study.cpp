@@ -295,6 +295,23 @@ protocols::Protocol latestProtocolOf(const database::StudyStore& store)
                                            store.facts().programVersion);
 }
 
+std::string afterUnblindingSentence(const database::StudyStore& store)
+{
+    const auto unblinding = store.firstEventOfKind("unblinded");
+    if (!unblinding) return {};
+    constexpr std::pair<const char*, const char*> kinds[] = {{"answered", "answer"},
+                                                             {"corrected", "correction"},
+                                                             {"voided", "void"},
+                                                             {"withdrawn", "withdrawal"},
+                                                             {"erased", "erasure"}};
+    std::vector<std::string> counts;
+    for (const auto& [kind, word] : kinds)
+        if (const auto number = store.eventsAfter(*unblinding, kind); number > 0)
+            counts.push_back(reports::counted(number, word));
+    if (counts.empty()) return {};
+    return "After the unblinding came " + reports::listed(counts) + ": who knew the conditions could steer them.";
+}
+
 std::vector<std::string> stampsOf(const database::StudyStore& store, const database::StudyFacts& facts, ProgramFiles files)
 {
     std::set<protocols::ParticipantId> seen, people;
@@ -310,6 +327,7 @@ std::vector<std::string> stampsOf(const database::StudyStore& store, const datab
     }
     std::vector<std::string> stamps = facts.stamps;
     for (std::string& sentence : followedSentences(store)) stamps.push_back(std::move(sentence));
+    if (auto sentence = afterUnblindingSentence(store); !sentence.empty()) stamps.push_back(std::move(sentence));
     if (!seen.empty())
         stamps.push_back("The display left its images as plain files in sessions of " +
                          reports::counted(seen.size(), "participant") +

@@ -58,6 +58,9 @@ inline constexpr const char* pricesField = "prices";
 /// Whether sentences name the files of a lab's own programs and the displays of sittings; such a name may be a person's.
 enum class ProgramFiles { Named, LeftOut };
 
+/// What the log holds behind the unblinding, in one sentence; empty where there is nothing.
+std::string afterUnblindingSentence(const database::StudyStore& store);
+
 /// The sentences that every report must show: those of the study's facts and, where it is so, that images lay open.
 std::vector<std::string> stampsOf(const database::StudyStore& store, const database::StudyFacts& facts,
                                   ProgramFiles files = ProgramFiles::Named);

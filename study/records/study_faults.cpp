@@ -8,6 +8,7 @@
 #include "rendering/display/stimulus_bank.h"
 #include "study/records/folder_audit.h"
 #include "study/records/registered_plan.h"
+#include "study/records/stored_study.h"
 
 namespace study::records {
 
@@ -37,6 +38,7 @@ Findings findingsOf(const database::StudyStore& store, const database::Passphras
         findings.faults.insert(findings.faults.end(), more.begin(), more.end());
     };
     add(faultsOfActs(store));
+    if (auto sentence = afterUnblindingSentence(store); !sentence.empty()) findings.notes.push_back(std::move(sentence));
     add(folder.faults);
     if (!folder.isReadable) return findings;
     const auto keys = findingsOfKeys(store, passphrase);

@@ -11,6 +11,7 @@
 #include "database/rescue_files.h"
 #include "protocols/files/whole_file.h"
 #include "study/records/erasure_certificate.h"
+#include "study/records/study_faults.h"
 #include "tests/support/error_text.h"
 #include "tests/support/played_session.h"
 #include "tests/support/raw_sqlite.h"
@@ -148,6 +149,45 @@ private Q_SLOTS:
         removeDatabase(folder);
         told = errorOf([&] { StudyStore::rescue(folder, file); });
         QVERIFY2(told.contains("from before the erasure of erasure-") && !fs::exists(folder.database()), qPrintable(told));
+    }
+
+    /// Where an older backup was put back, the log does not know the erasure, and a rescue file from before it goes on where that
+    /// log ends.
+    void anErasureThatTheLogLacksIsRemembered()
+    {
+        const StudyFolder folder = newStudy(4);
+        const fs::path backup = folder.folder.parent_path() / "backup.db", rescue = folder.folder / "rescue-1.db";
+        copyDatabase(folder, backup);
+        tests::support::OpenSession(folder, "S01").playUntilAnswers(6);
+        copyDatabase(folder, rescue);
+        fs::path certificate;
+        {
+            StudyStore store(folder, StudyStore::Access::Write);
+            certificate = study::records::writeErasureCertificate(store, erasureOfS01, store.erase(erasureOfS01));
+        }
+        const auto erased = protocols::readWholeFile(certificate);
+        removeDatabase(folder);
+        fs::copy_file(backup, folder.database());
+        const auto findings = study::records::findingsOf(StudyStore(folder, StudyStore::Access::Read));
+        const auto has = [](const std::vector<std::string>& lines, const char* said) {
+            return std::ranges::any_of(lines, [&](const auto& line) { return line.find(said) != std::string::npos; });
+        };
+        QVERIFY(has(findings.faults, "is of an erasure that the log does not have"));
+        QVERIFY(has(findings.notes, "an erasure came after it") && !has(findings.notes, "run vis2hap rescue"));
+        const QString told = errorOf([&] { StudyStore::rescue(folder, rescue); });
+        QVERIFY2(told.contains("from before the erasure of erasure-"), qPrintable(told));
+        fs::remove(rescue);
+
+        // Another erasure takes the same entry.
+        StudyStore store(folder, StudyStore::Access::Write);
+        const auto entry = fs::path(certificate).filename().string();
+        const Erasure facts{protocols::ParticipantId("S01"), false, "Bob", "wish", {}};
+        while (store.head().sequence + 1 < std::stoll(entry.substr(entry.find('-') + 1))) store.erase(facts);
+        study::records::writeErasureCertificate(store, facts, store.erase(facts));
+        QVERIFY(protocols::readWholeFile(certificate) != erased);
+        QCOMPARE(protocols::readWholeFile(certificate.parent_path() / (certificate.stem().string() + "-of-another-log-1.txt")),
+                 erased);
+        QVERIFY(has(study::records::findingsOf(store).faults, "-of-another-log-1.txt: is of an erasure"));
     }
 
     void filesOfOtherNamesOfTheFolderAreFound()

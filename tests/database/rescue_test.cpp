@@ -12,6 +12,7 @@
 
 #include "database/evidence/acts.h"
 #include "database/rescue_files.h"
+#include "database/sqlite_connection.h"
 #include "protocols/files/byte_search.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
@@ -453,6 +454,38 @@ private Q_SLOTS:
             QCOMPARE(event.atNs, 0);
             QVERIFY(event.wallTime.empty());
         }
+    }
+
+    /// Its files would hold what the erasure removes, and no certificate would list them.
+    void anErasureDoesNotPassACommandThatWritesFiles()
+    {
+        const StudyFolder folder = newStudy();
+        OpenSession session(folder, "S01");
+        session.playUntilAnswers(3);
+        const Erasure erasure{protocols::ParticipantId("S01"), true, "Ada", "asked for it", {}};
+        const StudyStore exporting(folder, StudyStore::Access::Read);
+        auto state = exporting.readOneState();
+        session.playUntilAnswers(4);
+        QCOMPARE(exporting.answers().size(), 3u);
+        const auto head = exporting.head();
+        QVERIFY(errorOf([&] { session.store.erase(erasure); }).contains("nothing was erased"));
+        QVERIFY(exporting.head() == head && session.store.answers().size() == 4u);
+        state.reset();
+        QCOMPARE(exporting.answers().size(), 4u);
+        QCOMPARE(session.store.erase(erasure).answers, 4);
+    }
+
+    void shortTextsAreCountedAndNotSearchedFor()
+    {
+        const StudyFolder folder = newStudy();
+        const Erasure erasure{protocols::ParticipantId("S01"), true, "Ada", "asked for it", {}};
+        OpenSession session(folder, "S01");
+        session.playUntilAnswers(2);
+        session.send(study::session::Noted{"Kr\u00FCger", false});
+        const auto record = session.store.erase(erasure);
+        QVERIFY(record.shortTexts >= 1);
+        const auto text = protocols::readWholeFile(study::records::writeErasureCertificate(session.store, erasure, record));
+        QVERIFY(QString::fromStdString(text).contains("because they have less than 8 bytes: "));
     }
 
     void whatIsLeftBehindIsFound()

@@ -9,12 +9,15 @@
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 #include <fstream>
 
 #include "database/disk/finger_text.h"
 #include "database/evidence/finger_records.h"
 #include "database/evidence/operator_latency.h"
 #include "protocols/files/errors.h"
+#include "study/records/stored_study.h"
+#include "study/records/study_faults.h"
 #include "tests/support/error_text.h"
 #include "tests/support/played_session.h"
 #include "tests/support/raw_sqlite.h"
@@ -95,6 +98,42 @@ private Q_SLOTS:
         const StudyFacts facts = StudyStore(folder, Access::Read).facts();
         QVERIFY(errorOf([&] { StudyStore::create(folder, facts, {}, {}); }).startsWith("2:"));
         QCOMPARE(StudyStore(folder, Access::Read).slots().size(), 2u);
+    }
+
+    /// Under another name the same file has another lock and another write-ahead log: answers of one of them would vanish.
+    void aDatabaseWithTwoNamesIsNotWritten()
+    {
+        namespace fs = std::filesystem;
+        const StudyFolder folder = newStudy();
+        const fs::path other = folder.folder.string() + "-other.db";
+        fs::create_hard_link(folder.database(), other);
+        QVERIFY(errorOf([&] { StudyStore(folder, Access::Write); }).contains("hard link"));
+        QCOMPARE(StudyStore(folder, Access::Read).slots().size(), 2u);
+        const auto faults = study::records::findingsOf(StudyStore(folder, Access::Read)).faults;
+        QVERIFY(std::ranges::any_of(faults, [](const auto& fault) { return fault.starts_with("study.db: is the same file"); }));
+        fs::remove(folder.database());
+        fs::create_symlink(other, folder.database());
+        for (const auto access : {Access::Read, Access::Write})
+            QVERIFY(errorOf([&] { StudyStore(folder, access); }).contains("is a link to another file"));
+    }
+
+    /// The main fact about blinding stands in every report.
+    void whatCameAfterTheUnblindingIsCounted()
+    {
+        const StudyFolder folder = newStudy();
+        OpenSession(folder, "S01").playUntilAnswers(2);
+        {
+            StudyStore store(folder, Access::Write);
+            store.recordUnblinding({"Ada", "all answers are there", {}});
+            QCOMPARE(study::records::afterUnblindingSentence(store), std::string());
+        }
+        OpenSession(folder, "S01").playUntilAnswers(4);
+        StudyStore store(folder, Access::Write);
+        store.erase({protocols::ParticipantId("S01"), false, "Ada", "wish", {}});
+        const std::string said = "After the unblinding came 2 answers and 1 erasure: who knew the conditions could steer them.";
+        QCOMPARE(study::records::afterUnblindingSentence(store), said);
+        const auto stamps = study::records::stampsOf(store, store.facts());
+        QVERIFY(std::ranges::find(stamps, said) != stamps.end());
     }
 
     void whatIsNoStudyIsRefused_data()

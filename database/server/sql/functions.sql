@@ -52,10 +52,15 @@ $$ SELECT coalesce((SELECT jsonb_build_object('sequence', e.sequence, 'hash', e.
 CREATE OR REPLACE FUNCTION @schema@.server_fault_of_character(code int) RETURNS text LANGUAGE sql IMMUTABLE AS
 $$ SELECT CASE
     WHEN code < 32 OR code BETWEEN 127 AND 159 THEN 'holds a control character'
-    WHEN code IN (173, 1564, 6158, 8203, 65279) OR code BETWEEN 8206 AND 8207 OR code BETWEEN 8232 AND 8238
+    WHEN code IN (173, 847, 1564, 4447, 4448, 6068, 6069, 6158, 8203, 10240, 12644, 65279, 65440) OR code BETWEEN 8206 AND 8207 OR code BETWEEN 8232 AND 8238
          OR code BETWEEN 8288 AND 8303 OR code BETWEEN 65529 AND 65531 OR code BETWEEN 65534 AND 65535
          OR code BETWEEN 917504 AND 917631 THEN 'holds an invisible character'
     ELSE '' END $$;
+
+-- Joiners and selectors of forms; no letter or digit of ASCII has any.
+CREATE OR REPLACE FUNCTION @schema@.server_has_hidden_form(value text) RETURNS boolean LANGUAGE sql IMMUTABLE AS
+$$ SELECT value ~ ('[0-9A-Za-z][' || chr(6155) || '-' || chr(6159) || chr(8204) || chr(8205) || chr(65024) || '-' || chr(65039)
+                   || chr(917760) || '-' || chr(917999) || ']') $$;
 
 CREATE OR REPLACE FUNCTION @schema@.server_is_blank(code int) RETURNS boolean LANGUAGE sql IMMUTABLE AS
 $$ SELECT code IN (32, 160, 5760, 8239, 8287, 12288) OR code BETWEEN 8192 AND 8202 $$;
@@ -69,6 +74,7 @@ DECLARE
 BEGIN
     IF id IS NULL OR id = '' THEN RETURN 'is empty'; END IF;
     IF octet_length(id) > 64 THEN RETURN 'has ' || octet_length(id) || ' bytes'; END IF;
+    IF @schema@.server_has_hidden_form(id) THEN RETURN 'holds an invisible character'; END IF;
     IF left(id, 1) = '.' THEN RETURN 'begins with a dot'; END IF;
     IF left(id, 1) = '-' THEN RETURN 'begins with a dash'; END IF;
     FOR place IN 1 .. length(id) LOOP
@@ -92,6 +98,7 @@ DECLARE
     has_words boolean := false;
 BEGIN
     IF octet_length(line) > most_bytes THEN RETURN 'has ' || octet_length(line) || ' bytes'; END IF;
+    IF @schema@.server_has_hidden_form(line) THEN RETURN 'holds an invisible character'; END IF;
     FOR place IN 1 .. coalesce(length(line), 0) LOOP
         code := ascii(substr(line, place, 1));
         fault := @schema@.server_fault_of_character(code);

@@ -6,6 +6,8 @@
 #include <algorithm>
 
 #include "database/keys.h"
+#include "database/sqlite_connection.h"
+#include "database/study_rows.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/open_files.h"
@@ -104,7 +106,7 @@ std::vector<std::string> keptDatabases(const fs::path& study)
 
 }  // namespace
 
-std::vector<std::string> writeBackup(const database::StudyStore& store, const fs::path& out)
+Backup writeBackup(const database::StudyStore& store, const fs::path& out)
 {
     const fs::path study = store.namedFolder();
     protocols::requireNewFile(out);
@@ -113,12 +115,22 @@ std::vector<std::string> writeBackup(const database::StudyStore& store, const fs
         throw protocols::badInput({"the backup would lie in the study and hold itself", out.string(),
                                    "a file outside " + study.string(), "choose another folder; nothing was written"});
     const std::string name = nameOfFolder(study);
-    std::vector<std::string> faults;
+    Backup backup;
+    std::vector<std::string>& faults = backup.faults;
+    // An erasure waits: the copy would hold what it removes.
+    const database::SqliteConnection reader(store.folder().database(), database::SqliteConnection::Mode::Read);
+    const database::ReadSnapshot held(reader);
+    reader.value(QStringLiteral("SELECT COUNT(*) FROM sqlite_master"));
     // Collect the files of the backup in a temporary folder beside it.
     const protocols::FolderDraft staging(out, protocols::Earlier::Refused);
     try {
         faults = copyFiles(store.folder().folder, staging.path() / name);
         store.copyTo(staging.path() / name / "study.db");
+        {
+            const database::SqliteConnection copy(staging.path() / name / "study.db", database::SqliteConnection::Mode::Kept);
+            backup.head = database::headIn(copy);
+            backup.answers = copy.value(QStringLiteral("SELECT COUNT(*) FROM responses WHERE is_correction = 0")).toULongLong();
+        }
         // A session that was killed leaves its log beside study.db. Unpacked over that folder, this one takes its place: SQLite
         // would add the old log to the restored database.
         protocols::writeWholeFile(staging.path() / name / "study.db-wal", "", protocols::Sync::Later,
@@ -138,7 +150,7 @@ std::vector<std::string> writeBackup(const database::StudyStore& store, const fs
     if (!store.erasures().empty())
         for (const std::string& file : keptDatabases(study))
             faults.push_back(file + ": packed, too; it may hold what was erased from the study since it was kept aside");
-    return faults;
+    return backup;
 }
 
 }  // namespace study::commands

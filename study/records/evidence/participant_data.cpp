@@ -123,9 +123,27 @@ ordered_json answerRows(const Person& person)
     return rows;
 }
 
+/// Notes from before the first presentation belong to none, so they stand in the log alone.
+void addNotesBeforeTrials(const Person& person, const std::set<std::int64_t>& known, ordered_json& rows)
+{
+    for (const auto& event : person.store.events(person.enrolment.participant)) {
+        if (event.kind != "noted" || known.contains(event.sequence)) continue;
+        const auto payload = protocols::storedOrderedJson(event.payloadJson);
+        if (!payload.is_object() || !payload.contains("text")) continue;
+        rows.push_back({{"entry", event.sequence},
+                        {"time", event.wallTime},
+                        {"trial", nullptr},
+                        {"text", payload["text"]},
+                        {"flag", payload.value("flag", ordered_json(false))}});
+    }
+}
+
 ordered_json noteRows(const Person& person)
 {
     ordered_json rows = ordered_json::array();
+    std::set<std::int64_t> known;
+    for (const auto& note : notesAbout(person.store, person.enrolment.participant)) known.insert(note.event);
+    addNotesBeforeTrials(person, known, rows);
     for (const auto& note : notesAbout(person.store, person.enrolment.participant)) {
         ordered_json row{{"entry", note.event}, {"time", note.wallTime}, {"trial", note.trial}, {"attempt", note.attempt}};
         if (!note.question.empty()) row["question"] = note.question;

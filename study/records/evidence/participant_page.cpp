@@ -22,12 +22,13 @@ std::string fieldText(const ordered_json& row, const char* key)
     return value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 
-/// "2026-11-22 14:03:11" for an ISO 8601 time: a reader needs no milliseconds.
+/// "2026-11-22 14:03:11 UTC" for an ISO 8601 time: a reader needs no milliseconds.
 std::string readableTime(const ordered_json& row, const char* key = "time")
 {
-    std::string time = fieldText(row, key).substr(0, 19);
+    const std::string whole = fieldText(row, key);
+    std::string time = whole.substr(0, 19);
     if (time.size() == 19 && time[10] == 'T') time[10] = ' ';
-    return time;
+    return whole.ends_with('Z') || whole.ends_with("+00:00") ? time + " UTC" : time;
 }
 
 using Values = protocols::TextsByKey;

@@ -14,9 +14,26 @@ private Q_SLOTS:
     void idsOfLabsAreGood_data()
     {
         QTest::addColumn<QByteArray>("id");
-        for (const char* id : {"P01", "P 01", "p-01", "S_1.a", "quality", "all", "7", "\u53C2\u52A0\u8005 1", "Bj\u00F6rn",
-                               "\u0645\u06CC\u200C\u062E", "\u0915\u094D\u200D\u0937", "O'Brien", "50 %", "=1+1", "a:b", "\"x\"",
-                               "<b>", "\U0001F600"})
+        for (const char* id : {"P01",
+                               "P 01",
+                               "p-01",
+                               "S_1.a",
+                               "quality",
+                               "all",
+                               "7",
+                               "\u53C2\u52A0\u8005 1",
+                               "Bj\u00F6rn",
+                               "\u0645\u06CC\u200C\u062E",
+                               "\u0915\u094D\u200D\u0937",
+                               "O'Brien",
+                               "50 %",
+                               "=1+1",
+                               "a:b",
+                               "\"x\"",
+                               "<b>",
+                               "\U0001F600",
+                               "\u2764\uFE0F",
+                               "\u845B\U000E0100"})
             QTest::newRow(id) << QByteArray(id);
         QTest::newRow("64 bytes") << QByteArray(64, 'x');
     }
@@ -76,6 +93,9 @@ private Q_SLOTS:
         QTest::newRow("zero width") << QByteArray("P\u200B01") << "holds an invisible character";
         QTest::newRow("byte order mark") << QByteArray("\uFEFFP01") << "holds an invisible character";
         QTest::newRow("tag") << QByteArray("P01\U000E0041") << "holds an invisible character";
+        QTest::newRow("filler of Hangul") << QByteArray("P01\u3164") << "holds an invisible character";
+        QTest::newRow("joiner of letters that do not join") << QByteArray("P\u200D01") << "holds an invisible character";
+        QTest::newRow("form of a digit") << QByteArray("P01\uFE0F") << "holds an invisible character";
         QTest::newRow("blank before") << QByteArray(" P01") << "begins with a blank";
         QTest::newRow("blank behind") << QByteArray("P01 ") << "ends with a blank";
         QTest::newRow("wide blank behind") << QByteArray("P01\u3000") << "ends with a blank";

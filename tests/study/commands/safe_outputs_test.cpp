@@ -231,7 +231,7 @@ private Q_SLOTS:
         const QString study = newStudy(), tar = m_place.filePath("share.tar");
         const database::StudyStore store({study.toStdString()}, database::StudyStore::Access::Read);
         refusesModesAndTimes = true;
-        const auto faults = study::commands::writeBackup(store, tar.toStdString());
+        const auto faults = study::commands::writeBackup(store, tar.toStdString()).faults;
         refusesModesAndTimes = false;
         QVERIFY(faults.empty());
         fs::remove_all(study.toStdString());

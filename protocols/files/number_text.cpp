@@ -14,8 +14,11 @@ std::string shortest(double value)
 
 std::string fixed(double value, int decimals)
 {
-    char buffer[512];  // the largest double has 309 digits before the point
-    const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, decimals).ptr;
+    constexpr double longest = 1e12;  // nobody reads more digits
+    char buffer[128];
+    const auto form = std::fabs(value) < longest ? std::chars_format::fixed : std::chars_format::scientific;
+    const auto end =
+        std::to_chars(buffer, buffer + sizeof buffer, value, form, form == std::chars_format::fixed ? decimals : 2).ptr;
     std::string text(buffer, end);
     if (text.starts_with('-') && text.find_first_not_of("-0.") == std::string::npos) text.erase(0, 1);
     return text;

@@ -47,9 +47,9 @@ std::vector<std::string> uncertainFriction(const RenderedFabrics& rendering)
             lines.push_back(photographOf(rendering, fabric) + " tells little of its friction (90 % interval " +
                             protocols::fixed(signals.photograph->meanFriction->low, 2) + " to " +
                             protocols::fixed(signals.photograph->meanFriction->high, 2) +
-                            "); its generated friction is that of an ordinary cloth" +
+                            "). Its generated friction is that of an ordinary cloth" +
                             (signals.fibre ? " of " + nameOf(*signals.fibre)
-                                           : "; if its label names one fibre, state it (\"fibre\" in dataset.json)"));
+                                           : ". If its label names one fibre, state it (\"fibre\" in dataset.json)"));
     return lines;
 }
 

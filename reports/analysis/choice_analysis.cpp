@@ -44,7 +44,7 @@ stats::MatchSensitivity matchesOf(const StudyData& data, const std::vector<const
 }
 
 ConditionChoices analyseCondition(const StudyData& data, const AnswerCells& cells, const std::string& question,
-                                  const std::string& condition, const RightOrWrong& scoring)
+                                  const std::string& condition, const RightOrWrong& scoring, std::size_t people)
 {
     const auto responses = cells.of(question, condition);
     const std::vector<double> values = valuesOf(responses);
@@ -54,7 +54,7 @@ ConditionChoices analyseCondition(const StudyData& data, const AnswerCells& cell
     const auto correct = static_cast<long long>(choices.count.correct);
     const auto trials = static_cast<long long>(choices.count.trials);
     // Multiply before the division: 10 x 27 / 70 is then the nearest double.
-    const auto matches = static_cast<double>(data.participants.size() * choices.count.correct);
+    const auto matches = static_cast<double>(people * choices.count.correct);
     choices.matchesPerRendering =
         trials > 0 ? stats::Value(matches / static_cast<double>(trials)) : stats::Value::undefined("there are no trials");
     choices.againstChance = stats::binomialTest(correct, trials, chance);
@@ -131,17 +131,25 @@ DPrimeRule ruleOfDPrime(const ChoiceAnalysis& choices)
     return isSameDifferent ? DPrimeRule::OfHits : DPrimeRule::OfShare;
 }
 
+std::size_t answeringParticipants(const StudyData& data, const ChoiceAnalysis& choices)
+{
+    if (choices.participants.empty()) return data.participants.size();
+    return static_cast<std::size_t>(
+        std::ranges::count_if(choices.participants, [](const ParticipantShare& one) { return one.share.exists(); }));
+}
+
 ChoiceAnalysis analyseChoices(const StudyData& data, const AnswerCells& cells, const std::string& question,
                               const RightOrWrong& scoring, Depth depth)
 {
     const int alternatives = scoring.alternatives;
     ChoiceAnalysis analysis;
     analysis.alternatives = alternatives;
+    analyseParticipants(analysis, cells, question);
+    const std::size_t people = answeringParticipants(data, analysis);
     for (const std::string& condition : data.conditions)
-        analysis.conditions.push_back(analyseCondition(data, cells, question, condition, scoring));
+        analysis.conditions.push_back(analyseCondition(data, cells, question, condition, scoring, people));
     adjustForConditions(analysis.conditions);
     analysis.cochran = stats::cochranTest(cells.completeSuccesses(question));
-    analyseParticipants(analysis, cells, question);
     const stats::CrossedStudy answers = crossedAnswers(data, cells, question);
     analysis.model = stats::fitChoices(answers);
     analysis.crossedModel = stats::fitChoices(answers, stats::ChoiceTerms::WithInteractions);

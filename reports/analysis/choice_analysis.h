@@ -31,7 +31,7 @@ struct CountCorrect {
 /// One condition.
 struct ConditionChoices {
     CountCorrect count;
-    stats::Value matchesPerRendering;        ///< share correct x number of participants, as the paper reports it
+    stats::Value matchesPerRendering;        ///< share correct x participants with an answer, as the paper reports it
     stats::BinomialTest againstChance;       ///< over trials, one-sided against 1/m; its Wilson and Clopper-Pearson intervals
     stats::Value pHolm;                      ///< p of that test after Holm's correction over the conditions
     stats::TTest participantsAgainstChance;  ///< the participants' shares against 1/m, two-sided
@@ -74,6 +74,10 @@ struct ChoiceAnalysis {
 };
 
 DPrimeRule ruleOfDPrime(const ChoiceAnalysis& choices);
+
+/// Participants with an answer to the question: the number that matches per rendering are out of. Simulations in memory keep no
+/// shares of participants; all of theirs count.
+std::size_t answeringParticipants(const StudyData& data, const ChoiceAnalysis& choices);
 
 ChoiceAnalysis analyseChoices(const StudyData& data, const AnswerCells& cells, const std::string& question,
                               const RightOrWrong& scoring, Depth depth);

@@ -1,5 +1,7 @@
 #include "reports/analysis/claim_words.h"
 
+#include <string_view>
+
 namespace reports {
 
 std::string wordsOf(stats::Verdict verdict)
@@ -15,6 +17,16 @@ std::string wordsOf(stats::Verdict verdict)
             break;
     }
     return "not decided";
+}
+
+std::string tableWords(const std::string& verdict)
+{
+    constexpr std::string_view noDifference = "not different", noEquivalence = "not shown equivalent";
+    std::string words = verdict;
+    if (words.starts_with(noDifference)) words.replace(0, noDifference.size(), "difference not shown");
+    if (words.ends_with(noEquivalence))
+        words.replace(words.size() - noEquivalence.size(), noEquivalence.size(), "equivalence not shown");
+    return words;
 }
 
 std::string wordsOf(stats::Generalisation generalisation)

@@ -172,8 +172,6 @@ private:
     std::map<std::tuple<std::string, std::string, std::string>, std::string> m_why;
 };
 
-std::string contrastName(const ContrastDone& contrast) { return contrast.a + " - " + contrast.b; }
-
 PlanRow primaryRow(const StudyData& data, const std::vector<ContrastDone>& contrasts)
 {
     if (data.blinded) return {"primary contrast", "left out while blinded", "-", Accord::Unknown};
@@ -227,6 +225,8 @@ PlanRow answersRow(const StudyData& data, const Completeness& completeness)
 }
 
 }  // namespace
+
+std::string contrastName(const ContrastDone& contrast) { return contrast.a + " - " + contrast.b; }
 
 PlanComparison comparePlan(const StudyAnalysis& analysis)
 {

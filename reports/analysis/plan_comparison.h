@@ -37,6 +37,9 @@ struct PlanComparison {
     std::vector<ContrastDone> contrasts;  ///< in the order of the plan; empty while blinded
 };
 
+/// "h_g&f_g - h&f", as JSON and CSV have it.
+std::string contrastName(const ContrastDone& contrast);
+
 /// Compares the plan of `analysis.data` with its answers and claims.
 PlanComparison comparePlan(const StudyAnalysis& analysis);
 

@@ -30,8 +30,11 @@ Screening screenParticipants(const StudyData& data, const AnswerCells& cells, co
         if (flag.participant && isReasonToExclude(flag.kind)) flagged[*flag.participant].push_back(flag.kind);
     Screening screening;
     for (const auto& [participant, kinds] : flagged) screening.excluded.push_back({participant, kinds});
-    screening.participantsBefore = data.participants.size();
-    screening.participantsAfter = data.participants.size() - flagged.size();
+    screening.participantsBefore = answeringParticipants(data);
+    std::set<std::string> left;
+    for (const StudyResponse& response : data.responses)
+        if (!flagged.contains(response.participant)) left.insert(response.participant);
+    screening.participantsAfter = left.size();
     if (flagged.empty() || screening.participantsAfter == 0) {
         screening.why = flagged.empty() ? "nobody is flagged" : "everybody is flagged: nobody would be left";
         return screening;

@@ -29,7 +29,7 @@ struct ScreenedQuestion {
 
 struct Screening {
     std::vector<ExcludedParticipant> excluded;  ///< in the order of their names
-    std::size_t participantsBefore = 0;
+    std::size_t participantsBefore = 0;         ///< with an answer, as below
     std::size_t participantsAfter = 0;
     std::vector<ScreenedQuestion> questions;  ///< questions with numbers
     std::string why;                          ///< reason where there are no means: nobody is flagged, or everybody

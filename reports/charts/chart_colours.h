@@ -17,6 +17,7 @@ struct ChartColours {
     inline static const std::string slate = "#56718a";
     inline static const std::string ink = "#22303a";
     inline static const std::string grey = "#5b6770";
+    inline static const std::string pale = "#aab6bf";  ///< lines behind points
     inline static const std::string faint = "#dfe4e8";
     inline static const std::string white = "#ffffff";
 };

@@ -105,11 +105,12 @@ void PlotFrame::drawRightAxis(double wholeValue, const std::string& axisTitle)
 void PlotFrame::drawErrorBar(double x, const stats::Interval& interval, const std::string& colour)
 {
     if (!interval.low.exists() || !interval.high.exists()) return;
-    const double low = y(std::clamp(*interval.low, m_low, m_high));
-    const double high = y(std::clamp(*interval.high, m_low, m_high));
-    m_drawing.line({x, low}, {x, high}, colour, 1.8);
-    m_drawing.line({x - 5, low}, {x + 5, low}, colour, 1.8);
-    m_drawing.line({x - 5, high}, {x + 5, high}, colour, 1.8);
+    const auto placeOf = [&](double end) { return y(std::clamp(end, m_low, m_high)); };
+    m_drawing.line({x, placeOf(*interval.low)}, {x, placeOf(*interval.high)}, colour, 1.8);
+    const double rounding = 1e-9 * (m_high - m_low);
+    for (const double end : {*interval.low, *interval.high})
+        if (end >= m_low - rounding && end <= m_high + rounding)
+            m_drawing.line({x - 5, placeOf(end)}, {x + 5, placeOf(end)}, colour, 1.8);
 }
 
 void PlotFrame::drawLegendText(double x, SvgAnchor anchor, const std::string& escapedText, int row)

@@ -37,7 +37,7 @@ public:
     void drawFrame(const std::string& axisTitle);
     /// A second axis on the right in percent of `wholeValue`.
     void drawRightAxis(double wholeValue, const std::string& axisTitle);
-    /// Cut at the ends of the axis; nothing where the interval does not exist.
+    /// Cut at the ends of the axis, without a cap where it is cut; nothing where the interval does not exist.
     void drawErrorBar(double x, const stats::Interval& interval, const std::string& colour);
     /// A line of text above the plot, on its left or its right.
     void drawLegendText(double x, protocols::SvgAnchor anchor, const std::string& escapedText, int row = 0);

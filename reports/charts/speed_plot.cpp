@@ -8,6 +8,7 @@
 #include "protocols/files/number_text.h"
 #include "protocols/files/svg_drawing.h"
 #include "reports/charts/chart_colours.h"
+#include "reports/text/condition_label.h"
 
 namespace reports {
 namespace {
@@ -186,9 +187,9 @@ private:
         return {plotLeft + m_plotWidth + 30 + column * legendColumn, plotTop + 10 + row * legendRow};
     }
 
-    void legendText(SvgPoint place, const std::string& text)
+    void legendText(SvgPoint place, const std::string& escapedText)
     {
-        m_drawing.text({place.x + 40, place.y + 5}, protocols::escapedMarkup(text), {.size = 13, .anchor = SvgAnchor::Start});
+        m_drawing.text({place.x + 40, place.y + 5}, escapedText, {.size = 13, .anchor = SvgAnchor::Start});
     }
 
     void drawLegend()
@@ -196,7 +197,8 @@ private:
         for (std::size_t i = 0; i < m_plot.points.size(); ++i) {
             const SvgPoint place = legendPlace();
             drawSign(i, {place.x + 14, place.y});
-            legendText(place, m_plot.points[i].name + (isDrawn(m_plot.points[i]) ? "" : " (no times)"));
+            const std::string& name = m_plot.points[i].name;
+            legendText(place, svgLabel(name) + (isDrawn(m_plot.points[i]) ? "" : svgTextAfter(name, " (no times)")));
         }
         for (std::size_t i = 0; i < m_plot.lines.size(); ++i)
             if (!m_plot.lines[i].name.empty()) legendStroke(m_plot.lines[i].name, dashesOfLines[i % 4], 1.8);
@@ -208,7 +210,7 @@ private:
     {
         const SvgPoint place = legendPlace();
         m_drawing.line({place.x, place.y}, {place.x + 30, place.y}, ChartColours::ink, width, dashes);
-        legendText(place, text);
+        legendText(place, protocols::escapedMarkup(text));
     }
 
     const SpeedPlot& m_plot;

@@ -14,7 +14,7 @@ namespace reports {
 
 /// A point with its intervals; left out where a number does not exist.
 struct SpeedPoint {
-    std::string name;          ///< plain text, shown in the legend
+    std::string name;          ///< a condition or plain text, shown in the legend
     stats::Value time, share;  ///< median response time, s; share correct
     stats::Interval secondsCi, shareCi;
 };

@@ -19,6 +19,13 @@ Scoring scoringOf(const protocols::AnswerKind& kind)
                       kind);
 }
 
+std::size_t answeringParticipants(const StudyData& data)
+{
+    std::set<std::string> answering;
+    for (const StudyResponse& response : data.responses) answering.insert(response.participant);
+    return answering.empty() ? data.participants.size() : answering.size();
+}
+
 bool hasNumbers(const QuestionInfo& question) { return !std::holds_alternative<OpenWords>(scoringOf(question.kind)); }
 
 std::size_t answersPerCellOf(const StudyData& data, const QuestionInfo& question)

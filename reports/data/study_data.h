@@ -185,6 +185,10 @@ struct StudyData {
     std::vector<FrictionPicture> pictures;    ///< empty while blinded, and where the images are not at hand
 };
 
+/// Number of participants with an analysed answer. All of them where the data hold no answers: in a blinded report, and of a
+/// simulation in memory.
+std::size_t answeringParticipants(const StudyData& data);
+
 /// Whether the answers are numbers, or right and wrong; words are neither.
 bool hasNumbers(const QuestionInfo& question);
 

@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QXmlStreamReader>
+#include <algorithm>
 #include <vector>
 
 namespace reports {
@@ -166,6 +167,12 @@ QSizeF drawingSize(const std::string& svg)
     if (!xml.readNextStartElement() || xml.name() != u"svg") return {};
     return {xml.attributes().value(QLatin1String("width")).toDouble(),
             xml.attributes().value(QLatin1String("height")).toDouble()};
+}
+
+double shareOfTextWidth(const std::string& svg)
+{
+    const QSizeF own = drawingSize(svg);
+    return own.isEmpty() ? 1 : std::min(1.0, own.width() / fullDrawingWidth);
 }
 
 void paintDrawing(QPainter& painter, const std::string& svg, const QRectF& target)

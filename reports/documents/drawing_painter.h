@@ -13,6 +13,12 @@ namespace reports {
 /// Size of a drawing in its own units; empty for text that is no drawing of this program.
 QSizeF drawingSize(const std::string& svg);
 
+/// Width of the drawings that fill the width of a text, in their own units.
+inline constexpr double fullDrawingWidth = 900;
+
+/// Share of the text that the drawing is wide, at most 1: letters of a narrow drawing are as large as those of a wide one.
+double shareOfTextWidth(const std::string& svg);
+
 /// Paints the drawing into `target`, which should have its proportions.
 void paintDrawing(QPainter& painter, const std::string& svg, const QRectF& target);
 

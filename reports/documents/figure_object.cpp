@@ -14,9 +14,10 @@ int FigureObject::add(const Figure& figure)
 
 QSizeF FigureObject::intrinsicSize(QTextDocument*, int, const QTextFormat& format)
 {
-    const QSizeF own = drawingSize(m_figures[std::size_t(format.intProperty(numberProperty))]->svg);
+    const std::string& svg = m_figures[std::size_t(format.intProperty(numberProperty))]->svg;
+    const QSizeF own = drawingSize(svg);
     if (own.isEmpty()) return {};
-    return own * std::min(m_width / own.width(), m_mostHeight / own.height());
+    return own * std::min(m_width * shareOfTextWidth(svg) / own.width(), m_mostHeight / own.height());
 }
 
 void FigureObject::drawObject(QPainter* painter, const QRectF& place, QTextDocument*, int, const QTextFormat& format)

@@ -18,7 +18,7 @@ public:
     static constexpr int format = QTextFormat::UserObject + 1;
     static constexpr int numberProperty = QTextFormat::UserProperty + 1;
 
-    /// `width` and `mostHeight` in units of the page.
+    /// `width`, of the text, and `mostHeight` in units of the page.
     FigureObject(double width, double mostHeight) : m_width(width), m_mostHeight(mostHeight) {}
 
     /// The figure must outlive the object. Returns its number.

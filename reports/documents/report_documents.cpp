@@ -1,5 +1,6 @@
 #include "reports/documents/report_documents.h"
 
+#include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 #include "reports/documents/figure_files.h"
 #include "reports/documents/report_docx.h"
@@ -27,10 +28,13 @@ WriteDocuments allDocuments(const std::function<void(const std::string& line)>& 
                 if (const auto* figure = std::get_if<const Figure*>(&item)) writeFigurePdfs(**figure, folder / "figures");
         protocols::writeWholeFile(folder / "report.tex", reportTex(document), protocols::Sync::Later);
         writeReportPdf(document, folder / "report.pdf");
-        if (hasPandoc())
-            writeReportDocx(document, folder);
-        else if (note)
-            note("report.docx: not made, because pandoc is not installed (apt-get install pandoc, then report again)");
+        std::string whyNot = hasPandoc() ? "" : "pandoc is not installed; apt-get install pandoc, then report again";
+        try {
+            if (whyNot.empty()) writeReportDocx(document, folder);
+        } catch (const protocols::Error& fault) {
+            whyNot = fault.what();  // the other documents stand
+        }
+        if (!whyNot.empty() && note) note("report.docx: not made: " + whyNot);
     };
 }
 

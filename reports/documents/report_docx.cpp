@@ -2,6 +2,7 @@
 
 #include <QDir>
 #include <QProcess>
+#include <QProcessEnvironment>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <algorithm>
@@ -11,6 +12,8 @@
 #include "protocols/files/markup_text.h"
 #include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
+#include "protocols/secrets/secret_variables.h"
+#include "reports/documents/drawing_painter.h"
 #include "reports/documents/figure_files.h"
 #include "reports/formats/table_parts.h"
 
@@ -20,9 +23,11 @@ namespace {
 constexpr int longestMs = 60000;
 constexpr double figureMm = 160;  ///< text of an A4 page
 
-/// Room for a table whose letters word processors show at 12 points, in the measure of tableParts().
-constexpr double tableWidthPt = 250, leastWidthPt = 150;
-constexpr double cellPadding = 12;  ///< points, between two columns
+constexpr double leastWidthPt = 150;  ///< narrower tables do not fill the text
+constexpr double cellPaddingPt = 12;  ///< between two columns
+
+/// Word processors show the letters of a table at 12 points, whatever its width is.
+TableRoom tableRoom() { return {.widthPt = figureMm / 25.4 * 72, .scales = {1.2}, .gapPt = cellPaddingPt}; }
 
 /// Word processors break a cell of no-break spaces inside a word.
 std::string wrappable(const std::string& html)
@@ -35,7 +40,7 @@ std::string htmlOf(const Table& table, const TablePart& part, const std::string&
 {
     double whole = 0;
     const auto widthOf = [&](const PartColumn& column) {
-        return cellPadding + (column.wrappedPt > 0 ? column.wrappedPt / part.scale : column.width);
+        return cellPaddingPt + (column.wrappedPt > 0 ? column.wrappedPt / part.scale : column.width);
     };
     for (const PartColumn& column : part.columns) whole += widthOf(column);
     std::string html = "<table><caption>" + protocols::escapedMarkup(caption) + "</caption><colgroup>", head, body;
@@ -56,13 +61,10 @@ std::string htmlOf(const Table& table, const TablePart& part, const std::string&
 
 std::string htmlOf(const ReportTable* one)
 {
-    const std::vector<TablePart> parts = tableParts(one->table, tableWidthPt);
+    const std::vector<TablePart> parts = tableParts(one->table, tableRoom());
     std::string html;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        const std::string which =
-            parts.size() > 1 ? " (part " + std::to_string(i + 1) + " of " + std::to_string(parts.size()) + ")" : "";
-        html += htmlOf(one->table, parts[i], one->table.caption + which);
-    }
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        html += htmlOf(one->table, parts[i], one->table.caption + partWords(i + 1, parts.size()));
     return html;
 }
 
@@ -80,10 +82,13 @@ std::string withoutTiles(std::string html)
     return html;
 }
 
+double widthMm(const Figure& figure) { return figureMm * shareOfTextWidth(figure.svg); }
+
+/// Pandoc ignores widths in percent.
 std::string htmlOf(const Figure* figure)
 {
-    return "<p><img src=\"" + figure->name + ".png\" alt=\"" + protocols::escapedMarkup(figure->caption) +
-           "\" width=\"100%\"></p>\n<p>" + protocols::escapedMarkup(figure->caption) + "</p>\n";
+    return "<p><img src=\"" + figure->name + ".png\" alt=\"" + protocols::escapedMarkup(figure->caption) + "\" width=\"" +
+           protocols::fixed(widthMm(*figure), 0) + "mm\"></p>\n<p>" + protocols::escapedMarkup(figure->caption) + "</p>\n";
 }
 
 QString lastLineOf(const QByteArray& text) { return QString::fromUtf8(text).trimmed().section('\n', -1); }
@@ -115,9 +120,12 @@ void writeReportDocx(const ReportDocument& document, const std::filesystem::path
     for (const DocumentSection& section : document.sections)
         for (const DocumentItem& item : section.items)
             if (const auto* figure = std::get_if<const Figure*>(&item))
-                writeFigurePng(**figure, inside / ((*figure)->name + ".png"), figureMm);
+                writeFigurePng(**figure, inside / ((*figure)->name + ".png"), widthMm(**figure));
     protocols::writeWholeFile(inside / "report.html", plainHtml(document), protocols::Sync::Later);
     QProcess pandoc;
+    QProcessEnvironment surroundings = QProcessEnvironment::systemEnvironment();
+    for (const char* secret : protocols::secretVariables) surroundings.remove(QLatin1String(secret));
+    pandoc.setProcessEnvironment(surroundings);
     pandoc.setWorkingDirectory(work.path());
     const QString out = QString::fromStdString(std::filesystem::absolute(folder / "report.docx").string());
     pandoc.start("pandoc", {"--from=html", "--to=docx", "--output", out, "report.html"});
@@ -127,7 +135,7 @@ void writeReportDocx(const ReportDocument& document, const std::filesystem::path
     const QString said = lastLineOf(pandoc.readAllStandardError());
     throw protocols::environmentFault({"pandoc made no document" + (said.isEmpty() ? "" : ": " + said.toStdString()),
                                        (folder / "report.docx").string(), "pandoc to end within a minute",
-                                       "leave --docx out, or repair pandoc"});
+                                       "repair pandoc, or remove it, and report again"});
 }
 
 }  // namespace reports

@@ -27,6 +27,7 @@ constexpr double marginMm = 17, footerMm = 9;
 constexpr double bodyPt = 9.5, smallPt = 8, tablePt = 9;  ///< tablePt: type of a table whose scale is 1
 /// Liberation Sans and DejaVu Sans are wider than Computer Modern, in whose widths table_parts.h counts.
 constexpr double sansOverComputerModern = 1.18;
+constexpr double besideCellPt = 6;  ///< padding on both sides of a cell
 constexpr int staysWithNext = QTextFormat::UserProperty + 2;
 
 const QColor ink("#22303a"), soft("#5b6770"), accent("#1d4e63"), warning("#8a3b00"), rule("#9aa5ad");
@@ -62,10 +63,9 @@ QString asLines(const std::string& html)
 }
 
 /// The text of a cell without the tags of the page; its minus signs and spaces are those of the page.
-QString plainOf(const std::string& html)
+QString plainOf(QString text)
 {
     static const QRegularExpression tag("<[^>]*>");
-    QString text = QString::fromStdString(html);
     text.remove(tag);
     return text.replace("&lt;", "<").replace("&gt;", ">").replace("&quot;", "\"").replace("&#39;", "'").replace("&amp;", "&");
 }
@@ -176,13 +176,30 @@ private:
 
     void add(const ReportTable& one)
     {
-        const std::vector<TablePart> parts = tableParts(one.table, bodyWidthPt() / sansOverComputerModern * 10 / tablePt);
+        const std::vector<TablePart> parts =
+            tableParts(one.table, {.widthPt = bodyWidthPt() / sansOverComputerModern * 10 / tablePt});
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            QString caption = QString::fromStdString(one.table.caption);
-            if (parts.size() > 1) caption += QString(" Part %1 of %2.").arg(i + 1).arg(parts.size());
-            addText(caption, block(9, 3, true), type(smallPt, soft));
+            addText(QString::fromStdString(one.table.caption + partWords(i + 1, parts.size())), block(9, 3, true),
+                    type(smallPt, soft));
             addTable(one.table, parts[i]);
         }
+    }
+
+    /// Empty where Qt finds the widths itself. It takes a head in lines for one long line, and shrinks columns beside wrapped
+    /// ones.
+    QList<QTextLength> widthsOf(const Table& table, const TablePart& part) const
+    {
+        const bool isSimple = std::ranges::all_of(part.columns, [&](const PartColumn& column) {
+            return column.wrappedPt == 0 && headLines(table.columns[column.index].name, column.width).size() == 1;
+        });
+        QList<QTextLength> widths;
+        for (const PartColumn& column : part.columns) {
+            if (isSimple) break;
+            const double points = column.wrappedPt > 0 ? column.wrappedPt : column.width * part.scale + besideCellPt;
+            widths.emplace_back(QTextLength::PercentageLength,
+                                100 * points * sansOverComputerModern * tablePt / 10 / bodyWidthPt());
+        }
+        return widths;
     }
 
     void addTable(const Table& table, const TablePart& part)
@@ -192,13 +209,7 @@ private:
         format.setBorder(0);
         format.setCellSpacing(0);
         format.setCellPadding(1.5);
-        QList<QTextLength> widths;
-        for (const PartColumn& column : part.columns)
-            widths.push_back(column.wrappedPt > 0
-                                 ? QTextLength(QTextLength::PercentageLength,
-                                               100 * column.wrappedPt * sansOverComputerModern * tablePt / 10 / bodyWidthPt())
-                                 : QTextLength());
-        format.setColumnWidthConstraints(widths);
+        format.setColumnWidthConstraints(widthsOf(table, part));
         QTextTable* grid = m_cursor.insertTable(int(table.rows.size()) + 1, int(part.columns.size()), format);
         const double points = tablePt * part.scale;
         for (std::size_t column = 0; column < part.columns.size(); ++column)
@@ -235,20 +246,20 @@ private:
         setRules(cell, 0, isLast ? 1.2 : 0);
         QTextCursor cursor = cell.firstCursorPosition();
         align(cursor, column.isNumber);
-        if (content.html.find("<sub>") == std::string::npos) {
-            cursor.insertText(plainOf(content.html), type(points));
+        if (content.html.find("<i>") == std::string::npos && content.html.find("<sub>") == std::string::npos) {
+            cursor.insertText(plainOf(QString::fromStdString(content.html)), type(points));
             return;
         }
-        // A condition: letters with subscripts.
+        // Conditions: italic letters with subscripts, and the text around them.
         QTextCharFormat italic = type(points), lowered = type(points);
         italic.setFontItalic(true);
         lowered.setVerticalAlignment(QTextCharFormat::AlignSubScript);
-        static const QRegularExpression piece("<i>([^<]*)</i>|<sub>([^<]*)</sub>|(&amp;)");
+        static const QRegularExpression piece("<i>([^<]*)</i>|<sub>([^<]*)</sub>|<[^>]*>|([^<]+)");
         for (auto found = piece.globalMatch(QString::fromStdString(content.html)); found.hasNext();) {
             const auto one = found.next();
-            if (one.hasCaptured(1)) cursor.insertText(one.captured(1), italic);
-            if (one.hasCaptured(2)) cursor.insertText(one.captured(2), lowered);
-            if (one.hasCaptured(3)) cursor.insertText("&", type(points));
+            if (one.hasCaptured(1)) cursor.insertText(plainOf(one.captured(1)), italic);
+            if (one.hasCaptured(2)) cursor.insertText(plainOf(one.captured(2)), lowered);
+            if (one.hasCaptured(3)) cursor.insertText(plainOf(one.captured(3)), type(points));
         }
     }
 

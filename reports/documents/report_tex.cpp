@@ -2,6 +2,8 @@
 
 #include <QXmlStreamReader>
 
+#include "protocols/files/number_text.h"
+#include "reports/documents/drawing_painter.h"
 #include "reports/documents/html_entities.h"
 #include "reports/text/tex_text.h"
 
@@ -42,7 +44,9 @@ std::string texOf(const ReportTable* table) { return "\\input{tables/" + table->
 
 std::string texOf(const Figure* figure)
 {
-    return "\\begin{figure}\n\\centering\n\\includegraphics[width=\\textwidth]{figures/" + figure->name + ".pdf}\n\\caption{" +
+    const double share = shareOfTextWidth(figure->svg);
+    const std::string width = (share < 1 ? protocols::fixed(share, 2) : std::string()) + "\\textwidth";
+    return "\\begin{figure}\n\\centering\n\\includegraphics[width=" + width + "]{figures/" + figure->name + ".pdf}\n\\caption{" +
            breakableTex(figure->caption) + "}\n\\label{fig:" + figure->name + "}\n\\end{figure}\n";
 }
 

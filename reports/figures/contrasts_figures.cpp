@@ -58,24 +58,28 @@ double tickStep(double reach)
     return 10 * power;
 }
 
-/// Largest distance from 0 of any interval or bound.
-double reachOf(const QuestionClaims& claims)
+struct Reach {
+    double half = 1;     ///< of the axis, which has 0 in its middle
+    bool isCut = false;  ///< some interval goes on beyond it
+};
+
+/// Shows every estimate and bound, and intervals up to 20 times as far: with two participants they have no sensible end.
+Reach reachOf(const QuestionClaims& claims)
 {
-    double reach = claims.bounds ? std::max(std::fabs(claims.bounds->first), std::fabs(claims.bounds->second)) : 0;
+    double shown = claims.bounds ? std::max(std::fabs(claims.bounds->first), std::fabs(claims.bounds->second)) : 0, all = 0;
     for (const ContrastFinding& finding : claims.contrasts) {
         const stats::Interval& ci = finding.claim.mean.ci95;
-        if (ci.low.exists()) reach = std::max({reach, std::fabs(*ci.low), std::fabs(*ci.high)});
-        if (finding.claim.mean.estimate.exists()) reach = std::max(reach, std::fabs(*finding.claim.mean.estimate));
+        if (ci.low.exists()) all = std::max({all, std::fabs(*ci.low), std::fabs(*ci.high)});
+        if (finding.claim.mean.estimate.exists()) shown = std::max(shown, std::fabs(*finding.claim.mean.estimate));
     }
-    return reach > 0 ? reach * 1.05 : 1;
+    const double most = 20 * std::max(shown, 0.05), half = std::max(shown, std::min(all, most));
+    return {half > 0 ? half * 1.05 : 1, all > most};
 }
 
-/// "a - b"; the sign and b return to the line that a subscript of a has left.
+/// "a - b".
 std::string contrastLabel(const ContrastFinding& finding)
 {
-    const LabelPart last = labelParts(finding.a).back();
-    const bool endsLow = !last.subscript.empty() && last.after.empty();
-    return svgLabel(finding.a) + "<tspan" + (endsLow ? " dy=\"-4\"" : "") + "> \u2212 </tspan>" + svgLabel(finding.b);
+    return svgLabel(finding.a) + svgTextAfter(finding.a, " \u2212 ") + svgLabel(finding.b);
 }
 
 class ForestPlot {
@@ -84,7 +88,7 @@ public:
         : m_claims(claims),
           m_isNarrow(width == FigureWidth::OneColumn),
           m_size(sizeFor(width)),
-          m_reach(reachOf(claims)),
+          m_reach(reachOf(claims).half),
           m_height(rowHeight * static_cast<double>(claims.contrasts.size() / 2)),
           m_drawing(m_size.whole, m_size.top + m_height + axisHeight, "Contrasts of " + question, description)
     {
@@ -104,7 +108,10 @@ public:
 private:
     double left() const { return m_size.labels; }
     double right() const { return m_size.whole - m_size.verdicts; }
-    double x(double value) const { return (left() + right()) / 2 + value / m_reach * (right() - left()) / 2; }
+    double x(double value) const
+    {
+        return (left() + right()) / 2 + std::clamp(value / m_reach, -1.0, 1.0) * (right() - left()) / 2;
+    }
 
     void drawZone()
     {
@@ -192,8 +199,10 @@ std::vector<Figure> contrastsFigures(const StudyAnalysis& analysis, FigureWidth 
         Figure figure{
             .name = "contrasts_" + id,
             .caption = stampedCaption(analysis.data,
-                                      id + ": differences of conditions a \u2212 b. Thick lines: 90 % interval. Thin lines: 95 % "
-                                           "interval. Neither is corrected for the number of contrasts; the verdicts are."),
+                                      id +
+                                          ": differences of conditions a \u2212 b. Thick lines: 90 % interval. Thin lines: 95 % "
+                                          "interval. Neither is corrected for the number of contrasts; the verdicts are." +
+                                          (reachOf(*claims).isCut ? " An interval at the edge goes on beyond it." : "")),
             .section = PageSection::Claims,
             .question = id};
         figure.svg = ForestPlot(id, *claims, figure.caption, width).drawn();

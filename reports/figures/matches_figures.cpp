@@ -20,6 +20,7 @@ stats::Interval inMatches(const stats::Interval& share, double participants)
 }
 
 /// A mean share and its 95 % interval with participants and fabrics as samples; of participants alone where there is one fabric.
+/// The interval may leave 0 to 1.
 struct DrawnShare {
     stats::Value estimate;
     stats::Interval ci95;
@@ -30,8 +31,7 @@ DrawnShare shareOf(const ChoiceAnalysis& choices, const std::string& condition)
     DrawnShare share;
     for (const ChanceFinding& finding : choices.claims.aboveChance) {
         const stats::Interval& ci = finding.claim.mean.ci95;
-        if (finding.condition == condition && ci.low.exists())
-            share = {finding.claim.mean.estimate, {std::max(0.0, *ci.low), std::min(1.0, *ci.high)}};
+        if (finding.condition == condition && ci.low.exists()) share = {finding.claim.mean.estimate, ci};
     }
     return share;
 }
@@ -47,6 +47,16 @@ stats::Value heightOfBar(const ConditionChoices& choices, const DrawnShare& shar
                                                                                      : stats::Value(mean);
 }
 
+/// The number at the foot of its bar; a pale plate keeps it readable where the whisker reaches it.
+void drawNumber(PlotFrame& plot, protocols::SvgPoint foot, const std::string& number, const stats::Interval& whisker)
+{
+    constexpr double size = 15, character = 9;  // px
+    const double width = character * static_cast<double>(number.size());
+    if (whisker.low.exists() && plot.y(*whisker.low) > foot.y - size)
+        plot.drawing().rectangle({foot.x - width / 2, foot.y - size + 2}, width, size + 1, ChartColours::white, 0.85);
+    plot.drawing().text(foot, number, {.size = size, .bold = true});
+}
+
 void drawBar(PlotFrame& plot, std::size_t i, const ConditionChoices& choices, const DrawnShare& share, double participants,
              const std::string& colour)
 {
@@ -59,8 +69,9 @@ void drawBar(PlotFrame& plot, std::size_t i, const ConditionChoices& choices, co
     const double width = std::min(54.0, plot.slot() * 0.62);
     plot.drawing().rectangle({plot.centre(i) - width / 2, plot.y(*matches)}, width, plot.y(0) - plot.y(*matches), colour, 0.45,
                              colour, plot.conditions()[i] + ": " + fixed(*matches, 2));
-    plot.drawErrorBar(plot.centre(i), inMatches(share.ci95, participants), ChartColours::ink);
-    plot.drawing().text(foot, fixed(*matches, 1), {.size = 15, .bold = true});
+    const stats::Interval whisker = inMatches(share.ci95, participants);
+    plot.drawErrorBar(plot.centre(i), whisker, ChartColours::ink);
+    drawNumber(plot, foot, fixed(*matches, 1), whisker);
 }
 
 void drawChanceLine(PlotFrame& plot, double chance, const std::string& people)
@@ -74,7 +85,7 @@ void drawChanceLine(PlotFrame& plot, double chance, const std::string& people)
 
 Figure matchesFigure(const StudyAnalysis& analysis, const std::string& id, const ChoiceAnalysis& choices, FigureWidth width)
 {
-    const std::size_t people = analysis.data.participants.size();
+    const std::size_t people = answeringParticipants(analysis.data, choices);
     const auto participants = static_cast<double>(std::max<std::size_t>(1, people));
     const std::string m = std::to_string(choices.alternatives);
     Figure figure{.name = "matches_" + id,

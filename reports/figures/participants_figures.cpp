@@ -25,7 +25,7 @@ void drawParticipants(PlotFrame& plot, const RatingAnalysis& ratings)
         for (std::size_t i = 0; i < plot.conditions().size(); ++i)
             if (const stats::Value& mean = ratings.participants[k].means[i]; mean.exists())
                 points.push_back({plot.centre(i) + shift, plot.y(*mean)});
-        if (ratings.participants.size() <= mostLines) plot.drawing().polyline(points, ChartColours::faint, 1);
+        if (ratings.participants.size() <= mostLines) plot.drawing().polyline(points, ChartColours::pale, 1);
         for (const protocols::SvgPoint& point : points) plot.drawing().circle(point, 3, ChartColours::slate, ChartColours::white);
     }
 }
@@ -43,6 +43,18 @@ void drawMeansOfParticipants(PlotFrame& plot, const RatingAnalysis& ratings)
     }
 }
 
+/// Names shapes and not colours: the figure is also read in grey.
+std::string captionOf(const RatingQuestion& question)
+{
+    const auto& participants = question.findings.participants;
+    const auto people = static_cast<std::size_t>(std::ranges::count_if(participants, [](const ParticipantMeans& one) {
+        return std::ranges::any_of(one.means, [](const stats::Value& mean) { return mean.exists(); });
+    }));
+    const std::string joined = participants.size() <= mostLines ? ", joined by lines" : "";
+    return question.id() + ": the mean of each of " + counted(people, "participant") + " under each condition (small points" +
+           joined + "). Large points: their mean, with the 95 % within-participant interval (Morey).";
+}
+
 }  // namespace
 
 std::vector<Figure> participantsFigures(const StudyAnalysis& analysis, FigureWidth width)
@@ -50,18 +62,15 @@ std::vector<Figure> participantsFigures(const StudyAnalysis& analysis, FigureWid
     std::vector<Figure> figures;
     for (const RatingQuestion& question : questionsWith<RatingAnalysis>(analysis)) {
         Figure figure{.name = "participants_" + question.id(),
-                      .caption = stampedCaption(analysis.data, question.id() + ": the mean of each of " +
-                                                                   counted(question.findings.participants.size(), "participant") +
-                                                                   " under each condition (grey). Red: their mean, with the 95 % "
-                                                                   "within-participant interval (Morey)."),
+                      .caption = stampedCaption(analysis.data, captionOf(question)),
                       .section = PageSection::Ratings,
                       .question = question.id()};
         const NumberOnScale& scale = question.findings.scale;
         PlotFrame plot(analysis.data.conditions, scale.min, scale.max, question.id() + ": participants by condition",
                        figure.caption, {width, width == FigureWidth::OneColumn ? 2 : 1});
         plot.drawFrame(question.id());
-        plot.drawLegendText(plot.left(), protocols::SvgAnchor::Start, "grey: one participant");
-        plot.drawRemark("red: mean, with within-participant interval");
+        plot.drawLegendText(plot.left(), protocols::SvgAnchor::Start, "small points: one participant each");
+        plot.drawRemark("large points: mean, with within-participant interval");
         drawParticipants(plot, question.findings);
         drawMeansOfParticipants(plot, question.findings);
         figure.svg = plot.drawing().finished();

@@ -35,12 +35,16 @@ Figure conditionsFigure(const StudyAnalysis& analysis, const AnalysedQuestion<Ch
         plot.points.push_back(pointOf(analysis.data.conditions[c], question.findings.speed.conditions[c]));
     if (!question.findings.accuracyBySpeed.bins.empty())
         plot.lines.push_back(lineOf("all conditions by time", question.findings.accuracyBySpeed));
+    const std::string line = plot.lines.empty()
+                                 ? ""
+                                 : " Line: share correct by response time, all conditions together (quarters of each "
+                                   "participant's own times).";
     Figure figure{.name = "speed_accuracy_" + question.id(),
                   .caption = stampedCaption(
-                      analysis.data,
-                      question.id() + ": speed against accuracy. Numbered points: median response time and share correct of a "
-                                      "condition. Bars: 95 % intervals over participants, for these fabrics. Line: share correct "
-                                      "by response time, all conditions together (quarters of each participant's own times)."),
+                      analysis.data, question.id() +
+                                         ": speed against accuracy. Numbered points: median response time and share correct of a "
+                                         "condition. Bars: 95 % intervals over participants, for these fabrics." +
+                                         line),
                   .section = PageSection::Speed,
                   .question = question.id()};
     plot.description = figure.caption;
@@ -58,15 +62,19 @@ Figure instructionsFigure(const StudyAnalysis& analysis, const AnalysedQuestion<
         if (!under.accuracy.bins.empty()) plot.lines.push_back(lineOf(under.instruction.id + " by time", under.accuracy));
         if (under.instruction.deadlineSeconds) plot.deadlines.push_back(*under.instruction.deadlineSeconds);
     }
-    Figure figure{
-        .name = "instructions_" + question.id(),
-        .caption = stampedCaption(
-            analysis.data,
-            question.id() + ": speed against accuracy by instruction, all conditions together. Points: median response time and "
-                            "share correct. Lines: share correct by response time under one instruction (quarters of each "
-                            "participant's own times). Bars: 95 % intervals over participants, for these fabrics."),
-        .section = PageSection::Speed,
-        .question = question.id()};
+    const std::string lines = plot.lines.empty()
+                                  ? ""
+                                  : " Lines: share correct by response time under one instruction (quarters of each "
+                                    "participant's own times).";
+    Figure figure{.name = "instructions_" + question.id(),
+                  .caption = stampedCaption(
+                      analysis.data,
+                      question.id() +
+                          ": speed against accuracy by instruction, all conditions together. Points: median response time and "
+                          "share correct." +
+                          lines + " Bars: 95 % intervals over participants, for these fabrics."),
+                  .section = PageSection::Speed,
+                  .question = question.id()};
     plot.description = figure.caption;
     if (anyTimes(plot.points)) figure.svg = drawn(plot, width);
     return figure;

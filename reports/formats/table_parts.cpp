@@ -9,9 +9,6 @@
 namespace reports {
 namespace {
 
-constexpr double typeScales[] = {0.9, 0.8, 0.72};
-
-constexpr double gapPt = 6;            ///< between two columns: twice \tabcolsep
 constexpr double leastWrappedPt = 46;  ///< narrowest column in which words are wrapped
 constexpr double spare = 0.97;         ///< share of the text width that is used: widths are estimates
 
@@ -46,9 +43,9 @@ std::vector<PartColumn> columnsOf(const Table& table)
 }
 
 /// Fits the columns into the text by wrapping those of words; returns false where that is not enough.
-bool wrap(TablePart& part, double widthPt, double leastPt)
+bool wrap(TablePart& part, const TableRoom& room, double leastPt)
 {
-    double fixed = gapPt * double(part.columns.size() - 1), wanted = 0;
+    double fixed = room.gapPt * double(part.columns.size() - 1), wanted = 0;
     const auto isWrappable = [&](const PartColumn& column) {
         return (!column.isNumber || column.width > 130) && column.width * part.scale > leastPt;
     };
@@ -56,31 +53,32 @@ bool wrap(TablePart& part, double widthPt, double leastPt)
         column.wrappedPt = 0;
         (isWrappable(column) ? wanted : fixed) += column.width * part.scale;
     }
-    const double room = spare * widthPt - fixed;
-    if (wanted <= room) return true;
+    const double left = spare * room.widthPt - fixed;
+    if (wanted <= left) return true;
     // Every wrapped column gets the least width, and a share of the rest by what it wants.
     const auto wrapped = double(std::ranges::count_if(part.columns, isWrappable));
-    if (wrapped * leastPt > room || wrapped == 0) return false;
+    if (wrapped * leastPt > left || wrapped == 0) return false;
     for (PartColumn& column : part.columns)
-        if (isWrappable(column)) column.wrappedPt = leastPt + (room - wrapped * leastPt) * column.width * part.scale / wanted;
+        if (isWrappable(column)) column.wrappedPt = leastPt + (left - wrapped * leastPt) * column.width * part.scale / wanted;
     return true;
 }
 
 /// The columns in the largest type that needs no wrapping, else in the largest in which wrapping helps.
-bool fit(TablePart& part, double widthPt)
+bool fit(TablePart& part, const TableRoom& room)
 {
-    for (const double scale : typeScales) {
+    for (const double scale : room.scales) {
         part.scale = scale;
-        const double width = std::accumulate(part.columns.begin(), part.columns.end(), gapPt * double(part.columns.size() - 1),
-                                             [&](double sum, const PartColumn& one) { return sum + one.width * scale; });
+        const double width =
+            std::accumulate(part.columns.begin(), part.columns.end(), room.gapPt * double(part.columns.size() - 1),
+                            [&](double sum, const PartColumn& one) { return sum + one.width * scale; });
         for (PartColumn& column : part.columns) column.wrappedPt = 0;
-        if (width <= spare * widthPt) return true;
+        if (width <= spare * room.widthPt) return true;
     }
-    for (const double scale : typeScales) {
+    for (const double scale : room.scales) {
         part.scale = scale;
-        if (wrap(part, widthPt, leastWrappedPt + 20 * scale)) return true;
+        if (wrap(part, room, leastWrappedPt + 20 * scale)) return true;
     }
-    return wrap(part, widthPt, leastWrappedPt);
+    return wrap(part, room, leastWrappedPt);
 }
 
 /// Columns of names before the first number; at most three, and at least one.
@@ -91,13 +89,9 @@ std::size_t namesIn(const std::vector<PartColumn>& columns)
     return std::min(columns.size(), std::max<std::size_t>(1, names));
 }
 
-}  // namespace
-
-std::vector<TablePart> tableParts(const Table& table, double widthPt)
+/// The columns in parts of at most `most`, each filled before the next begins.
+std::vector<TablePart> filledParts(const std::vector<PartColumn>& columns, const TableRoom& room, std::size_t most)
 {
-    const std::vector<PartColumn> columns = columnsOf(table);
-    TablePart whole{columns, 1};
-    if (columns.size() <= mostPartColumns && fit(whole, widthPt)) return {whole};
     const auto firstValue = columns.begin() + static_cast<std::ptrdiff_t>(std::min(namesIn(columns), columns.size() - 1));
     std::vector<TablePart> parts;
     TablePart part{{columns.begin(), firstValue}, 1};
@@ -105,18 +99,37 @@ std::vector<TablePart> tableParts(const Table& table, double widthPt)
         TablePart longer = part;
         longer.columns.push_back(*column);
         const bool isFirst = part.columns.size() == std::size_t(firstValue - columns.begin());
-        if ((longer.columns.size() <= mostPartColumns && fit(longer, widthPt)) || isFirst) {
-            if (isFirst) fit(longer, widthPt);
+        if ((longer.columns.size() <= most && fit(longer, room)) || isFirst) {
+            if (isFirst) fit(longer, room);
             part = longer;
             continue;
         }
         parts.push_back(part);
         part = TablePart{{columns.begin(), firstValue}, 1};
         part.columns.push_back(*column);
-        fit(part, widthPt);
+        fit(part, room);
     }
     parts.push_back(part);
     return parts;
+}
+
+}  // namespace
+
+std::vector<TablePart> tableParts(const Table& table, const TableRoom& room)
+{
+    const std::vector<PartColumn> columns = columnsOf(table);
+    TablePart whole{columns, 1};
+    if (columns.size() <= mostPartColumns && fit(whole, room)) return {whole};
+    const std::vector<TablePart> filled = filledParts(columns, room, mostPartColumns);
+    // Parts of about equal size read better than a full one with a rest.
+    for (std::size_t most = 2; most < mostPartColumns; ++most)
+        if (std::vector<TablePart> even = filledParts(columns, room, most); even.size() == filled.size()) return even;
+    return filled;
+}
+
+std::string partWords(std::size_t number, std::size_t parts)
+{
+    return parts < 2 ? "" : " (part " + std::to_string(number) + " of " + std::to_string(parts) + ")";
 }
 
 std::vector<std::string> headLines(const std::string& name, double width)

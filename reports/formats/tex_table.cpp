@@ -88,11 +88,10 @@ std::string floatOf(const Table& table, const TablePart& part)
 
 std::string longTableOf(const Table& table, const TablePart& part, std::size_t number, std::size_t parts)
 {
-    const std::string which = parts == 1 ? "" : " Part " + std::to_string(number) + " of " + std::to_string(parts) + ".";
     const std::string label = number == 1 ? "\\label{tab:" + table.name + "}" : "";
     const std::string head = headLine(table, part), note = noteOf(table), columns = std::to_string(part.columns.size());
     return "{" + std::string(commandFor(part.scale)) + "\\setlength{\\tabcolsep}{3pt}\n\\begin{longtable}{" + formatOf(part) +
-           "}\n\\caption{" + breakableTex(table.caption) + which + "}" + label + "\\\\\n" + head +
+           "}\n\\caption{" + breakableTex(table.caption) + partWords(number, parts) + "}" + label + "\\\\\n" + head +
            "\\endfirsthead\n\\multicolumn{" + columns + "}{@{}l}{\\emph{continued}}\\\\\n" + head +
            "\\endhead\n\\bottomrule\n\\endfoot\n" + rowsOf(table, part) + "\\end{longtable}\n" +
            (note.empty() || number != parts ? "" : "\\noindent\\parbox{\\textwidth}{\\raggedright " + note + "}\n") + "}\n";
@@ -102,9 +101,9 @@ std::string longTableOf(const Table& table, const TablePart& part, std::size_t n
 
 std::string toTex(const Table& table)
 {
-    const std::vector<TablePart> parts = tableParts(table, texTextWidth);
-    const bool isFloat = parts.size() == 1 && parts[0].columns.size() <= mostPartColumns && table.rows.size() <= mostTexRows;
-    if (isFloat) return "% needs \\usepackage[T1]{fontenc} and \\usepackage{array,booktabs}\n" + floatOf(table, parts[0]);
+    const std::vector<TablePart> parts = tableParts(table, {.widthPt = texTextWidth});
+    if (parts.size() == 1 && table.rows.size() <= mostTexRows)
+        return "% needs \\usepackage[T1]{fontenc} and \\usepackage{array,booktabs}\n" + floatOf(table, parts[0]);
     std::string tex =
         "% needs \\usepackage[T1]{fontenc} and \\usepackage{array,booktabs,longtable}; longtable needs text in one column\n";
     for (std::size_t i = 0; i < parts.size(); ++i) tex += longTableOf(table, parts[i], i + 1, parts.size());

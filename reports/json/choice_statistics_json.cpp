@@ -27,7 +27,7 @@ std::string fractionName(int alternatives)
 
 Json perConditionPart(const StudyData& data, const ChoiceAnalysis& choices)
 {
-    const std::string people = std::to_string(data.participants.size());
+    const std::string people = std::to_string(answeringParticipants(data, choices));
     Json rows = Json::array();
     for (std::size_t i = 0; i < data.conditions.size(); ++i) {
         const ConditionChoices& condition = choices.conditions[i];

@@ -28,7 +28,7 @@ Json studyPart(const StudyData& data, const ReportOrigin& origin)
     for (const FollowedVersion& one : data.protocolVersions)
         study["protocol_versions"].push_back(
             {{"version", one.version}, {"sha256", one.sha256}, {"participants", one.participants}});
-    study["participants"] = data.participants.size();
+    study["participants"] = answeringParticipants(data);
     study["fabrics"] = data.fabrics.size();
     study["blinded"] = data.blinded;
     study["simulated"] = data.simulated;

@@ -152,7 +152,7 @@ std::string familySentence(const std::string& id, const QuestionClaims& claims)
 /// Says so where the numbers of participants and fabrics cannot carry a result for others.
 std::string smallStudySentence(const StudyData& data)
 {
-    if (data.participants.size() == 1) return "With 1 participant this study cannot show what holds for others.";
+    if (answeringParticipants(data) == 1) return "With 1 participant this study cannot show what holds for others.";
     constexpr std::size_t enoughFabrics = 5;
     const std::size_t fabrics = data.fabrics.size();
     if (fabrics >= enoughFabrics || data.conditions.size() < 2) return {};

@@ -144,10 +144,23 @@ std::string hitsSentences(const ChoiceQuestions& questions)
            halves;
 }
 
+/// "10", or "Q1: 10 and Q5: 9" where not all participants answered every question.
+std::string peopleText(const StudyData& data, const ChoiceQuestions& questions)
+{
+    std::set<std::size_t> counts;
+    std::vector<std::string> named;
+    for (const auto& question : questions) {
+        const std::size_t people = answeringParticipants(data, question.findings);
+        counts.insert(people);
+        named.push_back(protocols::escapedMarkup(question.id()) + ": " + std::to_string(people));
+    }
+    return counts.size() == 1 ? std::to_string(*counts.begin()) : listed(named);
+}
+
 std::string matchesParagraph(const StudyData& data, const ChoiceQuestions& questions)
 {
     return "<b>Matches.</b> &ldquo;Matches per rendering&rdquo; is the share correct times the number of participants (" +
-           std::to_string(data.participants.size()) + "). " + chanceSentence(questions) +
+           peopleText(data, questions) + "). " + chanceSentence(questions) +
            " &ldquo;Above chance&rdquo; is tested one-sided on the mean share, with participants and fabrics as samples, and "
            "corrected "
            "over the conditions. Its interval is drawn in the figure. The table of matches has it for both generalisations. The "
@@ -309,6 +322,9 @@ std::string participantsParagraph(const StudyData& data)
     std::string text = "<b>Participants.</b> ";
     text += data.participantsSentence.empty() ? counted(data.participants.size(), "participant") + "."
                                               : protocols::escapedMarkup(data.participantsSentence);
+    if (const std::size_t silent = data.participants.size() - answeringParticipants(data); silent > 0)
+        text += " " + std::to_string(silent) + " of them gave no analysed answer and " + (silent == 1 ? "is" : "are") +
+                " not counted as " + (silent == 1 ? "a participant." : "participants.");
     if (!data.withdrawn.empty())
         text += " In addition, " + counted(data.withdrawn.size(), "participant") +
                 " withdrew. Answers given before are kept and not analysed, and the " + pluralOf(data.withdrawn.size(), "place") +

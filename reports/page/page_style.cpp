@@ -35,8 +35,8 @@ section { background:var(--paper); border:1px solid var(--line); border-radius:1
 .tile b { display:block; font:600 24px/1.2 "Source Serif 4",Georgia,"Liberation Serif",serif; }
 .tile span { color:var(--soft); font-size:14px; }
 ul.findings { padding-left:20px; margin:.4em 0 .6em; } ul.findings li { margin:.35em 0; max-width:84ch; }
-figure { margin:14px 0 6px; } figure svg { width:100%; height:auto; max-width:960px; display:block; margin:0 auto; }
-figure .narrow { display:none; } figure .narrow svg { max-width:490px; }
+figure { margin:14px 0 6px; } figure svg { height:auto; max-width:min(100%, 960px); display:block; margin:0 auto; }
+figure .narrow { display:none; } figure .narrow svg { max-width:min(100%, 490px); }
 figcaption { color:var(--soft); font-size:14.5px; max-width:84ch; margin:6px auto 0; }
 .scroll { overflow-x:auto; margin:14px 0 4px; }
 table { border-collapse:collapse; width:100%; font-size:14.5px; font-variant-numeric:tabular-nums; }

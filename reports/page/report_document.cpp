@@ -1,5 +1,8 @@
 #include "reports/page/report_document.h"
 
+#include <algorithm>
+#include <string_view>
+
 #include "protocols/files/markup_text.h"
 #include "reports/page/section_text.h"
 #include "reports/text/plain_words.h"
@@ -7,8 +10,29 @@
 namespace reports {
 namespace {
 
-/// Further remarks stand in the section on data quality, so that the first page holds results.
+/// Further remarks stand in the section on data quality, so that the first page holds results. Grave ones stand above all the
+/// same.
 constexpr std::size_t mostStampsAbove = 2;
+
+/// Words of remarks that put results or the blinding in doubt.
+constexpr std::string_view graveWords[] = {
+    "After the unblinding came",  "give the same image", "felt no image",  "does not look like cloth",
+    "among the training samples", "no passphrase",       "as plain files", "are damaged",
+    "used another display"};
+
+bool isGrave(const std::string& remark)
+{
+    return std::ranges::any_of(graveWords, [&](std::string_view words) { return remark.find(words) != std::string::npos; });
+}
+
+/// Grave remarks come first; otherwise the order is kept. Remarks that stand at the head of the report.
+std::vector<std::string> remarksAbove(std::vector<std::string> remarks)
+{
+    const auto others = std::ranges::stable_partition(remarks, isGrave);
+    const std::size_t grave = remarks.size() - others.size();
+    remarks.resize(std::min(remarks.size(), std::max(mostStampsAbove, grave)));
+    return remarks;
+}
 
 std::vector<DocumentTag> tagsOf(const StudyData& data)
 {
@@ -36,10 +60,10 @@ std::vector<DocumentNotice> noticesOf(const StudyAnalysis& analysis)
              (analysis.blindedMeans.why.empty() ? "It shows rounded means of the participants, who have all finished."
                                                 : protocols::escapedMarkup(analysis.blindedMeans.why)) +
              " " + restAfterUnblinding});
-    for (std::size_t i = 0; i < data.stamps.size() && i < mostStampsAbove; ++i)
-        notices.push_back({protocols::escapedMarkup(data.stamps[i])});
-    if (data.stamps.size() > mostStampsAbove)
-        notices.push_back({counted(data.stamps.size() - mostStampsAbove, "more remark") +
+    const std::vector<std::string> above = remarksAbove(data.stamps);
+    for (const std::string& remark : above) notices.push_back({protocols::escapedMarkup(remark)});
+    if (data.stamps.size() > above.size())
+        notices.push_back({counted(data.stamps.size() - above.size(), "more remark") +
                            " on this study: see <a href=\"#quality\">Data quality</a>."});
     for (const std::string& limit : analysis.designLimits) notices.push_back({protocols::escapedMarkup(limit)});
     return notices;
@@ -78,7 +102,7 @@ ReportDocument reportDocument(const StudyAnalysis& analysis, const std::vector<R
     const StudyData& data = analysis.data;
     ReportDocument document;
     document.title = data.name;
-    document.lede = "Haptic rendering study: " + counted(data.participants.size(), "participant") + ", " +
+    document.lede = "Haptic rendering study: " + counted(answeringParticipants(data), "participant") + ", " +
                     counted(data.fabrics.size(), "fabric") + ", " + counted(data.conditions.size(), "condition");
     document.tags = tagsOf(data);
     document.notices = noticesOf(analysis);

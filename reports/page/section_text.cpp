@@ -26,7 +26,7 @@ NumberTile countTile(std::size_t n, const std::string& singular, const std::stri
 std::string summaryLead(const StudyAnalysis& analysis)
 {
     const StudyData& data = analysis.data;
-    return tiles({countTile(data.participants.size(), "participant"),
+    return tiles({countTile(answeringParticipants(data), "participant"),
                   countTile(data.conditions.size() * data.fabrics.size(), "rendering"),
                   countTile(analysis.completeness.present, "answer", data.blinded ? "" : " analysed"),
                   countTile(analysis.completeness.missing(), "answer", " missing"),

@@ -15,7 +15,7 @@ Table matchesTable(const StudyAnalysis& analysis, const ChoiceQuestion& question
                     ": correct matches, and 95 % intervals of their share by what varies: participants, participants "
                     "and fabrics, or independent trials (Wilson), which they are not",
                 {"condition",
-                 "matches of " + std::to_string(analysis.data.participants.size()),
+                 "matches of " + std::to_string(answeringParticipants(analysis.data, question.findings)),
                  {"correct", ColumnUse::InCsv},
                  {"trials", ColumnUse::InCsv},
                  {"correct of trials", ColumnUse::InDocuments},

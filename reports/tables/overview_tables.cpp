@@ -9,7 +9,8 @@ namespace {
 
 void addChoiceColumns(Table& table, const StudyAnalysis& analysis, const AnalysedQuestion<ChoiceAnalysis>& question)
 {
-    table.columns.emplace_back(question.id() + " matches of " + std::to_string(analysis.data.participants.size()));
+    const std::size_t people = answeringParticipants(analysis.data, question.findings);
+    table.columns.emplace_back(question.id() + " matches of " + std::to_string(people));
     table.columns.emplace_back(question.id() + " correct");
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
         const ConditionChoices& choices = question.findings.conditions[i];

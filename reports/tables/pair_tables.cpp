@@ -1,6 +1,7 @@
 #include "reports/tables/pair_tables.h"
 
 #include "protocols/files/number_text.h"
+#include "reports/analysis/claim_words.h"
 #include "reports/formats/table_cells.h"
 #include "reports/text/number_text.h"
 #include "reports/text/plain_words.h"
@@ -70,7 +71,8 @@ void addRow(Table& table, const std::string& question, const PairEquivalence& eq
     table.rows.push_back({textCell(question), conditionCell(equivalence.pair.a), conditionCell(equivalence.pair.b),
                           countCell(test.n), numberCell(test.estimate, 2), numberCell(test.ci.low, 2),
                           numberCell(test.ci.high, 2), intervalCell(test.ci, 2), pCell(test.pLower, test.logPLower),
-                          pCell(test.pUpper, test.logPUpper), pCell(test.p, test.logP), textCell(equivalence.verdict)});
+                          pCell(test.pUpper, test.logPUpper), pCell(test.p, test.logP),
+                          textCell(tableWords(equivalence.verdict))});
 }
 
 std::string boundsText(const StudyData& data)

@@ -8,8 +8,8 @@ namespace {
 std::string verdictOn(const SignalTest& test)
 {
     if (!test.p.exists() || !test.equivalence.p.exists()) return "undefined";
-    return std::string(*test.p < 0.05 ? "different" : "not different") +
-           (*test.equivalence.p < 0.05 ? " / equivalent" : " / not shown equivalent");
+    return std::string(*test.p < 0.05 ? "different" : "difference not shown") +
+           (*test.equivalence.p < 0.05 ? " / equivalent" : " / equivalence not shown");
 }
 
 stats::Value scaledForTable(const stats::Value& value, double factor)

@@ -90,6 +90,13 @@ std::string svgLabel(const std::string& condition)
     return svg;
 }
 
+std::string svgTextAfter(const std::string& condition, const std::string& escapedText)
+{
+    const LabelPart last = labelParts(condition).back();
+    const bool endsLow = !last.subscript.empty() && last.after.empty();
+    return std::string("<tspan") + (endsLow ? " dy=\"-4\"" : "") + ">" + escapedText + "</tspan>";
+}
+
 double labelLength(const std::string& condition)
 {
     if (known(condition) == nullptr) return static_cast<double>(characters(shortened(condition, longestFigureName)));

@@ -22,6 +22,8 @@ std::string htmlLabel(const std::string& condition);
 std::string texLabel(const std::string& condition);
 /// Content of a <text> element of SVG. A name of more than 24 characters is cut.
 std::string svgLabel(const std::string& condition);
+/// Text after the label of a condition. It returns to the line that a subscript at the end of the label has left.
+std::string svgTextAfter(const std::string& condition, const std::string& escapedText);
 /// Approximate width of the label in a figure, in characters.
 double labelLength(const std::string& condition);
 

@@ -36,7 +36,9 @@ struct EventActions {
     {
         tick(event.ticked);
         fill(event.readings, window.session()->facts().readings, QStringLiteral("reading"));
+        const int sentBefore = window.session()->eventsSent();
         press("confirmButton");
+        if (window.session()->eventsSent() == sentBefore) press("confirmButton");  // the page asks about a doubtful reading
     }
     void operator()(const SittingPrepared&) const { enter(); }
     void operator()(const TrayReady& event) const
@@ -67,9 +69,11 @@ struct EventActions {
     }
     void operator()(const Corrected& event) const
     {
+        // Logs of earlier versions and scripts may hold a correction to the same answer, which the page does not take.
+        if (answerTo(event.question).response == event.response) return window.session()->send(event);
         click("correctButton");
         gui.click(QStringLiteral("answerTo") + QString::fromStdString(event.question.value));
-        give(event.response, formOfAnswerTo(event.question));
+        give(event.response, answerTo(event.question).form);
         if (isWithoutWords(event.response)) press("panelConfirmButton");
         giveReason(event.why, true);
     }
@@ -151,10 +155,10 @@ private:
         const auto* words = std::get_if<Words>(&response);
         return words && words->text.empty();
     }
-    AnswerForm formOfAnswerTo(const protocols::QuestionId& question) const
+    Correctable answerTo(const protocols::QuestionId& question) const
     {
         for (const Correctable& one : window.session()->correctables())
-            if (one.question == question) return one.form;
+            if (one.question == question) return one;
         throw cannotPerform("there is no answer to " + question.value);
     }
     void give(const GivenAnswer& response, const AnswerForm& form) const

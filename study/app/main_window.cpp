@@ -485,7 +485,8 @@ void MainWindow::begin(OpenStudy& study, const protocols::ParticipantId& partici
     facts.mmPerPixel = rememberedScale(m_options.settings.get(), m_options.display);
     m_pages->session->begin(facts);
     m_pages->setCurrentWidget(m_pages->session);
-    setWindowTitle(tr("%1 – %2 – Vis2Hap").arg(QString::fromStdString(participant.value), study.name()));
+    setWindowTitle(facts.isRehearsal ? tr("Rehearsal – %1 – Vis2Hap").arg(m_study->name())
+                                     : tr("%1 – %2 – Vis2Hap").arg(QString::fromStdString(participant.value), study.name()));
     m_pages->session->present(m_session->view(), m_session->canCorrect());
     m_participantRoom->begin(*m_session);
     tellParticipant();

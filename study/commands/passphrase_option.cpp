@@ -15,7 +15,6 @@
 #include "protocols/files/foreign/text_encoding.h"
 #include "protocols/files/utf8.h"
 #include "protocols/files/whole_file.h"
-#include "protocols/secrets/secret_variables.h"
 
 namespace study::commands {
 
@@ -150,13 +149,6 @@ std::string newPassphrase(const PassphraseOption& option, const std::string& key
         throw protocols::badInput({"the passphrase is too short", "", std::to_string(shortestPassphrase) + " characters or more",
                                    "choose a longer one, such as four words"});
     return *given;
-}
-
-QProcessEnvironment environmentWithoutSecrets()
-{
-    QProcessEnvironment surroundings = QProcessEnvironment::systemEnvironment();
-    for (const char* secret : protocols::secretVariables) surroundings.remove(QLatin1String(secret));
-    return surroundings;
 }
 
 }  // namespace study::commands

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <QProcessEnvironment>
 #include <optional>
 #include <string>
 
@@ -26,8 +25,5 @@ database::Passphrase givenPassphrase(const PassphraseOption& option);
 /// A new passphrase for this key: a terminal asks twice. Throws badInput where there is none, or where it has less than 8
 /// characters, or a control character.
 std::string newPassphrase(const PassphraseOption& option, const std::string& key = "the allocation key of this study");
-
-/// The environment without secrets, for programs that need none.
-QProcessEnvironment environmentWithoutSecrets();
 
 }  // namespace study::commands

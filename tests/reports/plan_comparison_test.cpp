@@ -5,9 +5,11 @@
 #include "protocols/protocol_json.h"
 #include "reports/data/answers_csv.h"
 #include "reports/formats/table_formats.h"
+#include "reports/formats/tex_table.h"
 #include "reports/json/results_json.h"
 #include "reports/page/page.h"
 #include "reports/tables/report_tables.h"
+#include "reports/text/condition_label.h"
 #include "tests/reports/study_builder.h"
 
 using reports::Accord;
@@ -99,6 +101,22 @@ private Q_SLOTS:
                           "Nothing differs from the plan."));
     }
 
+    /// Documents typeset conditions and minus signs; the CSV keeps what JSON has.
+    void planIsTypesetInDocuments()
+    {
+        const auto analysis = reports::analyse(plannedStudy(), {reports::Depth::Quick, {}});
+        for (const reports::ReportTable& one : reports::reportTables(analysis)) {
+            if (one.table.name != "plan") continue;
+            const std::string html = reports::toHtml(one.table), csv = reports::toCsv(one.table), tex = reports::toTex(one.table);
+            QVERIFY(html.find(reports::htmlLabel("h&f") + " \u2212 " + reports::htmlLabel("v_grey")) != std::string::npos);
+            QVERIFY(html.find("\u22120.5 and 0.5") != std::string::npos && html.find("2026-01-02T") != std::string::npos);
+            QVERIFY(tex.find(reports::texLabel("h&f") + " $-$ " + reports::texLabel("v_grey")) != std::string::npos);
+            QVERIFY(csv.find("h&f - v_grey") != std::string::npos && csv.find("-0.5 and 0.5") != std::string::npos);
+            return;
+        }
+        QFAIL("the plan has no table");
+    }
+
     void whatTheAnswersLackIsNamed()
     {
         StudyData data = plannedStudy();
@@ -113,7 +131,10 @@ private Q_SLOTS:
         const auto plan = registrationIn(data);
         QCOMPARE(plan["contrasts_not_tested"].dump(), std::string(R"([{"a":"h&f","b":"f","reason":"no answers under f"}])"));
         QCOMPARE(plan["deviations"].size(), std::size_t(4));
-        QVERIFY(pageOf(data).contains("1 of 2 planned contrasts was not tested: "));
+        const QString page = pageOf(data);
+        QVERIFY(page.contains("1 of 2 planned contrasts was not tested: "));
+        QVERIFY(page.contains("4 participants. 1 of them gave no analysed answer and is not counted as a participant."));
+        QVERIFY(page.contains("Haptic rendering study: 3 participants"));
     }
 
     void aContrastIsPartlyTestedWhereAQuestionLacksAnswers()

@@ -12,6 +12,7 @@
 #include "protocols/files/strict_json.h"
 #include "reports/json/results_json.h"
 #include "reports/json/signals_json.h"
+#include "reports/page/report_document.h"
 #include "reports/write_report.h"
 #include "tests/reports/study_builder.h"
 
@@ -117,7 +118,8 @@ private Q_SLOTS:
         QVERIFY(html.count("<section") >= 9);
         QVERIFY(html.contains("The weights were trained on other fabrics."));
         QVERIFY(html.contains("reverses the meaning of the test"));
-        QVERIFY(html.contains("not shown equivalent"));
+        QVERIFY(html.contains("equivalence not shown") && html.contains("difference not shown"));
+        QVERIFY(!html.contains("not different"));
         QVERIFY(html.contains("no height maps"));
         QVERIFY(html.contains("chance: 3.3 of 10"));
         QVERIFY(!html.contains("nan") || !html.contains(">nan<"));
@@ -125,6 +127,43 @@ private Q_SLOTS:
         QCOMPARE(html.count("<table"), html.count("</table>"));
         QCOMPARE(html.count("<details"), html.count("</details>"));
         QVERIFY(!html.contains("tag blinded"));
+    }
+
+    /// What puts results in doubt stands at the head of the report, however many remarks there are.
+    void graveRemarksComeFirst()
+    {
+        reports::StudyData data = richStudy();
+        data.stamps = {"First remark.",
+                       "Second remark.",
+                       "Third remark.",
+                       "Before the study: conditions h_g and f_g give the same image for F01.",
+                       "2 sittings ran without a display: participants of these sittings felt no image on the glass.",
+                       "The images of condition x come from a photograph that does not look like cloth."};
+        const auto analysis = reports::analyse(data, {.depth = reports::Depth::Quick});
+        QStringList notices;
+        for (const reports::DocumentNotice& notice : reports::reportDocument(analysis, {}, {}).notices)
+            notices << QString::fromStdString(notice.html);
+        const auto at = notices.indexOf(QString::fromStdString(data.stamps[3]));
+        QVERIFY(at >= 0);
+        QCOMPARE(notices.value(at + 1), QString::fromStdString(data.stamps[4]));
+        QCOMPARE(notices.value(at + 2), QString::fromStdString(data.stamps[5]));
+        QVERIFY(notices.value(at + 3).startsWith("3 more remarks on this study"));
+        data.stamps.resize(4);
+        const auto shorter = reports::analyse(data, {.depth = reports::Depth::Quick});
+        notices.clear();
+        for (const reports::DocumentNotice& notice : reports::reportDocument(shorter, {}, {}).notices)
+            notices << QString::fromStdString(notice.html);
+        QCOMPARE(notices.indexOf("First remark."), notices.indexOf(QString::fromStdString(data.stamps[3])) + 1);
+        QVERIFY(!notices.contains("Second remark."));
+    }
+
+    /// A drawing is shrunk to the page and never enlarged.
+    void figuresKeepTheirSize()
+    {
+        writeReport(richStudy(), path("report"));
+        const QString html = page(path("report"));
+        QVERIFY(html.contains("figure svg { height:auto; max-width:min(100%, 960px);"));
+        QVERIFY(!html.contains("figure svg { width"));
     }
 
     void blindedPageNamesNoConditionAndNoGroup()

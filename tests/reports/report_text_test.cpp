@@ -103,6 +103,8 @@ private Q_SLOTS:
         QCOMPARE(htmlLabel("<K1>"), std::string("&lt;K1&gt;"));
         QCOMPARE(svgLabel("f"), std::string("<tspan font-style=\"italic\">f</tspan>"));
         QCOMPARE(svgLabel("a very long name of a condition"), std::string("a very long name of a c\u2026"));
+        QCOMPARE(svgTextAfter("h_g", " x"), std::string("<tspan dy=\"-4\"> x</tspan>"));
+        QCOMPARE(svgTextAfter("h", " x"), std::string("<tspan> x</tspan>"));
         QCOMPARE(labelLength("h&f"), 3.8);
         QVERIFY(groupOf("h_g") == protocols::ConditionGroup::Generated);
         QVERIFY(!groupOf("K1"));

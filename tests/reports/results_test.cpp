@@ -216,6 +216,26 @@ private Q_SLOTS:
         QCOMPARE(results["questions"]["Q2"]["v_grey"]["n"], 70);
     }
 
+    /// Who is enrolled and gave no answer is no participant of the results; who skipped a question is none of its matches.
+    void whoGaveNoAnswerDoesNotCount()
+    {
+        StudyData data = builders::paperSized();
+        const auto complete = resultsOf(data);
+        data.participants.insert(data.participants.end(), {"P11", "P12"});
+        const Json results = resultsOf(data);
+        QCOMPARE(results["study"]["participants"], 10);
+        QCOMPARE(results["questions"]["Q1"], complete["questions"]["Q1"]);
+        std::erase_if(data.responses, [](const auto& one) { return one.participant == "P10" && one.question == "Q1"; });
+        const auto analysis = reports::analyse(data);
+        const auto& choices = reports::questionsWith<reports::ChoiceAnalysis>(analysis).front().findings;
+        QCOMPARE(reports::answeringParticipants(analysis.data), std::size_t(10));
+        QCOMPARE(reports::answeringParticipants(analysis.data, choices), std::size_t(9));
+        const reports::CountCorrect& count = choices.conditions.front().count;
+        QCOMPARE(*choices.conditions.front().matchesPerRendering, double(9 * count.correct) / double(count.trials));
+        QVERIFY(QString::fromStdString(reports::overviewText(analysis)).contains("Q1 matches of 9"));
+        QVERIFY(reports::statisticsJson(analysis).dump().find("mean_matches_per_rendering_of_9") != std::string::npos);
+    }
+
     // scipy 1.10.1: from scipy.stats import binomtest; binomtest(27,70,1/3,'greater').pvalue -> 0.20962555830527693
     void matchesAreTestedAgainstChance()
     {

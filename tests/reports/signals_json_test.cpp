@@ -239,7 +239,7 @@ private Q_SLOTS:
         QCOMPARE(tables.size(), std::size_t(1));
         const QStringList lines = QString::fromStdString(reports::toText(tables[0].table)).split('\n');
         QCOMPARE(lines[2].simplified(), QString("friction 7 -0.0015 [-0.0087, 0.0058] -0.49 6 .640 [-0.0235, 0.0235] < .001 "
-                                                "not different / equivalent"));
+                                                "difference not shown / equivalent"));
         QCOMPARE(lines[3].simplified(), QString("height 7 -0.0078 [-0.0115, -0.0041] -5.15 6 .002 [0.0000, 0.0000] - undefined"));
     }
 

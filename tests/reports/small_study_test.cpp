@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "reports/charts/plot_frame.h"
 #include "reports/data/answers_csv.h"
 #include "reports/figures/report_figures.h"
 #include "reports/formats/table_formats.h"
@@ -224,6 +225,53 @@ private Q_SLOTS:
                 "participants. Whiskers: its 95 % interval with participants and fabrics as samples. Dashed line: chance, 1/3."));
         QCOMPARE(figures[1].caption,
                  std::string("Ratings by condition and question: means of the participants' means, with their 95 % interval."));
+    }
+
+    /// An end of a whisker beyond the axis has no cap, because the interval does not end there.
+    void whiskersThatAreCutHaveNoCap_data()
+    {
+        QTest::addColumn<double>("low");
+        QTest::addColumn<double>("high");
+        QTest::addColumn<int>("lines");
+        QTest::newRow("inside") << 0.2 << 0.8 << 3;
+        QTest::newRow("ends of the axis") << 0.0 << 1.0 << 3;
+        QTest::newRow("below") << -0.1 << 0.8 << 2;
+        QTest::newRow("above") << 0.2 << 1.1 << 2;
+        QTest::newRow("both") << -0.1 << 1.1 << 1;
+    }
+
+    void whiskersThatAreCutHaveNoCap()
+    {
+        QFETCH(double, low);
+        QFETCH(double, high);
+        QFETCH(int, lines);
+        reports::PlotFrame plot({"f"}, 0, 1, "", "");
+        plot.drawErrorBar(100, {low, high}, "#123456");
+        QCOMPARE(QString::fromStdString(plot.drawing().finished()).count("stroke=\"#123456\""), lines);
+    }
+
+    /// Colours look alike in grey, and a caption names no line that is missing.
+    void captionsNameShapesThatAreDrawn()
+    {
+        reports::StudyData data = smallStudy().data;
+        const auto captionOf = [&](const std::string& name) {
+            for (const reports::Figure& figure : reports::reportFigures(reports::analyse(data, {.depth = reports::Depth::Quick})))
+                if (figure.name == name) return QString::fromStdString(figure.caption);
+            return QString("no figure");
+        };
+        QCOMPARE(captionOf("participants_Q2"),
+                 QString("Q2: the mean of each of 6 participants under each condition (small points, joined by lines). Large "
+                         "points: their mean, with the 95 % within-participant interval (Morey)."));
+        QVERIFY(captionOf("speed_accuracy_Q1").contains("Line: share correct by response time"));
+        // One answer with a time has no quarters of times.
+        bool isFirst = true;
+        for (reports::StudyResponse& response : data.responses) {
+            const bool keeps = isFirst && response.question == "Q1" && response.seconds;
+            if (!keeps) response.seconds.reset();
+            isFirst = isFirst && !keeps;
+        }
+        QVERIFY(captionOf("speed_accuracy_Q1").contains("Numbered points: "));
+        QVERIFY(!captionOf("speed_accuracy_Q1").contains("Line: "));
     }
 
     void pageShowsEveryFigureAndTable()

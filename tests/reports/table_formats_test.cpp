@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include "reports/formats/table_cells.h"
+#include "reports/formats/table_parts.h"
 #include "reports/formats/tex_table.h"
 #include "reports/text/tex_text.h"
 
@@ -22,6 +23,17 @@ Table example()
              {conditionCell("f"), meanSdCell(stats::Value::undefined("no ratings"), 0.5, 1),
               numberCell(stats::Value::undefined("no ratings"), 1), intervalCell({stats::Value::undefined("one value"), 1.0}, 2),
               pCell(stats::Value::undefined("no variation")), countCell(0)}}};
+}
+
+/// One condition with this number of values of four or five characters.
+Table tableOfNumbers(int columns)
+{
+    Table wide{"wide", "Wide", {"condition"}, {{conditionCell("f")}}};
+    for (int i = 0; i < columns; ++i) {
+        wide.columns.emplace_back("m" + std::to_string(i));
+        wide.rows[0].push_back(numberCell(1.5 * i, 2));
+    }
+    return wide;
 }
 
 }  // namespace
@@ -63,21 +75,34 @@ private Q_SLOTS:
         QVERIFY(toTex(blank).find("\n & x \\\\\n") != std::string::npos);
     }
 
-    /// Twelve columns of numbers come in parts of at most eight, each with the names; many rows go on over pages.
+    /// Too many columns come in parts, each with the names; many rows go on over pages.
     void wideAndLongTablesAreLongTables()
     {
-        Table wide{"wide", "Wide", {"condition"}, {{conditionCell("f")}}};
-        for (int i = 0; i < 12; ++i) {
-            wide.columns.emplace_back("m" + std::to_string(i));
-            wide.rows[0].push_back(numberCell(1.5 * i, 2));
-        }
-        const QString tex = QString::fromStdString(toTex(wide));
+        const QString tex = QString::fromStdString(toTex(tableOfNumbers(20)));
         QCOMPARE(tex.count("\\begin{longtable}"), 2);
         QCOMPARE(tex.count("\\label{tab:wide}"), 1);
         QCOMPARE(tex.count("\n$f$ & "), 2);
-        QVERIFY(tex.contains("Part 2 of 2") && tex.contains("$16.50$"));
+        QVERIFY(tex.contains("\\caption{Wide (part 1 of 2)}") && tex.contains("\\caption{Wide (part 2 of 2)}"));
+        QVERIFY(tex.contains("$28.50$"));
         Table tall{"tall", "", {"n"}, std::vector(31, std::vector{countCell(1)})};
         QVERIFY(toTex(tall).find("\\begin{longtable}") != std::string::npos);
+    }
+
+    /// Narrow columns stay beside each other as long as they fit: only more than 14 of them, or wide ones, are cut.
+    void tablesThatFitAreNotCut()
+    {
+        QCOMPARE(tableParts(tableOfNumbers(10), {.widthPt = texTextWidth}).size(), std::size_t(1));
+        QCOMPARE(tableParts(tableOfNumbers(13), {.widthPt = 470}).size(), std::size_t(1));
+        QCOMPARE(tableParts(tableOfNumbers(14), {.widthPt = 2000}).size(), std::size_t(2));
+        const auto cut = tableParts(tableOfNumbers(10), {.widthPt = 170});
+        QCOMPARE(cut.size(), std::size_t(2));
+        QCOMPARE(cut[1].columns[0].index, std::size_t(0));
+        // Type of one size only, as in a text document.
+        const auto large = tableParts(tableOfNumbers(10), {.widthPt = texTextWidth, .scales = {1.2}});
+        QCOMPARE(large.size(), std::size_t(2));
+        QCOMPARE(large[0].scale, 1.2);
+        QCOMPARE(partWords(1, 1), std::string());
+        QCOMPARE(partWords(2, 3), std::string(" (part 2 of 3)"));
     }
 
     /// pdfLaTeX stops at characters that it does not know, and at commands in names.

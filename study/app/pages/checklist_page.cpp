@@ -2,15 +2,36 @@
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
+#include <QRegularExpression>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
+#include "protocols/files/typed_number.h"
 #include "study/app/pieces/line_form.h"
 #include "study/app/pieces/pattern_buttons.h"
 #include "study/app/pieces/pieces.h"
 #include "study/app/pieces/tick_box.h"
 
 namespace study::app {
+
+namespace {
+
+/// Whether the caption names a unit, such as "temperature in °C", so that a number is expected.
+bool hasUnit(const QString& caption)
+{
+    static const QRegularExpression unit(QStringLiteral("[%°℃％]"));
+    return caption.contains(unit);
+}
+
+/// "21.5", "21,5", "41 %".
+bool isNumber(const QString& text)
+{
+    static const QRegularExpression number(QStringLiteral("^[+-]?\\d+([.,]\\d+)?\\s*([%％℃]|°C)?$"));
+    return number.match(QString::fromStdString(protocols::typedNumber(text.toStdString()))).hasMatch();
+}
+
+}  // namespace
 
 ChecklistPage::ChecklistPage(QWidget* parent)
     : StagePage(parent),
@@ -34,6 +55,10 @@ ChecklistPage::ChecklistPage(QWidget* parent)
     column->addWidget(m_readings);
     column->addStretch(1);
     connect(m_action, &QPushButton::clicked, this, &ChecklistPage::confirm);
+    connect(m_readings, &LineForm::changed, this, [this] {
+        m_isAskedAgain = false;
+        Q_EMIT mended();
+    });
     connect(m_patterns, &PatternButtons::patternRequested, this, &ChecklistPage::patternRequested);
 }
 
@@ -53,6 +78,7 @@ void ChecklistPage::begin(const SessionFacts& facts)
     m_patterns->setUsable(isThere, facts.mmPerPixel);
     m_patterns->setShown(std::nullopt);
     m_readings->setCaptions(facts.readings);
+    m_isAskedAgain = false;
     m_readings->setVisible(!facts.readings.isEmpty());
     setTabOrderAfter(facts.readings.isEmpty() ? static_cast<QWidget&>(*this) : *m_readings, {m_action});
 }
@@ -84,11 +110,25 @@ QCheckBox* ChecklistPage::firstUnticked() const
     return found == m_boxes.end() ? nullptr : *found;
 }
 
+QString ChecklistPage::doubtAboutReadings() const
+{
+    for (const auto& [caption, text] : m_readings->lines()) {
+        if (text.isEmpty()) return tr("Nothing is written for “%1”. Press Enter again to go on without it.").arg(caption);
+        if (hasUnit(caption) && !isNumber(text))
+            return tr("“%1” is not a number. Press Enter again to store it.").arg(shortName(text));
+    }
+    return {};
+}
+
 void ChecklistPage::confirm()
 {
     if (QCheckBox* open = firstUnticked()) {
         open->setFocus();
         Q_EMIT hinted(tr("This line is not ticked yet: %1. Check it, then press Space.").arg(open->accessibleName()));
+        return;
+    }
+    if (const QString doubt = doubtAboutReadings(); !doubt.isEmpty() && !std::exchange(m_isAskedAgain, true)) {
+        Q_EMIT hinted(doubt);
         return;
     }
     session::ChecklistDone done{{}, m_readings->given()};
@@ -107,7 +147,7 @@ bool ChecklistPage::eventFilter(QObject* watched, QEvent* event)
 bool ChecklistPage::pressKey(int key)
 {
     if (!isEnter(key)) return false;
-    if (!m_readings->focusNext()) confirm();
+    if (m_isAskedAgain || !m_readings->focusNext()) confirm();
     return true;
 }
 

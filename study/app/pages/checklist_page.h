@@ -36,11 +36,14 @@ public:
 private:
     QWidget* rowFor(const QString& line);
     void confirm();
+    /// A question about the first reading that may be a slip; empty if there is none.
+    QString doubtAboutReadings() const;
     QCheckBox* firstUnticked() const;
 
     QVBoxLayout* m_rows;
     std::vector<QCheckBox*> m_boxes;  ///< one for each line of the checklist
     LineForm* m_readings;
+    bool m_isAskedAgain = false;  ///< whether the readings are meant as they are
     QLabel* m_patternsCaption;
     PatternButtons* m_patterns;
     QPushButton* m_action;

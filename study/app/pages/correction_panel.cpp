@@ -6,6 +6,19 @@
 
 namespace study::app {
 
+namespace {
+
+/// "C", "5.5", "Same", or the beginning of an answer in words.
+QString inOneWord(const Correctable& stored)
+{
+    constexpr qsizetype longest = 24;
+    if (std::holds_alternative<protocols::FabricId>(stored.response)) return stored.current.section(QLatin1Char(' '), 0, 0);
+    const QString line = stored.current.simplified();
+    return line.size() > longest ? line.left(longest) + QStringLiteral("…") : line;
+}
+
+}  // namespace
+
 CorrectionPanel::CorrectionPanel(QWidget* parent)
     : FormPanel(parent),
       m_questionsRow(new FlowLayout(8, 8)),
@@ -69,7 +82,11 @@ bool CorrectionPanel::isReady()
         return false;
     }
     m_response = std::get<session::GivenAnswer>(given);
-    return true;
+    const Correctable& stored = m_correctables.at(m_which);
+    if (*m_response != stored.response) return true;
+    m_entry->firstFocus().setFocus();
+    Q_EMIT hinted(tr("%1 is the stored answer. Choose another answer, or press Esc to go back.").arg(inOneWord(stored)));
+    return false;
 }
 
 session::EventBody CorrectionPanel::eventFor(const std::string& reason)

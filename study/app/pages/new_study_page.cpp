@@ -9,6 +9,7 @@
 #include <QProgressBar>
 #include <QVBoxLayout>
 #include <charconv>
+#include <utility>
 
 #include "protocols/files/typed_number.h"
 #include "protocols/usual_texts.h"
@@ -68,7 +69,8 @@ NewStudyPage::NewStudyPage(MakeStudy make, QWidget* parent)
     auto* lead = quietLabel("newStudyLead", page);
     lead->setText(
         tr("No data set yet? Go back to “Data set from photographs”. To practise, `vis2hap fabrics make FOLDER` makes one. "
-           "Sessions need no passphrase. Reports before the end and the unblinding do; nobody can restore a lost one."));
+           "Sessions and progress reports need no passphrase. Means before the unblinding, and the unblinding itself, do. Nobody "
+           "can restore a lost one."));
     m_participants->setPlaceholderText(tr("empty: the number in the protocol"));
     name(*m_language, "participantsLanguageList", tr("Language of the participants"));
     setType(*m_language, Type::Body);
@@ -125,6 +127,14 @@ NewStudyPage::NewStudyPage(MakeStudy make, QWidget* parent)
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolling("newStudyArea", page, this));
+    QWidget* before = m_study;
+    for (QWidget* next : m_inputs) {  // the paths and their dialogs come first, as on the page
+        if (next == m_editProtocol) break;
+        if (next != m_study) setTabOrder(std::exchange(before, next), next);
+    }
+    for (QWidget* next : std::initializer_list<QWidget*>{m_language, m_participants, m_seed, m_passphrase, m_passphraseAgain,
+                                                         m_makeButton, m_editProtocol, m_back})
+        setTabOrder(std::exchange(before, next), next);
     for (QWidget* input : m_inputs)
         if (auto* line = qobject_cast<QLineEdit*>(input))
             connect(line, &QLineEdit::textChanged, m_message, &MessageBar::clearMessage);
@@ -240,6 +250,7 @@ void NewStudyPage::make()
             end();
             m_message->standBelow(*m_bar);
             m_message->showFault(why);
+            fieldOf(why).setFocus();
         },
         Qt::QueuedConnection);
     connect(
@@ -254,6 +265,19 @@ void NewStudyPage::make()
     m_bar->setValue(0);
     enable();
     m_making->begin();
+}
+
+QLineEdit& NewStudyPage::fieldOf(const QString& fault) const
+{
+    QLineEdit* named = m_study;
+    qsizetype longest = 0;  // a data set may lie below the folder of the study
+    for (QLineEdit* line : {m_study, m_dataset, m_protocol}) {
+        const QString path = line->text().trimmed();
+        if (path.size() <= longest || !fault.contains(path)) continue;
+        longest = path.size();
+        named = line;
+    }
+    return *named;
 }
 
 void NewStudyPage::end()

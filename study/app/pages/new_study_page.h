@@ -48,6 +48,8 @@ private:
     void addRow(QGridLayout& form, const QString& caption, QWidget* control);
     /// Puts the message below the row of this line.
     void placeMessage(QLineEdit* line);
+    /// The field whose path the text of a fault names; the study folder if it names none.
+    QLineEdit& fieldOf(const QString& fault) const;
     void browseFor(QLineEdit& target, Browse browse);
     std::optional<NewStudyRequest> request();
     void make();

@@ -71,8 +71,7 @@ void QuestionPage::present(const session::View& view)
     m_head->present(view);
     showText(*m_next, view.nextTray.empty()
                           ? QString()
-                          : tr("Lay ready for the next tray: %1")
-                                .arg(trayStepsText(trayStepsTo(view.nextTray, view.tray), view.nextTray.size())));
+                          : tr("Next tray: %1").arg(trayStepsText(trayStepsTo(view.nextTray, view.tray), view.nextTray.size())));
     m_touch->present(view);
     if (isSameQuestion(view)) return;  // a touch, a note or a fault must not clear the entry
     m_shown = std::get<Presenting>(view.state.stage);

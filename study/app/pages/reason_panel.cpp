@@ -63,8 +63,12 @@ bool ReasonPanel::isReady()
 {
     if (m_code->isHidden() || m_code->text().trimmed() == m_participantCode) return true;
     m_code->setFocus();
+    const QString typed = m_code->text().trimmed();
     Q_EMIT hinted(
-        tr("This ends the session for good. Type %1 in the first line, or press Esc to go back.").arg(m_participantCode));
+        typed.isEmpty()
+            ? tr("This ends the session for good. Type %1 in the first line, or press Esc to go back.").arg(m_participantCode)
+            : tr("“%1” is not the code of this participant. Type %2 in the first line, or press Esc to go back.")
+                  .arg(shortName(typed), m_participantCode));
     return false;
 }
 

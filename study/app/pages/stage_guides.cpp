@@ -4,6 +4,7 @@
 
 #include "study/app/language/app_text.h"
 #include "study/app/pieces/question_head.h"
+#include "study/app/state/session_controller.h"
 
 namespace study::app {
 
@@ -66,15 +67,15 @@ QString headToNote(const View& view)
 
 QString breakLead(const OnBreak& onBreak, const View& view)
 {
-    const QString done =
-        AppText::tr("%1 of %2 answers are stored. The display is off.").arg(view.answersStored).arg(view.answersInAll);
+    const AnswerCount answers = countedAnswers(view);
+    const QString done = AppText::tr("%1 of %2 answers are stored. The display is off.").arg(answers.given).arg(answers.inAll);
     switch (onBreak.reason) {
         case BreakReason::Block:
         case BreakReason::Time:
             return done;
         case BreakReason::Phase:
             return AppText::tr("Questions that follow: %1. Explain them before the participant puts the mask on. %2")
-                .arg(QString::fromStdString(view.phaseName), done);
+                .arg(phaseText(view), done);
         case BreakReason::SittingOver:
             return AppText::tr(
                        "A tired hand feels less. Press Q to stop here and continue on another day. Everything is stored. %1")
@@ -109,12 +110,22 @@ Guide paused(const View& view)
             .event = Resumed{}};
 }
 
-Guide laterSitting(const View& view)
+/// What the preparation of a later sitting repeats, as far as the protocol has it.
+QString partsToRepeat(const SessionFacts& facts)
 {
+    const bool hasChecklist = !facts.checklist.isEmpty() || !facts.readings.isEmpty();
+    if (facts.scale && hasChecklist) return AppText::tr("First repeat the scale and the checklist.");
+    return facts.scale ? AppText::tr("First repeat the scale.") : AppText::tr("First repeat the checklist.");
+}
+
+Guide laterSitting(const View& view, const SessionFacts& facts)
+{
+    const AnswerCount answers = countedAnswers(view);
     return {.title = AppText::tr("Welcome back"),
-            .lead = AppText::tr("A new sitting begins. %1 of %2 answers are stored. First repeat the scale and the checklist.")
-                        .arg(view.answersStored)
-                        .arg(view.answersInAll),
+            .lead = AppText::tr("A new sitting begins. %1 of %2 answers are stored. %3")
+                        .arg(answers.given)
+                        .arg(answers.inAll)
+                        .arg(partsToRepeat(facts)),
             .steps = {AppText::tr("The participant does not wear the mask yet."),
                       AppText::tr("After a short interruption you may skip this if everything is still in place.")},
             .action = AppText::tr("Prepare this sitting (Enter)"),
@@ -124,20 +135,20 @@ Guide laterSitting(const View& view)
 
 Guide finished(const View& view)
 {
-    return {
-        .title = AppText::tr("The session is complete"),
-        .lead = AppText::tr("All %1 answers are stored. Thank the participant for the time and care.").arg(view.answersStored),
-        .steps = {AppText::tr("Clean the glass and put the fabrics back in order."), headToNote(view)},
-        .action = AppText::tr("Back to the study (Enter)"),
-        .event = {},
-        .act = GuideAct::Leave};
+    return {.title = AppText::tr("The session is complete"),
+            .lead = AppText::tr("All %1 answers are stored. Thank the participant for the time and care.")
+                        .arg(countedAnswers(view).given),
+            .steps = {AppText::tr("Clean the glass and put the fabrics back in order."), headToNote(view)},
+            .action = AppText::tr("Back to the study (Enter)"),
+            .event = {},
+            .act = GuideAct::Leave};
 }
 
 Guide withdrawn(const View& view)
 {
     return {.title = AppText::tr("The participant has withdrawn"),
             .lead = AppText::tr("The session has ended. Stored answers: %1. Another participant can take this place.")
-                        .arg(view.answersStored),
+                        .arg(countedAnswers(view).given),
             .steps = {AppText::tr("Thank the participant for coming."), headToNote(view)},
             .action = AppText::tr("Back to the study (Enter)"),
             .event = {},
@@ -164,7 +175,7 @@ struct GuideOfStage {
 
 std::optional<Guide> guideFor(const View& view, const SessionFacts& facts, bool isPreparationDue)
 {
-    if (isPreparationDue) return laterSitting(view);
+    if (isPreparationDue) return laterSitting(view, facts);
     return view.state.paused ? std::optional(paused(view)) : std::visit(GuideOfStage{view, facts}, view.state.stage);
 }
 

@@ -90,8 +90,8 @@ StudyPage::StudyPage(QWidget* parent)
     setTabOrder(m_display, m_keys);
     setTabOrder(m_keys, m_screen);
     setTabOrder(m_screen, m_rehearsal);
-    setTabOrder(m_rehearsal, m_close);
-    setTabOrder(m_close, m_tools);
+    setTabOrder(m_rehearsal, m_tools);
+    setTabOrder(m_tools, m_close);
 
     connect(m_display, &QPushButton::clicked, this, &StudyPage::displayRequested);
     connect(m_keys, &QPushButton::clicked, this, &StudyPage::keysRequested);

@@ -63,6 +63,15 @@ void AppearanceKeys::set(const Appearance& appearance)
     rememberAppearance(m_settings.get(), appearance);
 }
 
+/// A size that the window cannot show looks like the one before it, so it is passed over.
+void AppearanceKeys::takeNextSize(Appearance (*next)(Appearance))
+{
+    const auto shown = [](const Appearance& appearance) { return textScaleOf(mainWindowSize(), appearance.textPercent); };
+    Appearance wanted = next(m_appearance);
+    while (shown(wanted) == shown(m_appearance) && next(wanted) != wanted) wanted = next(wanted);
+    if (shown(wanted) != shown(m_appearance)) set(wanted);
+}
+
 bool AppearanceKeys::eventFilter(QObject* watched, QEvent* event)
 {
     // Queued, because the new style must not arrive while the layout of the old one is computed.

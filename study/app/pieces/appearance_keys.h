@@ -18,8 +18,9 @@ public:
     AppearanceKeys(std::shared_ptr<QSettings> settings, QWidget& window, Growth growth = Growth::None);
 
     void set(const Appearance& appearance);
-    void enlarge() { set(larger(m_appearance)); }
-    void reduce() { set(smaller(m_appearance)); }
+    /// Takes the next size of the text that the window can show; the last one stays.
+    void enlarge() { takeNextSize(larger); }
+    void reduce() { takeNextSize(smaller); }
     void changeTheme() { set({nextTheme(m_appearance.theme), m_appearance.textPercent}); }
 
 protected:
@@ -27,6 +28,7 @@ protected:
 
 private:
     void grow();
+    void takeNextSize(Appearance (*next)(Appearance));
 
     std::shared_ptr<QSettings> m_settings;
     QWidget& m_window;

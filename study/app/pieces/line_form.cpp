@@ -27,6 +27,7 @@ void LineForm::setCaptions(const QStringList& captions)
         auto* line = field(qPrintable(QLatin1String(m_objectName) + QString::number(row + 1)), caption, this);
         m_grid->addWidget(text, row, 0);
         m_grid->addWidget(line, row, 1);
+        connect(line, &QLineEdit::textChanged, this, &LineForm::changed);
         m_lines.push_back(line);
     }
     m_grid->setColumnStretch(0, 1);
@@ -40,6 +41,14 @@ std::map<std::string, std::string> LineForm::given() const
         if (const QString text = m_lines[i]->text().trimmed(); !text.isEmpty())
             filled[m_captions[static_cast<qsizetype>(i)].toStdString()] = protocols::typedNumber(text.toStdString());
     return filled;
+}
+
+std::vector<LineForm::Line> LineForm::lines() const
+{
+    std::vector<Line> lines;
+    for (std::size_t i = 0; i < m_lines.size(); ++i)
+        lines.push_back({m_captions[static_cast<qsizetype>(i)], m_lines[i]->text().trimmed()});
+    return lines;
 }
 
 QWidget* LineForm::firstOpen() const

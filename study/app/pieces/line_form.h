@@ -23,10 +23,19 @@ public:
     /// Text of every filled line, by caption.
     std::map<std::string, std::string> given() const;
 
+    /// A line and its caption.
+    struct Line {
+        QString caption, text;
+    };
+    std::vector<Line> lines() const;
+
     /// The first empty line, otherwise the last one; null if there are no lines.
     QWidget* firstOpen() const;
     /// Moves the focus from the current line to the next; false if there is no next line.
     bool focusNext();
+
+Q_SIGNALS:
+    void changed();
 
 private:
     const char* m_objectName;

@@ -181,17 +181,6 @@ bool isLowFor(const QWidget& bar)
     return bar.window()->height() < fewestLines * QFontMetrics(QApplication::font()).height();
 }
 
-void showInOneRow(const QWidget& bar, const std::vector<std::pair<QWidget*, bool>>& isWanted, int gapPx)
-{
-    const bool isLow = isLowFor(bar);
-    int room = bar.contentsRect().width() - 2 * pageMarginPx + gapPx;
-    for (const auto& [part, wanted] : isWanted) {
-        part->ensurePolished();
-        if (wanted) room -= part->sizeHint().width() + gapPx;
-        part->setVisible(wanted && (!isLow || room >= 0));
-    }
-}
-
 void clearLayout(QLayout& layout)
 {
     while (QLayoutItem* item = layout.takeAt(0)) {

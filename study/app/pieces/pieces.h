@@ -48,8 +48,6 @@ QScrollArea* scrolling(const char* objectName, QWidget* page, QWidget* parent);
 
 /// Whether the window has only few lines of this text size, so that bars must take no room from the answer.
 bool isLowFor(const QWidget& bar);
-/// Shows as many of these as one row of the bar holds, the most important first. All that are wanted if the window is not low.
-void showInOneRow(const QWidget& bar, const std::vector<std::pair<QWidget*, bool>>& isWanted, int gapPx);
 
 /// Deletes all widgets in the layout.
 void clearLayout(QLayout& layout);

@@ -1,4 +1,4 @@
-// Header of a session: the display and whether an image can be felt, participant, phase, progress, time left, duration of this
+// Header of a session: participant, the display and whether an image can be felt, phase, progress, time left, duration of this
 // sitting, and next break.
 #pragma once
 
@@ -27,12 +27,17 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    void showDisplay(const session::View& view);
     /// Leaves out the least important facts where the window is low.
     void arrange();
+    std::vector<QLabel*> inOrderOfImportance() const;
+    /// Width that shows at least whether an image can be felt, px.
+    int shortestDisplay() const;
 
     int m_sittingMinutes = 60;
     bool m_isRehearsal = false;
     QString m_displayName, m_pattern;
+    QString m_shortestDisplay;  ///< what the header says at least about the display
     QLabel* m_display;
     QLabel* m_participant;
     QLabel* m_part;

@@ -145,6 +145,8 @@ QPushButton[role="plain"]:focus { border-color: %6; color: %3; }
 QPushButton[role="plain"]:disabled { background: transparent; border-color: transparent; color: %12; }
 QLineEdit, QPlainTextEdit, QComboBox { background: %2; color: %3; border: 1px solid %4; border-radius: 8px; padding: 7px 10px; }
 QLineEdit:focus, QPlainTextEdit:focus, QComboBox:focus { border: 2px solid %6; padding: 6px 9px; }
+QLineEdit:disabled, QPlainTextEdit:disabled, QComboBox:disabled { background: %1; color: %4; border-color: %5; }
+QPlainTextEdit[role="table"] { font-family: "DejaVu Sans Mono", "Noto Sans Mono", monospace; }
 QComboBox { combobox-popup: 0; }
 QComboBox::drop-down { border: none; width: 34px; }
 QComboBox::down-arrow { image: url(:/icons/choice.png); width: 14px; height: 14px; }

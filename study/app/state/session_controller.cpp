@@ -59,16 +59,18 @@ bool hasNoWords(const session::GivenAnswer& response)
     return words && words->text.empty();
 }
 
-/// The page may have asked for a second Enter: a text is empty, or an answer was typed before the tray was confirmed.
+/// The page may have asked for a second Enter: a text is empty, a reading is doubtful, or an answer was typed before the tray was
+/// confirmed.
 bool mayNeedSecondEnter(const session::EventBody& event)
 {
-    return std::visit(protocols::Overloaded{[](const session::Answered& answered) { return hasNoWords(answered.response); },
-                                            [](const session::Corrected& corrected) {
-                                                return corrected.why.empty() || hasNoWords(corrected.response);
-                                            },
-                                            [](const session::WithdrawnEvent& withdrawn) { return withdrawn.why.empty(); },
-                                            [](const session::TrayReady&) { return true; }, [](const auto&) { return false; }},
-                      event);
+    return std::visit(
+        protocols::Overloaded{
+            [](const session::Answered& answered) { return hasNoWords(answered.response); },
+            [](const session::Corrected& corrected) { return corrected.why.empty() || hasNoWords(corrected.response); },
+            [](const session::WithdrawnEvent& withdrawn) { return withdrawn.why.empty(); },
+            [](const session::TrayReady&) { return true; }, [](const session::ChecklistDone&) { return true; },
+            [](const auto&) { return false; }},
+        event);
 }
 
 bool isStepOfOperator(const session::EventBody& event)
@@ -278,7 +280,7 @@ Correctable SessionController::correctableOf(const StoredAnswer& answer) const
     std::vector<std::string> pieces;
     for (const protocols::FabricId& fabric : trial.alternatives) pieces.push_back(session::nameIn(plan().fabricNames, fabric));
     const auto& question = questionOf(answer);
-    Correctable found{question.id, {}, formOf(question.kind, trial.alternatives, pieces)};
+    Correctable found{question.id, {}, formOf(question.kind, trial.alternatives, pieces), answer.response};
     readBackInWords(found.form, QString::fromStdString(participantText(plan().protocol, "spoken_same")),
                     QString::fromStdString(participantText(plan().protocol, "spoken_different")));
     found.current = textOf(found.form, answer.response);

@@ -22,7 +22,25 @@ struct Correctable {
     protocols::QuestionId question;
     QString current;  ///< "B    Piece 427", "5.5"
     AnswerForm form;  ///< form of an answer to that presentation
+    session::GivenAnswer response;
 };
+
+/// Answers that count, as the study page counts them. The repetition of a voided presentation replaces its answers.
+struct AnswerCount {
+    int given = 0;  ///< so far
+    int inAll = 0;  ///< at the end of the session
+};
+inline AnswerCount countedAnswers(const session::View& view)
+{
+    const int given = static_cast<int>(view.state.answers.size());
+    return {given, given + view.answersInAll - view.answersStored};
+}
+
+/// "Q1", "Q2–Q4". No id of a question has a dash of its own.
+inline QString phaseText(const session::View& view)
+{
+    return QString::fromStdString(view.phaseName).replace(QLatin1Char('-'), QStringLiteral("–"));
+}
 
 /// Result of one event: accepted, refused or failed.
 struct EventOutcome {

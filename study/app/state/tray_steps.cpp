@@ -26,6 +26,13 @@ QString textOfStep(const TrayStep& step, bool hasLetters)
                                : AppText::tr("move %1 from %2 to %3").arg(piece, step.from, step.to);
 }
 
+/// A line breaks only between two steps, so that a code stays beside its place. The long name of a fabric may break, too.
+QString unbroken(const QString& step)
+{
+    constexpr qsizetype longest = 30;
+    return step.size() > longest ? step : QString(step).replace(QLatin1Char(' '), QChar(QChar::Nbsp));
+}
+
 }  // namespace
 
 std::vector<TrayStep> trayStepsTo(const std::vector<std::string>& wanted, const std::vector<std::string>& placed)
@@ -51,9 +58,9 @@ QString trayStepsText(const std::vector<TrayStep>& steps, std::size_t slots)
     // A piece that only changes its place on a tray of one slot needs no act.
     QStringList texts;
     for (const TrayStep& step : steps)
-        if (slots > 1 || step.from.isEmpty() || step.to.isEmpty()) texts << textOfStep(step, slots > 1);
+        if (slots > 1 || step.from.isEmpty() || step.to.isEmpty()) texts << unbroken(textOfStep(step, slots > 1));
     if (texts.isEmpty()) return AppText::tr("All pieces stay on the tray.");
-    QString text = texts.join(QStringLiteral(" · "));
+    QString text = texts.join(QString(QChar(QChar::Nbsp)) + QStringLiteral("· "));
     text[0] = text[0].toUpper();
     return text;
 }

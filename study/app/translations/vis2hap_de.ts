@@ -232,8 +232,20 @@
         <translation>Willkommen zurück</translation>
     </message>
     <message>
-        <source>A new sitting begins. %1 of %2 answers are stored. First repeat the scale and the checklist.</source>
-        <translation>Eine neue Sitzung beginnt. %1 von %2 Antworten sind gespeichert. Wiederholen Sie zuerst die Skala und die Checkliste.</translation>
+        <source>A new sitting begins. %1 of %2 answers are stored. %3</source>
+        <translation>Eine neue Sitzung beginnt. %1 von %2 Antworten sind gespeichert. %3</translation>
+    </message>
+    <message>
+        <source>First repeat the scale and the checklist.</source>
+        <translation>Wiederholen Sie zuerst die Skala und die Checkliste.</translation>
+    </message>
+    <message>
+        <source>First repeat the scale.</source>
+        <translation>Wiederholen Sie zuerst die Skala.</translation>
+    </message>
+    <message>
+        <source>First repeat the checklist.</source>
+        <translation>Wiederholen Sie zuerst die Checkliste.</translation>
     </message>
     <message>
         <source>After a short interruption you may skip this if everything is still in place.</source>
@@ -1783,6 +1795,14 @@
         <source>This line is not ticked yet: %1. Check it, then press Space.</source>
         <translation>Diese Zeile ist noch nicht abgehakt: %1. Prüfen Sie sie und drücken Sie dann die Leertaste.</translation>
     </message>
+    <message>
+        <source>Nothing is written for “%1”. Press Enter again to go on without it.</source>
+        <translation>Bei „%1“ steht nichts. Drücken Sie noch einmal Enter, um ohne diesen Wert fortzufahren.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number. Press Enter again to store it.</source>
+        <translation>„%1“ ist keine Zahl. Drücken Sie noch einmal Enter, um es zu speichern.</translation>
+    </message>
 </context>
 <context>
     <name>study::app::ChoiceControls</name>
@@ -1990,6 +2010,10 @@
     <message>
         <source>Write a short reason, such as “misheard”. Press Enter again to store the correction without a reason.</source>
         <translation>Schreiben Sie einen kurzen Grund, zum Beispiel „verhört“. Drücken Sie noch einmal Enter, um ohne Grund zu speichern.</translation>
+    </message>
+    <message>
+        <source>%1 is the stored answer. Choose another answer, or press Esc to go back.</source>
+        <translation>%1 ist die gespeicherte Antwort. Wählen Sie eine andere Antwort, oder drücken Sie Esc, um zurückzugehen.</translation>
     </message>
     <message>
         <source>Correct the answer to %1</source>
@@ -2962,6 +2986,10 @@ Noch ist nichts gewählt.</translation>
         <translation>%1 – %2 – Vis2Hap</translation>
     </message>
     <message>
+        <source>Rehearsal – %1 – Vis2Hap</source>
+        <translation>Probelauf – %1 – Vis2Hap</translation>
+    </message>
+    <message>
         <source>%1. The pause was not stored, so the session is still open. Fix the problem, or leave once more: no stored answer is lost.</source>
         <translation>%1. Die Pause wurde nicht gespeichert, der Versuch ist deshalb noch offen. Beheben Sie das Problem, oder verlassen Sie ihn noch einmal: Keine gespeicherte Antwort geht verloren.</translation>
     </message>
@@ -3144,8 +3172,8 @@ Noch ist nichts gewählt.</translation>
         <translation>Neue Studie</translation>
     </message>
     <message>
-        <source>No data set yet? Go back to “Data set from photographs”. To practise, `vis2hap fabrics make FOLDER` makes one. Sessions need no passphrase. Reports before the end and the unblinding do; nobody can restore a lost one.</source>
-        <translation>Noch kein Datensatz? Gehen Sie zurück zu „Datensatz aus Fotos“. Zum Üben erzeugt `vis2hap fabrics make ORDNER` einen. Versuche brauchen keine Passphrase. Berichte vor dem Ende und das Entblinden brauchen sie; niemand kann eine verlorene wiederherstellen.</translation>
+        <source>No data set yet? Go back to “Data set from photographs”. To practise, `vis2hap fabrics make FOLDER` makes one. Sessions and progress reports need no passphrase. Means before the unblinding, and the unblinding itself, do. Nobody can restore a lost one.</source>
+        <translation>Noch kein Datensatz? Gehen Sie zurück zu „Datensatz aus Fotos“. Zum Üben erzeugt `vis2hap fabrics make ORDNER` einen. Versuche und Berichte zum Stand brauchen keine Passphrase. Mittelwerte vor dem Entblinden und das Entblinden selbst brauchen sie. Niemand kann eine verlorene wiederherstellen.</translation>
     </message>
     <message>
         <source>empty: the number in the protocol</source>
@@ -4201,8 +4229,8 @@ Noch ist nichts gewählt.</translation>
         <translation>Antwort speichern (Enter)</translation>
     </message>
     <message>
-        <source>Lay ready for the next tray: %1</source>
-        <translation>Für das nächste Tablett bereitlegen: %1</translation>
+        <source>Next tray: %1</source>
+        <translation>Nächstes Tablett: %1</translation>
     </message>
     <message>
         <source>The answer begins</source>
@@ -4263,6 +4291,10 @@ Noch ist nichts gewählt.</translation>
         <translation>Das beendet den Versuch endgültig. Tippen Sie %1 in die erste Zeile, oder drücken Sie Esc, um zurückzugehen.</translation>
     </message>
     <message>
+        <source>“%1” is not the code of this participant. Type %2 in the first line, or press Esc to go back.</source>
+        <translation>„%1“ ist nicht der Code dieser Versuchsperson. Tippen Sie %2 in die erste Zeile, oder drücken Sie Esc, um zurückzugehen.</translation>
+    </message>
+    <message>
         <source>Note</source>
         <translation>Notiz</translation>
     </message>
@@ -4308,7 +4340,7 @@ Noch ist nichts gewählt.</translation>
     </message>
     <message>
         <source>Its answers are kept but not analysed. The presentation is repeated at the end of this block under another code. Why was it invalid?</source>
-        <translation>Ihre Antworten bleiben erhalten, werden aber nicht ausgewertet. Die Darbietung wird am Ende dieses Blocks unter einem anderen Code wiederholt. Warum war sie ungültig?</translation>
+        <translation>Die Antworten darauf bleiben erhalten, werden aber nicht ausgewertet. Die Darbietung wird am Ende dieses Blocks unter einem anderen Code wiederholt. Warum war sie ungültig?</translation>
     </message>
     <message>
         <source>Void the presentation (Enter)</source>
@@ -4491,7 +4523,7 @@ Noch ist nichts gewählt.</translation>
     </message>
     <message>
         <source>Still missing: %1.</source>
-        <translation>Es fehlt noch: %1.</translation>
+        <translation>Noch offen: %1.</translation>
     </message>
 </context>
 <context>
@@ -4959,7 +4991,7 @@ Noch ist nichts gewählt.</translation>
     </message>
     <message>
         <source>Watch the study…</source>
-        <translation>Studie beobachten…</translation>
+        <translation>Studie beobachten …</translation>
     </message>
 </context>
 <context>

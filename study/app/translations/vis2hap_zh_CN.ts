@@ -232,8 +232,20 @@
         <translation>欢迎回来</translation>
     </message>
     <message>
-        <source>A new sitting begins. %1 of %2 answers are stored. First repeat the scale and the checklist.</source>
-        <translation>新的场次开始了。已保存%1个回答，共%2个。请先重复量表练习和检查清单。</translation>
+        <source>A new sitting begins. %1 of %2 answers are stored. %3</source>
+        <translation>新的场次开始了。已保存%1个回答，共%2个。%3</translation>
+    </message>
+    <message>
+        <source>First repeat the scale and the checklist.</source>
+        <translation>请先重复量表练习和检查清单。</translation>
+    </message>
+    <message>
+        <source>First repeat the scale.</source>
+        <translation>请先重复量表练习。</translation>
+    </message>
+    <message>
+        <source>First repeat the checklist.</source>
+        <translation>请先重复检查清单。</translation>
     </message>
     <message>
         <source>After a short interruption you may skip this if everything is still in place.</source>
@@ -377,7 +389,7 @@
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation>%1（%2）</translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>welcome</source>
@@ -1783,6 +1795,14 @@
         <source>This line is not ticked yet: %1. Check it, then press Space.</source>
         <translation>这一项尚未勾选：%1。请检查，然后按空格键。</translation>
     </message>
+    <message>
+        <source>Nothing is written for “%1”. Press Enter again to go on without it.</source>
+        <translation>“%1”还没有填写。再按一次Enter，可不填写直接继续。</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number. Press Enter again to store it.</source>
+        <translation>“%1”不是数字。再按一次Enter即可保存。</translation>
+    </message>
 </context>
 <context>
     <name>study::app::ChoiceControls</name>
@@ -1990,6 +2010,10 @@
     <message>
         <source>Write a short reason, such as “misheard”. Press Enter again to store the correction without a reason.</source>
         <translation>请简要写明原因，例如“听错了”。再按一次Enter，可不写原因直接保存更正。</translation>
+    </message>
+    <message>
+        <source>%1 is the stored answer. Choose another answer, or press Esc to go back.</source>
+        <translation>%1是已保存的回答。请选择另一个回答，或按Esc返回。</translation>
     </message>
     <message>
         <source>Correct the answer to %1</source>
@@ -2962,6 +2986,10 @@ Nothing is chosen yet.</source>
         <translation>%1 – %2 – Vis2Hap</translation>
     </message>
     <message>
+        <source>Rehearsal – %1 – Vis2Hap</source>
+        <translation>预演 – %1 – Vis2Hap</translation>
+    </message>
+    <message>
         <source>%1. The pause was not stored, so the session is still open. Fix the problem, or leave once more: no stored answer is lost.</source>
         <translation>%1。暂停没有保存，所以实验仍然开着。请排除问题，或再离开一次：已保存的回答不会丢失。</translation>
     </message>
@@ -3144,8 +3172,8 @@ Nothing is chosen yet.</source>
         <translation>新建研究</translation>
     </message>
     <message>
-        <source>No data set yet? Go back to “Data set from photographs”. To practise, `vis2hap fabrics make FOLDER` makes one. Sessions need no passphrase. Reports before the end and the unblinding do; nobody can restore a lost one.</source>
-        <translation>还没有数据集？请返回“由照片建立数据集”。如果只是练习，可用`vis2hap fabrics make 文件夹`生成一个。实验不需要密码短语。结束前的报告和揭盲需要密码短语；一旦丢失，谁也无法恢复。</translation>
+        <source>No data set yet? Go back to “Data set from photographs”. To practise, `vis2hap fabrics make FOLDER` makes one. Sessions and progress reports need no passphrase. Means before the unblinding, and the unblinding itself, do. Nobody can restore a lost one.</source>
+        <translation>还没有数据集？请返回“由照片建立数据集”。如果只是练习，可用`vis2hap fabrics make 文件夹`生成一个。实验和进度报告不需要密码短语。揭盲前查看均值以及揭盲本身需要密码短语。一旦丢失，谁也无法恢复。</translation>
     </message>
     <message>
         <source>empty: the number in the protocol</source>
@@ -4201,8 +4229,8 @@ Nothing is chosen yet.</source>
         <translation>保存回答 (Enter)</translation>
     </message>
     <message>
-        <source>Lay ready for the next tray: %1</source>
-        <translation>为下一次托盘备好：%1</translation>
+        <source>Next tray: %1</source>
+        <translation>下一次托盘：%1</translation>
     </message>
     <message>
         <source>The answer begins</source>
@@ -4261,6 +4289,10 @@ Nothing is chosen yet.</source>
     <message>
         <source>This ends the session for good. Type %1 in the first line, or press Esc to go back.</source>
         <translation>这将永久结束实验。请在第一行输入%1，或按Esc返回。</translation>
+    </message>
+    <message>
+        <source>“%1” is not the code of this participant. Type %2 in the first line, or press Esc to go back.</source>
+        <translation>“%1”不是这位参与者的编码。请在第一行输入%2，或按Esc返回。</translation>
     </message>
     <message>
         <source>Note</source>
@@ -4352,7 +4384,7 @@ Nothing is chosen yet.</source>
     </message>
     <message>
         <source>%1 (Alt %2)</source>
-        <translation>%1（Alt %2）</translation>
+        <translation>%1 (Alt %2)</translation>
     </message>
     <message>
         <source>Write a short reason, or choose one with Alt 1 to Alt 4. Press Esc to go back.</source>
@@ -4751,7 +4783,7 @@ Nothing is chosen yet.</source>
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation>%1（%2）</translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>Alt %1</source>
@@ -5294,11 +5326,11 @@ Nothing is chosen yet.</source>
     </message>
     <message>
         <source>The display reports the first touch (or press %1)</source>
-        <translation>首次触摸由触觉屏报告（或按%1）</translation>
+        <translation>首次触摸由触觉屏报告 (或按%1)</translation>
     </message>
     <message>
         <source>Stamp the first touch (%1)</source>
-        <translation>记录首次触摸（%1）</translation>
+        <translation>记录首次触摸 (%1)</translation>
     </message>
     <message>
         <source>The display reported the first touch ✓</source>

@@ -7,7 +7,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/safe_text.h"
 #include "reports/scripts/reproduction.h"
-#include "study/commands/passphrase_option.h"
+#include "study/commands/parts/child_environment.h"
 
 namespace study::commands {
 

@@ -12,7 +12,7 @@
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/open_files.h"
 #include "protocols/files/whole_file.h"
-#include "study/commands/passphrase_option.h"
+#include "study/commands/parts/child_environment.h"
 
 namespace study::commands {
 

@@ -28,6 +28,14 @@ private Q_SLOTS:
         }
     }
 
+    void nobodyReadsHundredsOfDigits()
+    {
+        QCOMPARE(fixed(-0.004, 2), std::string("0.00"));
+        QCOMPARE(fixed(123456789.125, 2), std::string("123456789.12"));
+        QCOMPARE(fixed(-1.3243e276, 2), std::string("-1.32e+276"));
+        QCOMPARE(fixed(1e12, 0), std::string("1.00e+12"));
+    }
+
     void onlyWholeFiniteNumbersAreNumbers()
     {
         QCOMPARE(*numberIn("  +5.4\t"), 5.4);

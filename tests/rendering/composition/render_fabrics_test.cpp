@@ -432,9 +432,9 @@ private Q_SLOTS:
         const auto lines = uncertainFriction(rendering);
         QCOMPARE(lines.size(), std::size_t{1});
         QCOMPARE(QString::fromStdString(lines[0]),
-                 "photograph 0 of F01 tells little of its friction (90 % interval 0.15 to 0.60); "
-                 "its generated friction is that of an ordinary cloth; "
-                 "if its label names one fibre, state it (\"fibre\" in dataset.json)");
+                 "photograph 0 of F01 tells little of its friction (90 % interval 0.15 to 0.60). "
+                 "Its generated friction is that of an ordinary cloth. "
+                 "If its label names one fibre, state it (\"fibre\" in dataset.json)");
         small.dataset.fabrics[0].fibre = fabrics::Fibre::Wool;
         const auto told = renderFabrics(small.dataset, request);
         QVERIFY(uncertainFriction(told)[0].ends_with("that of an ordinary cloth of wool"));

@@ -146,7 +146,7 @@ void AppConnectingTest::displayPageConnectsAndRemembers()
     next.window.openStudy(newStudy(tests::support::wholeStudy()).folder);
     next.gui.click("enrolButton");
     QTRY_VERIFY(next.window.session());
-    QVERIFY(next.widget<QLabel>("displayFact").text().contains("exec:"));
+    QVERIFY(next.widget<QLabel>("displayFact").toolTip().contains("exec:"));
     stepTo<CheckingList>(next);
     QVERIFY(next.window.currentPage()->findChild<QPushButton*>("pattern4Button")->isEnabled());
 }

@@ -221,7 +221,7 @@ void AppDisplayTest::aLongDriverCommandFitsTheWindow()
     QTest::qWait(50);
     QCOMPARE(shown.window.width(), 1100);
     const auto& fact = shown.widget<QLabel>("displayFact");
-    QVERIFY2(fact.text().startsWith("Display on: reference display (exec:") && fact.text().size() < 90, qPrintable(fact.text()));
+    QCOMPARE(fact.text(), QString("Display on: reference display"));
     QVERIFY2(fact.toolTip().contains("/home/lab/driver.log"), qPrintable(fact.toolTip()));
     killDriver();
     QTRY_VERIFY(shown.gui.view().state.paused);

@@ -32,6 +32,7 @@ private Q_SLOTS:
     void windowStartsOnTheScreen();
     void longFactsDoNotWidenTheHeader_data();
     void longFactsDoNotWidenTheHeader();
+    void theDisplayGivesWayToTheParticipant();
 };
 
 namespace {
@@ -256,6 +257,40 @@ void AppFitTest::longFactsDoNotWidenTheHeader()
         QVERIFY2(label->toolTip().contains(QString(90, QLatin1Char('x'))), qPrintable(label->toolTip()));
     }
     QCOMPARE(longFacts, 1);
+}
+
+/// In a low window the display's name is shortened before the participant and the progress go.
+void AppFitTest::theDisplayGivesWayToTheParticipant()
+{
+    const QSize size(1024, 600);
+    applyAppearance({Theme::Light, 200}, m_font, size);
+    QWidget window;
+    window.resize(size);
+    auto& header = *new SessionHeader(&window);
+    View view;
+    view.participant = "P01";
+    view.phaseName = "Q2-Q4";
+    view.state.stage = Presenting{};
+    view.presentation = 13;
+    view.presentations = 126;
+    view.answersInAll = 252;
+    view.minutesLeft = 95;
+    SessionFacts facts;
+    facts.displayName = "reference display with a second name (exec:/opt/lab/driver --device /dev/serial/by-id/usb-0)";
+    header.begin(facts);
+    header.setGeometry(0, 0, size.width(), 90);
+    window.show();
+    header.present(view);
+    tests::settle(window);
+    for (const char* name : {"participantFact", "presentationFact", "answersFact", "timeLeftFact"}) {
+        const auto& fact = *header.findChild<QLabel*>(QLatin1String(name));
+        QVERIFY2(fact.isVisible() && fact.width() >= fact.sizeHint().width(), name);
+    }
+    const auto& display = *header.findChild<QLabel*>("displayFact");
+    QCOMPARE(display.text(), QString("Display on: reference display with a second name"));
+    QVERIFY(display.toolTip().contains("/opt/lab/driver"));
+    QVERIFY(!display.isVisible() || display.geometry().right() < size.width());
+    QVERIFY(header.findChild<QLabel*>("participantFact")->x() < display.x() || !display.isVisible());
 }
 
 QTEST_MAIN(AppFitTest)

@@ -52,6 +52,8 @@ private Q_SLOTS:
     void themesCanBeRead();
     void everyControlHasANameForScreenReaders();
     void keysChangeTheAppearance();
+    void noSizeIsStoredThatTheWindowCannotShow();
+    void aFieldThatIsOffLooksOff();
     void messagesStandBesideTheirFieldAndGo();
     void wordsStandUnderTheirTicks();
     void pagesAreSavedAsPictures();
@@ -115,6 +117,39 @@ void AppLooksTest::keysChangeTheAppearance()
     QCOMPARE(rememberedAppearance(options.settings.get()).theme, Theme::HighContrast);
     for (int more = 0; more < 2; ++more) open.gui().click("themeButton");
     QCOMPARE(options.settings->value("darkRoom").toBool(), true);
+}
+
+/// So one Ctrl − is enough to make the largest text smaller.
+void AppLooksTest::noSizeIsStoredThatTheWindowCannotShow()
+{
+    AppOptions options;
+    options.settings = std::make_shared<QSettings>(filePath("sizes.ini"), QSettings::IniFormat);
+    OpenWindow open(newStudy(), options);
+    open.window().resize(1024, 600);
+    QVERIFY(QTest::qWaitForWindowActive(&open.window()));
+    tests::settle(open.window());
+    const auto press = [&](Qt::Key key) { QTest::keyClick(&open.window(), key, Qt::ControlModifier); };
+    for (int more = 0; more < 8; ++more) press(Qt::Key_Plus);
+    const double largest = QApplication::font().pointSizeF();
+    const int percent = rememberedAppearance(options.settings.get()).textPercent;
+    QVERIFY2(textScaleOf(open.window().size(), percent - 25) < textScaleOf(open.window().size(), percent),
+             qPrintable(QString::number(percent)));
+    press(Qt::Key_Minus);
+    QVERIFY(QApplication::font().pointSizeF() < largest);
+    open.window().setAppearance({Theme::Light, 250});  // stored in a larger window
+    press(Qt::Key_Minus);
+    QVERIFY(QApplication::font().pointSizeF() < largest);
+    open.window().setAppearance({});
+}
+
+void AppLooksTest::aFieldThatIsOffLooksOff()
+{
+    applyAppearance({}, m_font);
+    QLineEdit line(QStringLiteral("P01"));
+    line.resize(200, 40);
+    const QColor on = line.grab().toImage().pixelColor(100, 20);
+    line.setEnabled(false);
+    QVERIFY(line.grab().toImage().pixelColor(100, 20) != on);
 }
 
 void AppLooksTest::messagesStandBesideTheirFieldAndGo()

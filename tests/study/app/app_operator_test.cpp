@@ -18,6 +18,7 @@ class AppOperatorTest : public tests::support::WindowTest {
 private Q_SLOTS:
     void lastAnswerIsCorrectedWithItsReason();
     void earlierQuestionCanStillBeCorrected();
+    void theStoredAnswerIsNoCorrection();
     void stopForNowLeadsBackToTheStudy();
     void voidedPresentationIsRepeated();
     void noteIsStored();
@@ -30,6 +31,7 @@ private Q_SLOTS:
     void theTrayPageSaysWhatToDo();
     void theHeaderShowsWhetherAnImageIsFelt();
     void aVoidBeforeAnyAnswerAddsNoAnswer();
+    void answersOfAVoidedPresentationAreNotCounted();
     void heldKeyStoresOneAnswer();
     void displayFaultPausesAndLosesNothing();
     void enterStoresNothingBeforeAChoice();
@@ -54,6 +56,12 @@ namespace {
 
 constexpr double bounceSeconds = 0.06;
 
+/// The letter of an answer that is not the stored one.
+const char* letterToCorrectTo(OpenWindow& open)
+{
+    return open.window().session()->correctables().front().current.startsWith('B') ? "A" : "B";
+}
+
 void addPanels()
 {
     QTest::addColumn<int>("key");
@@ -69,7 +77,7 @@ void AppOperatorTest::typeReason(OpenWindow& open, int key)
 {
     if (key != 0) pressKey(open, static_cast<Qt::Key>(key));
     if (key == Qt::Key_L) {
-        typeText(open, "B");
+        typeText(open, letterToCorrectTo(open));
         open.widget<QPlainTextEdit>("reasonField").setFocus();
     }
     typeText(open, "the lorry again");
@@ -284,6 +292,33 @@ void AppOperatorTest::earlierQuestionCanStillBeCorrected()
     QCOMPARE(changed, 1);
 }
 
+void AppOperatorTest::theStoredAnswerIsNoCorrection()
+{
+    const auto folder = newStudy();
+    OpenWindow open(folder);
+    open.enrolAndBegin();
+    open.playTo("Presenting", "Q1");
+    pressKey(open, Qt::Key_C);
+    pressKey(open, Qt::Key_Return);
+    const auto stored = answersIn(folder);
+    const auto events = [&] { return open.window().study()->store().events(protocols::ParticipantId("P01")).size(); };
+    const std::size_t before = events();
+    pressKey(open, Qt::Key_L);
+    pressKey(open, Qt::Key_C);
+    typeText(open, "misheard");
+    pressKey(open, Qt::Key_Return);
+    QCOMPARE(open.message(), QString("C is the stored answer. Choose another answer, or press Esc to go back."));
+    QCOMPARE(events(), before);
+    pressKey(open, Qt::Key_A);
+    pressKey(open, Qt::Key_Return);
+    QCOMPARE(events(), before + 1);
+    QVERIFY(answersIn(folder) != stored);
+    // A script may hold a correction to the same answer; a replay repeats it.
+    const auto now = open.window().session()->correctables().front();
+    open.perform(Corrected{now.question, now.response, "misheard"});
+    QCOMPARE(events(), before + 2);
+}
+
 void AppOperatorTest::stopForNowLeadsBackToTheStudy()
 {
     OpenWindow open(newStudy());
@@ -355,6 +390,9 @@ void AppOperatorTest::aWithdrawalAsksForTheCode()
     pressKey(open, Qt::Key_Return);
     QCOMPARE(nameOf(open.view().state), std::string("Presenting"));
     QVERIFY2(open.message().contains("Type P01"), qPrintable(open.message()));
+    typeText(open, "p1");
+    pressKey(open, Qt::Key_Return);
+    QVERIFY2(open.message().startsWith("“p1” is not the code of this participant. Type P01"), qPrintable(open.message()));
     pressKey(open, Qt::Key_Escape);
     open.perform(WithdrawnEvent{"tired"});
     QCOMPARE(nameOf(open.view().state), std::string("Withdrawn"));
@@ -417,7 +455,11 @@ void AppOperatorTest::theTrayPageSaysWhatToDo()
     QFETCH(std::vector<std::string>, wanted);
     QFETCH(std::vector<std::string>, placed);
     QFETCH(QString, text);
-    QCOMPARE(study::app::trayStepsText(study::app::trayStepsTo(wanted, placed), wanted.size()), text);
+    const QString shown = study::app::trayStepsText(study::app::trayStepsTo(wanted, placed), wanted.size());
+    QCOMPARE(QString(shown).replace(QChar(QChar::Nbsp), QLatin1Char(' ')), text);
+    // A line breaks between two steps only, so that a code stays beside its place.
+    if (text.endsWith('.')) return;
+    for (const QString& step : shown.split("· ")) QVERIFY2(!step.contains(' '), qPrintable(shown));
 }
 
 void AppOperatorTest::theHeaderShowsWhetherAnImageIsFelt()
@@ -446,6 +488,24 @@ void AppOperatorTest::aVoidBeforeAnyAnswerAddsNoAnswer()
     QCOMPARE(open.view().answersStored, inAll);
     const database::StudyStore store(folder, database::StudyStore::Access::Read);
     QCOMPARE(store.voidedPresentations().at(protocols::ParticipantId("P01")), 1);
+}
+
+/// The header and the guides count as the study page does.
+void AppOperatorTest::answersOfAVoidedPresentationAreNotCounted()
+{
+    OpenWindow open(newStudy());
+    open.enrolAndBegin();
+    open.playTo("Presenting");
+    open.playTo("PlacingTray");
+    QCOMPARE(open.widget<QLabel>("answersFact").text(), QString("Answers 1 of 24"));
+    open.perform(Voided{"wrong piece"});
+    QCOMPARE(open.widget<QLabel>("answersFact").text(), QString("Answers 0 of 24"));
+    open.playTo("OnBreak");
+    const QString lead = open.widget<QLabel>("pageLead").text();
+    QVERIFY2(lead.contains(QStringLiteral("%1 of 24 answers").arg(open.view().answersStored - 1)), qPrintable(lead));
+    open.playToEnd();
+    QVERIFY2(open.widget<QLabel>("pageLead").text().startsWith("All 24 answers"),
+             qPrintable(open.widget<QLabel>("pageLead").text()));
 }
 
 void AppOperatorTest::trayMarksOnlyPiecesThatChange()

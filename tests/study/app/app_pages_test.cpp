@@ -45,6 +45,8 @@ private Q_SLOTS:
     void makingCanBeStopped();
     void incompleteFormShowsAHintAndMakesNothing();
     void checklistMustBeCompleteBeforeTheFirstPresentation();
+    void aDoubtfulReadingIsAskedAboutOnce();
+    void tabFollowsThePage();
 };
 
 void AppPagesTest::typedNumbersBecomeRatings_data()
@@ -299,6 +301,42 @@ void AppPagesTest::pageShowsWhyTheStudyCouldNotBeMade()
     QCOMPARE(shown.window.currentPage()->objectName(), QString("newStudyPage"));
     QCOMPARE(shown.widget<QLineEdit>("datasetField").text(), QString("/data/poor"));  // nothing typed is lost
     QVERIFY(shown.widget<QPushButton>("makeButton").isEnabled());
+    QCOMPARE(shown.window.focusWidget()->objectName(), QString("datasetField"));  // that the message names
+}
+
+/// Tab visits the page from its top to its bottom and from left to right.
+void AppPagesTest::tabFollowsThePage()
+{
+    const auto namesFrom = [](QWidget& first, int count) {
+        QStringList names;
+        for (QWidget* widget = &first; names.size() < count; widget = widget->nextInFocusChain())
+            if (widget->focusPolicy() & Qt::TabFocus && widget->isVisible()) names << widget->objectName();
+        return names;
+    };
+    AppOptions options;
+    options.makeStudy = [](const NewStudyRequest&, const MakingProgress&) {};
+    ShownWindow shown(options);
+    shown.gui.click("newStudyButton");
+    const QStringList wanted{"newStudyFolderField",
+                             "newStudyFolderFieldBrowse",
+                             "datasetField",
+                             "datasetFieldBrowse",
+                             "protocolField",
+                             "protocolFieldBrowse",
+                             "participantsLanguageList",
+                             "participantsField",
+                             "seedField",
+                             "passphraseField",
+                             "passphraseAgainField",
+                             "makeButton",
+                             "editProtocolButton",
+                             "backButton"};
+    QCOMPARE(namesFrom(shown.widget<QLineEdit>("newStudyFolderField"), static_cast<int>(wanted.size())), wanted);
+    OpenWindow open(newStudy());
+    const QStringList order = namesFrom(open.widget<QPushButton>("studyKeysButton"), 5);
+    QVERIFY2(order.contains("closeStudyButton"), qPrintable(order.join(' ')));
+    QVERIFY2(!order.contains("toolsButton") || order.indexOf("toolsButton") < order.indexOf("closeStudyButton"),
+             qPrintable(order.join(' ')));
 }
 
 void AppPagesTest::makingCanBeStopped()
@@ -380,9 +418,44 @@ void AppPagesTest::checklistMustBeCompleteBeforeTheFirstPresentation()
     boxes[1]->click();
     page.findChild<QLineEdit*>("reading1")->setText("21.5");
     page.pressKey(Qt::Key_Return);
+    QVERIFY(!done);
+    QVERIFY2(hint.contains("“relative humidity in %”"), qPrintable(hint));
+    page.pressKey(Qt::Key_Return);
     QVERIFY(done.has_value());
     QCOMPARE(done->ticked, (std::vector<std::string>{"hands are washed", "the mask is on"}));
     QCOMPARE(done->readings, (std::map<std::string, std::string>{{"temperature in °C", "21.5"}}));
+}
+
+void AppPagesTest::aDoubtfulReadingIsAskedAboutOnce()
+{
+    QWidget window;
+    ChecklistPage& page = *new ChecklistPage(&window);
+    window.show();
+    SessionFacts facts;
+    facts.readings = QStringList{"temperature in °C", "the weather"};
+    page.begin(facts);
+    std::optional<ChecklistDone> done;
+    QString hint;
+    connect(&page, &StagePage::eventRequested, this, [&](const EventBody& event) { done = std::get<ChecklistDone>(event); });
+    connect(&page, &StagePage::hinted, this, [&](const QString& text) { hint = text; });
+    auto& temperature = *page.findChild<QLineEdit*>("reading1");
+    temperature.setText("hot");
+    page.findChild<QLineEdit*>("reading2")->setText("dull");  // names no unit
+    page.pressKey(Qt::Key_Return);
+    QVERIFY(!done);
+    QCOMPARE(hint, QString("“hot” is not a number. Press Enter again to store it."));
+    temperature.setText("warm");  // another text is asked about again
+    page.pressKey(Qt::Key_Return);
+    QVERIFY(!done && hint.startsWith("“warm”"));
+    page.pressKey(Qt::Key_Return);
+    QVERIFY(done.has_value());
+    QCOMPARE(done->readings, (std::map<std::string, std::string>{{"temperature in °C", "warm"}, {"the weather", "dull"}}));
+    for (const char* number : {"21", "21.5", "21,5", "-3", "21.5 °C"}) {
+        done.reset();
+        temperature.setText(number);
+        page.pressKey(Qt::Key_Return);
+        QVERIFY2(done.has_value(), number);
+    }
 }
 
 QTEST_MAIN(AppPagesTest)

@@ -152,8 +152,9 @@ private Q_SLOTS:
         open.clock().advanceSeconds(5);
         const auto stored = [&] { return open.window().study()->store().events(protocols::ParticipantId("P01")).size(); };
         const std::size_t before = stored();
+        const bool isB = open.window().session()->correctables().front().current.startsWith('B');
         pressKey(open, static_cast<Qt::Key>(key));
-        typeText(open, key == Qt::Key_L ? "B" : "P01");
+        typeText(open, key == Qt::Key_W ? "P01" : isB ? "A" : "B");
         pressKey(open, Qt::Key_Return);
         QVERIFY2(open.message().contains("Press Enter again"), qPrintable(open.message()));
         open.clock().advanceSeconds(bounceSeconds);

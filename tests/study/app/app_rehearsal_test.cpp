@@ -160,6 +160,7 @@ void AppRehearsalTest::everythingTriedIsReadyForTheFirstParticipant()
     open.gui().pressKey(Qt::Key_F5);
     QCOMPARE(open.window().currentPage()->objectName(), QString("sessionPage"));
     QCOMPARE(shownIn(open, "participantFact"), QString("REHEARSAL: nothing becomes data"));
+    QCOMPARE(open.window().windowTitle(), QString("Rehearsal – %1 – Vis2Hap").arg(open.window().study()->name()));
     open.playToEnd();
     open.gui().pressKey(Qt::Key_Return);
     QTRY_COMPARE(open.window().currentPage()->objectName(), QString("rehearsalPage"));

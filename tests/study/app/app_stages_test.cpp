@@ -88,6 +88,7 @@ private Q_SLOTS:
     void laterSittingMaySkipItsPreparation();
     void killedSessionOffersThePreparationToo();
     void noPreparationIsOfferedIfTheProtocolHasNone();
+    void aPreparationNamesOnlyWhatTheProtocolHas();
     void focusedFieldIsVisibleAtDoubleTextSize();
 };
 
@@ -266,6 +267,7 @@ void AppStagesTest::killedSessionOffersThePreparationToo()
     open.window().startSession(ParticipantId("P01"));
     QCOMPARE(nameOf(open.view().state), std::string("PlacingTray"));
     QVERIFY(open.widget<QLabel>("pageTitle").text().contains("Welcome back"));
+    QVERIFY(open.widget<QLabel>("pageLead").text().endsWith("First repeat the scale and the checklist."));
     const int events = open.window().session()->eventsSent();
     pressKey(open, Qt::Key_G);
     QCOMPARE(open.window().session()->eventsSent(), events);  // the engine is already at the tray
@@ -291,6 +293,29 @@ void AppStagesTest::noPreparationIsOfferedIfTheProtocolHasNone()
     open.clock().advanceSeconds(1);
     pressKey(open, Qt::Key_Return);
     QVERIFY(open.widget<QPushButton>("trayReadyButton").isVisible());
+}
+
+void AppStagesTest::aPreparationNamesOnlyWhatTheProtocolHas()
+{
+    const auto folder = newStudy();  // ratings, and no checklist
+    {
+        OpenWindow open(folder);
+        open.enrolAndBegin();
+        open.window().close();
+    }
+    OpenWindow open(folder);
+    open.window().startSession(ParticipantId("P01"));
+    QVERIFY(open.widget<QLabel>("pageTitle").text().contains("Welcome back"));
+    QVERIFY2(open.widget<QLabel>("pageLead").text().endsWith("First repeat the scale."),
+             qPrintable(open.widget<QLabel>("pageLead").text()));
+    pressKey(open, Qt::Key_G);
+    open.playTo("OnBreak");
+    while (std::get<OnBreak>(open.view().state.stage).reason != BreakReason::Phase) {
+        open.perform(BreakEnded{});
+        open.playTo("OnBreak");
+    }
+    QVERIFY2(open.widget<QLabel>("pageLead").text().startsWith("Questions that follow: Q2–Q4."),
+             qPrintable(open.widget<QLabel>("pageLead").text()));
 }
 
 void AppStagesTest::focusedFieldIsVisibleAtDoubleTextSize()

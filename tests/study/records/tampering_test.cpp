@@ -266,7 +266,7 @@ private Q_SLOTS:
         QTest::newRow("certificate rewritten") << "sed -i 's/^Rows removed.*/Rows removed: 0 answers/' erasures/*"
                                                << ".txt: was altered";
         QTest::newRow("certificate invented") << "cp erasures/* erasures/erasure-1.txt"
-                                              << "erasures/erasure-1.txt: does not belong to the study";
+                                              << "erasures/erasure-1.txt: is of an erasure that the log does not have";
         QTest::newRow("certificates removed") << "rm -r erasures"
                                               << ".txt: is missing";
         QTest::newRow("rescue file of nothing") << "echo any text > rescue-1.db"

@@ -51,6 +51,7 @@ ToolsPage::ToolsPage(UseTool use, QWidget* parent)
                               add(StudyTool::DataSheet, Qt::Key_D, "toolDataSheetButton", tr("Data sheet (D)"))});
     name(*m_text, "toolResult", tr("Result"));
     setType(*m_text, Type::Plain);
+    setRole(*m_text, "table");
     m_text->setReadOnly(true);
     m_text->setTabChangesFocus(true);
 

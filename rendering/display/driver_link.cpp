@@ -335,8 +335,9 @@ bool DriverLink::waitForEnd(Instant deadline)
 {
     while (!m_ending) {
         int status = 0;
-        if (::waitpid(m_program, &status, WNOHANG) == m_program)
-            m_ending = status;
+        const pid_t ended = ::waitpid(m_program, &status, WNOHANG);
+        if (ended == m_program || (ended < 0 && errno != EINTR))
+            m_ending = ended == m_program ? status : 0;  // another handler may have taken its end
         else if (steady_clock::now() >= deadline)
             return false;
         else
@@ -354,9 +355,11 @@ bool DriverLink::close(Instant deadline)
     if (m_program <= 0) return true;
     const bool hasEnded = waitForEnd(deadline);
     if (!hasEnded) {
-        ::kill(-m_program, SIGTERM);
-        if (!waitForEnd(steady_clock::now() + milliseconds(300))) ::kill(-m_program, SIGKILL);
-        waitForEnd(Instant::max());
+        // It may have left its group.
+        for (const pid_t target : {-m_program, m_program}) ::kill(target, SIGTERM);
+        if (!waitForEnd(steady_clock::now() + milliseconds(300)))
+            for (const pid_t target : {-m_program, m_program}) ::kill(target, SIGKILL);
+        waitForEnd(steady_clock::now() + std::chrono::seconds(5));
     }
     if (m_errors >= 0) ::close(m_errors);
     m_errors = -1;

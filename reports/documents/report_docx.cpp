@@ -4,13 +4,13 @@
 #include <QProcess>
 #include <QProcessEnvironment>
 #include <QStandardPaths>
-#include <QTemporaryDir>
 #include <algorithm>
 #include <cstring>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/markup_text.h"
 #include "protocols/files/number_text.h"
+#include "protocols/files/temporary_folder.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/secrets/secret_variables.h"
 #include "reports/documents/drawing_painter.h"
@@ -115,8 +115,8 @@ std::string plainHtml(const ReportDocument& document)
 
 void writeReportDocx(const ReportDocument& document, const std::filesystem::path& folder)
 {
-    QTemporaryDir work;
-    const std::filesystem::path inside(work.path().toStdString());
+    const protocols::TemporaryFolder work;
+    const std::filesystem::path& inside = work.path();
     for (const DocumentSection& section : document.sections)
         for (const DocumentItem& item : section.items)
             if (const auto* figure = std::get_if<const Figure*>(&item))
@@ -126,7 +126,7 @@ void writeReportDocx(const ReportDocument& document, const std::filesystem::path
     QProcessEnvironment surroundings = QProcessEnvironment::systemEnvironment();
     for (const char* secret : protocols::secretVariables) surroundings.remove(QLatin1String(secret));
     pandoc.setProcessEnvironment(surroundings);
-    pandoc.setWorkingDirectory(work.path());
+    pandoc.setWorkingDirectory(QString::fromStdString(inside.string()));
     const QString out = QString::fromStdString(std::filesystem::absolute(folder / "report.docx").string());
     pandoc.start("pandoc", {"--from=html", "--to=docx", "--output", out, "report.html"});
     if (pandoc.waitForFinished(longestMs) && pandoc.exitStatus() == QProcess::NormalExit && pandoc.exitCode() == 0) return;

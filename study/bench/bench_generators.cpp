@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "protocols/files/errors.h"
 #include "protocols/files/number_text.h"
 #include "rendering/models/process/second_program.h"
 #include "study/bench/generator_peer.h"
@@ -44,21 +45,21 @@ void addPeers(std::vector<BenchRow>& rows)
 BenchRow qualityRow(const ordered_json& quality)
 {
     return {"photograph to height and friction",
-            quality["quality"].get<std::string>(),
-            quality["ms_per_photograph"].get<double>(),
-            100 * quality["mean_friction_relative_error"].get<double>(),
+            quality.at("quality").get<std::string>(),
+            quality.at("ms_per_photograph").get<double>(),
+            100 * quality.at("mean_friction_relative_error").get<double>(),
             "% of mean friction, generated against measured",
             text("heights differ by %.3f mm from accurate; photographs of 256x256 px; 128x128 px take %.1f ms",
-                 quality["height_deviation_from_accurate_mm"].get<double>(), quality["ms_at_128"].get<double>())};
+                 quality.at("height_deviation_from_accurate_mm").get<double>(), quality.at("ms_at_128").get<double>())};
 }
 
 /// The relief against the known one of the same place.
 BenchRow reliefRow(const ordered_json& quality)
 {
     return {"photograph to relief",
-            quality["quality"].get<std::string>(),
-            quality["ms_per_photograph"].get<double>(),
-            quality["relief_error_percent"].get<double>(),
+            quality.at("quality").get<std::string>(),
+            quality.at("ms_per_photograph").get<double>(),
+            quality.at("relief_error_percent").get<double>(),
             "% of Sq",
             "known relief of the same place, waves up to 3 mm; time with friction"};
 }
@@ -67,9 +68,9 @@ BenchRow reliefRow(const ordered_json& quality)
 BenchRow earlierRow(const ordered_json& quality)
 {
     return {"photograph of 128x128, beside 0.5.0",
-            quality["quality"].get<std::string>(),
-            quality["ms_at_128"].get<double>(),
-            quality["ratio_at_128_to_version_0_5_0"].get<double>(),
+            quality.at("quality").get<std::string>(),
+            quality.at("ms_at_128").get<double>(),
+            quality.at("ratio_at_128_to_version_0_5_0").get<double>(),
             "ours over theirs",
             "both in the same turns, median of the ratios"};
 }
@@ -79,23 +80,35 @@ BenchRow memoryRow(const ordered_json& bench, const char* field, const char* pho
     return {"memory of the generators",
             "",
             {},
-            bench[field].get<double>(),
+            bench.at(field).get<double>(),
             "MB held at most",
             std::string("after a photograph of ") + photograph};
+}
+
+std::vector<BenchRow> rowsFrom(const std::string& answer)
+{
+    std::vector<BenchRow> rows;
+    try {
+        const auto bench = ordered_json::parse(answer);
+        const auto& qualities = bench.at("qualities");
+        for (const auto& quality : qualities) rows.push_back(qualityRow(quality));
+        for (const auto& quality : qualities) rows.push_back(reliefRow(quality));
+        for (const auto& quality : qualities)
+            if (quality.at("ratio_at_128_to_version_0_5_0").get<double>() > 0) rows.push_back(earlierRow(quality));
+        rows.push_back(memoryRow(bench, "peak_mb_at_128", "128x128"));
+        rows.push_back(memoryRow(bench, "peak_mb_at_largest", "the largest, 2048x2048"));
+    } catch (const ordered_json::exception&) {
+        throw protocols::workFailed({"vis2hap-nn answered something else", rendering::models::secondProgram(),
+                                     "the numbers of its bench", "build both programs again"});
+    }
+    return rows;
 }
 
 }  // namespace
 
 std::vector<BenchRow> benchGenerators(bool peers)
 {
-    const auto bench = ordered_json::parse(rendering::models::outputOfSecondProgram({"bench", "--json"}));
-    std::vector<BenchRow> rows;
-    for (const auto& quality : bench["qualities"]) rows.push_back(qualityRow(quality));
-    for (const auto& quality : bench["qualities"]) rows.push_back(reliefRow(quality));
-    for (const auto& quality : bench["qualities"])
-        if (quality["ratio_at_128_to_version_0_5_0"].get<double>() > 0) rows.push_back(earlierRow(quality));
-    rows.push_back(memoryRow(bench, "peak_mb_at_128", "128x128"));
-    rows.push_back(memoryRow(bench, "peak_mb_at_largest", "the largest, 2048x2048"));
+    std::vector<BenchRow> rows = rowsFrom(rendering::models::outputOfSecondProgram({"bench", "--json"}));
     if (peers) addPeers(rows);
     markFronts(rows);
     return rows;

@@ -8,12 +8,12 @@
 #include <QSqlError>
 #include <QSqlQuery>
 #include <QSqlRecord>
-#include <QTemporaryDir>
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/temporary_folder.h"
 #include "protocols/orders/counterbalancing.h"
 #include "protocols/protocol_json.h"
 #include "rendering/composition/friction_image.h"
@@ -270,8 +270,8 @@ BenchRow durableAnswer(const database::StudyFolder& engine, const database::Stud
 
 std::vector<BenchRow> benchSession(bool peers)
 {
-    const QTemporaryDir place;
-    const std::filesystem::path path = place.path().toStdString();
+    const protocols::TemporaryFolder place;
+    const std::filesystem::path& path = place.path();
     std::vector<BenchRow> rows;
 
     const auto paper =

@@ -24,6 +24,7 @@
 #include "protocols/files/safe_text.h"
 #include "protocols/process/kept_memory.h"
 #include "protocols/process/owner_only.h"
+#include "protocols/process/whole_number_options.h"
 #include "study/commands/command_line.h"
 #include "study/commands/parts/explanation.h"
 #include "study/commands/parts/safe_outputs.h"
@@ -162,6 +163,7 @@ int run(int argc, char** argv)
     study::commands::Explanation explanation;
     explanation.addOptions(app);
     try {
+        protocols::requirePlainWholeNumbers(app);
         app.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {
         if (problem.get_exit_code() == 0) {  // help and version
@@ -227,6 +229,7 @@ int exitCodeOf(int argc, char** argv)
 int main(int argc, char** argv)
 {
     openClosedStreams();
+    std::signal(SIGCHLD, SIG_DFL);  // a parent that ignores it would hide the ends of other programs
     std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is an error of the write
     const int code = exitCodeOf(argc, argv);
     if (!QCoreApplication::instance() && database::haveLinksEnded(std::chrono::seconds(0))) return code;

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -17,6 +18,7 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/process/kept_memory.h"
+#include "protocols/process/whole_number_options.h"
 #include "rendering/models/exchange.h"
 #include "rendering/models/lab/lab_training.h"
 #include "rendering/models/networks/inference.h"
@@ -289,6 +291,7 @@ int run(int argc, char** argv)
     offerBench(app);
     offerPeerSteps(app);
     try {
+        protocols::requirePlainWholeNumbers(app);
         app.parse(argc, argv);
     } catch (const CLI::ParseError& fault) {
         if (fault.get_exit_code() == 0) return app.exit(fault);
@@ -302,6 +305,7 @@ int run(int argc, char** argv)
 int main(int argc, char** argv)
 {
     using protocols::ExitCode;
+    std::signal(SIGCHLD, SIG_DFL);  // a parent that ignores it would hide the ends of other programs
     setUpThreads(argc, argv);
     protocols::keepFreedMemory();
     try {

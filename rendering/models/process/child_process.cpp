@@ -34,8 +34,10 @@ std::vector<std::string> environmentForThreads()
     return variables;
 }
 
-protocols::Error errorFrom(int exitStatus, const std::string& line, const fs::path& program)
+protocols::Error errorFrom(int exitStatus, const std::string& said, const fs::path& program)
 {
+    const std::string line =
+        said.empty() ? program.string() + " ended with exit code " + std::to_string(exitStatus) + " and said nothing" : said;
     switch (exitStatus) {
         case 1:
             return protocols::workFailed({line, "", "", ""});

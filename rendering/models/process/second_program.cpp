@@ -16,7 +16,7 @@ namespace rendering::models {
 
 std::string secondProgram()
 {
-    if (const char* chosen = std::getenv("VIS2HAP_NN")) return chosen;
+    if (const char* chosen = std::getenv("VIS2HAP_NN"); chosen && *chosen != '\0') return chosen;
     return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / "vis2hap-nn").string();
 }
 

@@ -1,10 +1,12 @@
 #include "study/app/language/language.h"
 
 #include <QCoreApplication>
+#include <QFile>
 #include <QFileInfo>
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QStringList>
+#include <QtEndian>
 #include <algorithm>
 #include <utility>
 
@@ -54,14 +56,83 @@ protocols::Error faultOfCatalogue(const std::string& what, const QString& file, 
                                 "update it as CONTRIBUTING.md says (\"A language\"), or leave --language out"});
 }
 
+/// The longest catalogue that is read, bytes; those of the program have some 300,000.
+constexpr qint64 largestCatalogue = qint64{1} << 24;
+
+quint32 numberAt(const QByteArray& bytes, qsizetype at) { return qFromBigEndian<quint32>(bytes.constData() + at); }
+
+/// Whether the parts of a message lie in the section of messages. Qt 6.4 follows their lengths without a look.
+bool isSoundMessage(const QByteArray& messages, qsizetype at)
+{
+    enum Tag : char {
+        End = 1,
+        SourceText16 = 2,
+        Translation = 3,
+        Context16 = 4,
+        Obsolete = 5,
+        SourceText = 6,
+        Context = 7,
+        Comment = 8
+    };
+    while (at < messages.size()) {
+        const char tag = messages[at++];
+        if (tag < SourceText16 || tag > Comment || tag == Context16) return true;  // Qt ends here
+        if (messages.size() - at < 4) return false;
+        const qint64 length = tag == Obsolete ? 0 : numberAt(messages, at);
+        at += 4;
+        if (tag == Translation && length % 2 != 0) return true;
+        if (length > messages.size() - at) return false;
+        at += length;
+    }
+    return false;
+}
+
+/// Whether a catalogue made by lrelease can be looked up without reading beside it.
+bool isSoundCatalogue(const QByteArray& bytes)
+{
+    constexpr qsizetype magic = 16;
+    constexpr uchar contextsTag = 0x2f, hashesTag = 0x42, messagesTag = 0x69;
+    QByteArray hashes, messages;
+    for (qsizetype at = magic; at < bytes.size();) {
+        if (bytes.size() - at < 5) return false;
+        const auto tag = static_cast<uchar>(bytes[at]);
+        const qint64 length = numberAt(bytes, at + 1);
+        at += 5;
+        if (tag == contextsTag || length > bytes.size() - at) return false;
+        if (tag == hashesTag) hashes = bytes.mid(at, length);
+        if (tag == messagesTag) messages = bytes.mid(at, length);
+        at += length;
+    }
+    for (qsizetype at = 0; at + 8 <= hashes.size(); at += 8)
+        if (!isSoundMessage(messages, numberAt(hashes, at + 4))) return false;
+    return true;
+}
+
+/// Keeps its bytes: Qt maps a file, and a window would end with it when somebody replaced it.
+class CatalogueInMemory : public QTranslator {
+public:
+    explicit CatalogueInMemory(const QString& path)
+    {
+        QFile file(path);
+        if (file.open(QIODevice::ReadOnly) && file.size() <= largestCatalogue) m_bytes = file.read(largestCatalogue);
+        m_isLoaded = isSoundCatalogue(m_bytes) &&
+                     load(reinterpret_cast<const uchar*>(m_bytes.constData()), static_cast<int>(m_bytes.size()));
+    }
+    bool isLoaded() const { return m_isLoaded; }
+
+private:
+    QByteArray m_bytes;
+    bool m_isLoaded = false;
+};
+
 /// The catalogue in a file, made for this version of the program.
 std::unique_ptr<QTranslator> textsInFile(const QString& file, const QString& version)
 {
     if (!QFileInfo(file).isFile())
         throw protocols::badInput({"there is no such catalogue", file.toStdString(),
                                    "a file made by lrelease, or one of " + namesOfShipped().toStdString(), "correct --language"});
-    auto texts = std::make_unique<QTranslator>();
-    if (!texts->load(QFileInfo(file).absoluteFilePath()) || factOf(*texts, nameFact).isEmpty())
+    auto texts = std::make_unique<CatalogueInMemory>(file);
+    if (!texts->isLoaded() || factOf(*texts, nameFact).isEmpty())
         throw faultOfCatalogue("this is no catalogue of this program, or it is damaged", file,
                                QStringLiteral("a file that lrelease made from study/app/translations"));
     const QString madeFor = factOf(*texts, versionFact);

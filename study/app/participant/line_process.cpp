@@ -36,6 +36,7 @@ void LineProcess::start(const QString& name, const QStringList& arguments, Progr
     stop();
     const QString program = programNamed(name);
     m_process.reset(new QProcess);
+    m_errors.clear();
     m_process->setWorkingDirectory(QStringLiteral("/"));
     if (surroundings == ProgramSurroundings::None) {
         QProcessEnvironment none;
@@ -44,14 +45,23 @@ void LineProcess::start(const QString& name, const QStringList& arguments, Progr
     }
     m_process->setChildProcessModifier([] { ::prctl(PR_SET_PDEATHSIG, SIGKILL); });
     connect(m_process.get(), &QProcess::readyReadStandardOutput, this, &LineProcess::read);
+    connect(m_process.get(), &QProcess::readyReadStandardError, this, &LineProcess::keepErrors);
     connect(m_process.get(), &QProcess::finished, this, [this] {
-        const QString said = QString::fromUtf8(m_process->readAllStandardError()).trimmed().section(QLatin1Char('\n'), -1);
+        keepErrors();
+        const QString said = QString::fromUtf8(m_errors).trimmed().section(QLatin1Char('\n'), -1);
         end(said.isEmpty() ? tr("the program ended") : said.mid(said.indexOf(QLatin1String(": ")) + 2));
     });
     connect(m_process.get(), &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
         if (error == QProcess::FailedToStart) end(m_process->errorString());
     });
     m_process->start(program, arguments);
+}
+
+/// The end of what the program says of faults.
+void LineProcess::keepErrors()
+{
+    constexpr qsizetype kept = 4096;  // bytes
+    m_errors = (m_errors + m_process->readAllStandardError()).right(kept);
 }
 
 void LineProcess::stop()

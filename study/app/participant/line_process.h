@@ -40,12 +40,14 @@ Q_SIGNALS:
 private:
     void read();
     void end(const QString& why);
+    void keepErrors();
 
     struct Later {
         void operator()(QProcess* process) const { process->deleteLater(); }
     };
     std::unique_ptr<QProcess, Later> m_process;  ///< empty while the program does not run
     participant::LineBuffer m_lines;
+    QByteArray m_errors;  ///< the end of its error text
 };
 
 }  // namespace study::app

@@ -52,6 +52,10 @@ int serve(const QCommandLineParser& parser)
 int main(int argc, char** argv)
 {
     becomeChildProgram();
+    // Qt warns of odd requests, which anybody in the network can send; the app would keep the texts.
+    qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& text) {
+        if (type == QtCriticalMsg || type == QtFatalMsg) std::fprintf(stderr, "%s: %s\n", program, qPrintable(text));
+    });
     QCoreApplication app(argc, argv);
     QCommandLineParser parser;
     parser.setApplicationDescription(

@@ -89,6 +89,8 @@ private Q_SLOTS:
         QCOMPARE(escapedMarkup("a <b> & \"c\" 'd'"), std::string("a &lt;b&gt; &amp; &quot;c&quot; &#39;d&#39;"));
         QCOMPARE(escapedMarkup("Größe\n\t"), std::string("Größe\n\t"));
         QCOMPARE(escapedMarkup(std::string_view("a\0b\x1b", 4)), std::string("ab"));
+        // What XML does not have, and what turns the numbers behind it around.
+        QCOMPARE(escapedMarkup("a\uFFFE\u202Eb\uFFFF\u2067c\u2069 \u2013 \uFF21"), std::string("abc \u2013 \uFF21"));
     }
 };
 

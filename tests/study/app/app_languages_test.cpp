@@ -246,6 +246,15 @@ private Q_SLOTS:
                 qPrintable(why));
             QVERIFY(!why.contains('\n'));
         }
+        // Lengths and places that lead out of the file: refused or read, and no crash.
+        for (qsizetype at = 16; at < content.size(); ++at)
+            for (const char byte : {'\x80', '\x7e'}) {
+                QFile file(filePath("damaged.qm"));
+                QVERIFY(file.open(QIODevice::WriteOnly));
+                file.write(QByteArray(content).replace(at, 1, QByteArray(1, byte)));
+                file.close();
+                refusalOf(file.fileName());
+            }
     }
 
     void aKeptLanguageIsUsedAndAFaultLeavesEnglish()

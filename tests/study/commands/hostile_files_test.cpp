@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <QByteArrayList>
+#include <QFileInfo>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
@@ -119,6 +120,20 @@ private Q_SLOTS:
             runProgram({"study", "new", folder.filePath("study"), "--dataset", cloth, "--response", file, "--no-passphrase"});
         QVERIFY2(made.exitCode == 2 && made.messages().size() == 1 && made.err.contains("response.json"), qPrintable(made.err));
         QVERIFY2(timer.elapsed() < 20'000, qPrintable(QString::number(timer.elapsed())));
+    }
+
+    /// "010" was taken for 8, and a number that does not fit for the largest.
+    void wholeNumbersAreDecimalDigits()
+    {
+        const QTemporaryDir folder;
+        for (const char* seed : {"010", "0x0A", "+5", "1e3", "-1", "18446744073709551616", ""}) {
+            const QString out = folder.filePath("cloth");
+            const auto ended =
+                runProgram({"fabrics", "make", out, "--fabrics", "1", "--samples", "1", QString("--seed=") + seed});
+            QVERIFY2(ended.exitCode == 2 && !QFileInfo::exists(out), qPrintable(QString(seed) + ": " + ended.err));
+        }
+        const auto trained = runProgram({"train", folder.path(), "--out", folder.filePath("m.safetensors"), "--steps", "08"});
+        QVERIFY2(trained.exitCode == 2 && trained.err.contains("08 is no whole number"), qPrintable(trained.err));
     }
 
     void scalesThatNoProtocolMayHaveAreRefused_data()

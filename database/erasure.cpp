@@ -47,6 +47,16 @@ std::vector<std::string> textsFrom(const SqliteConnection& sqlite, const char* s
     return texts;
 }
 
+/// Notes, reasons and readings, of which a part stands in the log alone.
+void addTextsOf(const std::string& payload, const std::function<void(std::string)>& add)
+{
+    const nlohmann::json fields = payloadIn(payload);
+    for (const char* field : {"text", "why"}) add(textIn(fields, field));
+    if (const auto readings = fields.find("readings"); readings != fields.end() && readings->is_object())
+        for (const auto& reading : *readings)
+            if (reading.is_string()) add(reading.get<std::string>());
+}
+
 /// What the erasure removes, as texts: facts, and with the answers also notes, words and salts. `shortOnes`: others that are too
 /// short for a search.
 std::set<std::string> textsToRemove(const SqliteConnection& sqlite, const Erasure& erasure, std::set<std::string>& shortOnes)
@@ -59,18 +69,20 @@ std::set<std::string> textsToRemove(const SqliteConnection& sqlite, const Erasur
         {"SELECT value FROM participant_facts WHERE participant = ?", false},
         {"SELECT salt FROM participant_facts WHERE participant = ?", false},
         {"SELECT text FROM notes WHERE participant = ?", true},
-        {"SELECT json_extract(payload, '$.text') FROM events WHERE participant = ? AND kind = 'noted'", true},
-        {"SELECT json_extract(payload, '$.why') FROM events WHERE participant = ? AND kind IN ('withdrawn', 'voided')", true},
         {"SELECT choice FROM responses WHERE participant = ? AND choice IS NOT NULL", true},
         // A long text lies in several pages of the file, and its beginning in one.
         {"SELECT substr(samples, 1, 64) FROM finger_samples WHERE participant = ?", true},
         {"SELECT salt FROM events WHERE participant = ?", true},
     };
     std::set<std::string> texts;
+    const auto add = [&](std::string text) { (text.size() < shortestText ? shortOnes : texts).insert(std::move(text)); };
+    if (erasure.answersToo)
+        for (const std::string& payload :
+             textsFrom(sqlite, "SELECT payload FROM events WHERE participant = ?", erasure.participant.value))
+            addTextsOf(payload, add);
     for (const Source& source : sources) {
         if (source.isAnswer && !erasure.answersToo) continue;
-        for (std::string& text : textsFrom(sqlite, source.select, erasure.participant.value))
-            (text.size() < shortestText ? shortOnes : texts).insert(std::move(text));
+        for (std::string& text : textsFrom(sqlite, source.select, erasure.participant.value)) add(std::move(text));
         shortOnes.erase("");
     }
     return texts;

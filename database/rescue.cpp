@@ -139,15 +139,18 @@ void requireOwnKeys(const StudyFolder& folder, const SqliteConnection& rescued)
     }
 }
 
-/// Whether the log has the erasure of this certificate, at its entry and of its participant.
-bool hasErasure(const SqliteConnection& sqlite, std::int64_t erasure, const fs::path& certificate)
+/// Whether the log has the erasure of this certificate, at its entry and of its participant. `entry`: 0 for any.
+bool hasErasure(const SqliteConnection& sqlite, std::int64_t entry, const fs::path& certificate)
 {
-    QSqlQuery row =
-        sqlite.run(QStringLiteral("SELECT payload FROM events WHERE sequence = ? AND kind = 'erased' AND participant = ''"),
-                   {qlonglong(erasure)});
-    if (!row.next()) return false;
-    const std::string line = "\nParticipant: " + textIn(payloadIn(fromQt(row.value(0))), "participant") + "\n";
-    return protocols::readIfPossible(certificate).value_or(line).find(line) != std::string::npos;
+    const auto text = protocols::readIfPossible(certificate);
+    QSqlQuery row = sqlite.run(
+        QStringLiteral("SELECT payload FROM events WHERE kind = 'erased' AND participant = '' AND (sequence = ? OR ? = 0)"),
+        {qlonglong(entry), qlonglong(entry)});
+    while (row.next()) {
+        const std::string line = "\nParticipant: " + textIn(payloadIn(fromQt(row.value(0))), "participant") + "\n";
+        if (!text || text->find(line) != std::string::npos) return true;
+    }
+    return false;
 }
 
 /// A database from before an erasure would bring the erased data back.
@@ -157,8 +160,10 @@ void requireErasuresOf(const StudyFolder& folder, const SqliteConnection& rescue
     for (const auto& entry : fs::directory_iterator(certificatesFolder(folder), none)) {
         const std::string name = entry.path().filename().string();
         std::int64_t erasure = 0;
-        if (std::sscanf(name.c_str(), "erasure-%" SCNd64 ".txt", &erasure) != 1) continue;
-        if (!hasErasure(rescued, erasure, entry.path()))
+        if (std::sscanf(name.c_str(), "erasure-%" SCNd64, &erasure) != 1) continue;
+        // One that a later erasure put aside is of another log.
+        const bool isOfThisLog = name == "erasure-" + std::to_string(erasure) + ".txt";
+        if (!hasErasure(rescued, isOfThisLog ? erasure : 0, entry.path()))
             throw refused(
                 "the rescue file is from before the erasure of " + name + " and would bring the erased data back", rescued.file(),
                 "a rescue file or a backup from after it",
@@ -258,6 +263,17 @@ fs::path movePresentAside(const StudyFolder& folder)
     return earlier;
 }
 
+/// After a failure; movePresentAside() in the other direction.
+void putPresentBack(const fs::path& earlier, const StudyFolder& folder)
+{
+    std::error_code ignored;
+    if (fs::exists(folder.database(), ignored))
+        fs::remove(earlier, ignored);
+    else
+        fs::rename(earlier, folder.database(), ignored);
+    fs::rename(earlier.string() + "-wal", folder.database().string() + "-wal", ignored);
+}
+
 }  // namespace
 
 std::filesystem::path keepAside(const SqliteConnection& sqlite, const PageCopy* copy, const StudyFolder& folder)
@@ -327,7 +343,12 @@ Rescue bringBack(const StudyFolder& folder, const std::filesystem::path& rescue)
         result.lacksActs = hasPresent;  // nobody can read which acts it had
     if (hasPresent) result.earlier = movePresentAside(folder);
     for (const char* ending : {"-wal", "-shm"}) fs::remove(folder.database().string() + ending, ignored);
-    protocols::putFileInPlace(made.file, folder.database());
+    try {
+        protocols::putFileInPlace(made.file, folder.database());
+    } catch (...) {
+        if (hasPresent) putPresentBack(result.earlier, folder);
+        throw;
+    }
     if (isLeftBy(rescue, folder))
         for (const char* ending : {"", "-wal", "-shm"}) fs::remove(rescue.string() + ending, ignored);
     return result;

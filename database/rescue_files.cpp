@@ -42,6 +42,15 @@ bool isRegular(const fs::path& file)
     return fs::symlink_status(file, unknown).type() == fs::file_type::regular;
 }
 
+/// True for PREFIX, a number and ".json". P1 and P1-2 may be two participants.
+bool isNumbered(const std::string& name, const std::string& prefix)
+{
+    const std::string ending = ".json";
+    if (!name.starts_with(prefix) || !name.ends_with(ending) || name.size() <= prefix.size() + ending.size()) return false;
+    return std::all_of(name.begin() + std::ptrdiff_t(prefix.size()), name.end() - std::ptrdiff_t(ending.size()),
+                       [](char c) { return c >= '0' && c <= '9'; });
+}
+
 enum class Owner {
     This,     ///< this account
     Another,  ///< another account
@@ -230,7 +239,7 @@ std::vector<std::string> databasesAbout(const std::string& participant, bool ans
         const std::string name = file.filename().string();
         const bool isOther = file.extension() == ".db" && file.filename() != folder.database().filename();
         const bool isOfSession =
-            name.starts_with("held-" + participant + "-") || name.starts_with("not-sent-" + participant + "-");
+            isNumbered(name, "held-" + participant + "-") || isNumbered(name, "not-sent-" + participant + "-");
         if (isRegular(file) && ((isOther && isAbout(file)) || (answersToo && isOfSession))) found.push_back(name);
     }
     for (const fs::path& file : rescueFilesOutside(folder))

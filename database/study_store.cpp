@@ -147,6 +147,17 @@ std::unique_ptr<protocols::TemporaryFolder> upgraded(const StudyFolder& folder, 
 }
 
 /// Runs a write with the open files in place before it and after it, so that an acknowledged answer is in the folder.
+/// A rescue gives study.db another name before it puts the rescued one in its place.
+bool hasInterruptedRescue(const StudyFolder& folder)
+{
+    std::error_code unknown;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.folder, unknown))
+        if (entry.path().filename().string().starts_with("study-before-rescue-") &&
+            std::filesystem::equivalent(entry.path(), folder.database(), unknown))
+            return true;
+    return false;
+}
+
 /// Through another name of the file another program could write, with a lock and a write-ahead log of its own.
 void requireOwnFile(const StudyFolder& folder, StudyStore::Access access)
 {
@@ -155,7 +166,11 @@ void requireOwnFile(const StudyFolder& folder, StudyStore::Access access)
     if (std::filesystem::is_symlink(folder.database(), unknown))
         throw protocols::badInput({"study.db is a link to another file", file, "the database itself",
                                    "open the folder of that file, or copy the study with vis2hap backup"});
-    if (access == StudyStore::Access::Write && std::filesystem::hard_link_count(folder.database(), unknown) > 1 && !unknown)
+    const bool isWritten = access == StudyStore::Access::Write;
+    if (isWritten && hasInterruptedRescue(folder))
+        throw protocols::badInput({"a rescue was interrupted, and its answers are in a rescue file yet", folder.folder.string(),
+                                   "", "run vis2hap rescue " + protocols::shellWord(folder.folder.string()) + " again"});
+    if (isWritten && std::filesystem::hard_link_count(folder.database(), unknown) > 1 && !unknown)
         throw protocols::badInput(
             {"study.db is the same file as another one (hard link)", file, "a file of its own",
              "close every program of the study, then: cp -p " + word + " " + word + ".new && mv " + word + ".new " + word});

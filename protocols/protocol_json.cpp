@@ -246,22 +246,22 @@ Protocol readFrom(const JsonDocument& document, ProtocolEdition edition, Protoco
     if (!isReadOn) return {};
     const Protocol protocol = protocolFrom(ProtocolPart(document.root(), "", faults), edition);
     for (const std::string& fault : faultsOf(protocol)) faults.add(fault);
-    if (edition == ProtocolEdition::Current) {
+    if (edition == ProtocolEdition::Current)
         for (const std::string& fault : faultsOfQuestionIds(protocol)) faults.add(fault);
-        for (std::size_t i = 0; i < protocol.fabrics.size(); ++i)
-            // An empty id is one that the schema has refused.
-            if (const std::string why = faultOfId(protocol.fabrics[i].value); !why.empty() && !protocol.fabrics[i].empty())
-                faults.add("fabrics[" + std::to_string(i) + "]: the id " + why + ", expected " + idRule());
-    }
     return protocol;
 }
 
-/// The name stands in titles, certificates and on terminals. A study that was made with another one still opens.
+/// The name stands in titles, certificates and on terminals. A study that was made with another name or with other ids still
+/// opens.
 Protocol readNewFrom(const JsonDocument& document, ProtocolFaults& faults)
 {
     Protocol protocol = readFrom(document, ProtocolEdition::Current, faults);
     if (const std::string why = faultOfLine(protocol.name, longestReason); !why.empty() && !protocol.name.empty())
         faults.add("name: " + why + ", expected " + lineRule(longestReason));
+    for (std::size_t i = 0; i < protocol.fabrics.size(); ++i)
+        // An empty id is one that the schema has refused.
+        if (const std::string why = faultOfId(protocol.fabrics[i].value); !why.empty() && !protocol.fabrics[i].empty())
+            faults.add("fabrics[" + std::to_string(i) + "]: the id " + why + ", expected " + idRule());
     return protocol;
 }
 

@@ -78,7 +78,7 @@ std::optional<std::string> recordAct(const StudyFolder& folder, Act act)
 
 std::vector<Act> actsOf(const StudyStore& store)
 {
-    const SqliteConnection sqlite(store.folder().database(), SqliteConnection::Mode::Read);
+    const SqliteConnection& sqlite = store.connection();
     std::vector<Act> acts;
     for (const ChainedAct& row : chainedActsIn(sqlite)) {
         acts.push_back(actOf(row).value_or(unreadable(row)));
@@ -86,10 +86,7 @@ std::vector<Act> actsOf(const StudyStore& store)
     return acts;
 }
 
-std::vector<ChainedAct> chainedActsOf(const StudyStore& store)
-{
-    return chainedActsIn(SqliteConnection(store.folder().database(), SqliteConnection::Mode::Read));
-}
+std::vector<ChainedAct> chainedActsOf(const StudyStore& store) { return chainedActsIn(store.connection()); }
 
 LogHead headOfActs(const StudyStore& store)
 {

@@ -59,8 +59,9 @@ std::filesystem::path keepHeldLog(const StudyFolder& folder, const std::string& 
 
 std::filesystem::path keepNotSent(const StudyFolder& folder, AnswerQueue& queue, const AnswerQueue::Entry& first)
 {
-    const std::filesystem::path file =
-        folder.folder / ("not-sent-" + first.participant + "-" + std::to_string(first.number) + ".json");
+    std::filesystem::path file;
+    for (auto number = first.number; file.empty() || std::filesystem::exists(file); ++number)
+        file = folder.folder / ("not-sent-" + first.participant + "-" + std::to_string(number) + ".json");
     std::string lines;
     for (auto entry = std::optional(first); entry && entry->participant == first.participant; entry = queue.first()) {
         lines += entry->json + "\n";

@@ -37,7 +37,8 @@ constexpr std::array<Range, 17> invisible{{{0x00AD, 0x00AD},
                                            {0xFFFE, 0xFFFF},
                                            {0xE0000, 0xE007F}}};
 
-/// The joiners, and the selectors that choose a form of the character before them. No letter or digit of ASCII has such forms.
+/// The joiners, and the selectors that choose a form of the character before them. In an id they hide behind letters and digits
+/// of ASCII; words may have them.
 constexpr std::array<Range, 4> forms{{{0x180B, 0x180F}, {0x200C, 0x200D}, {0xFE00, 0xFE0F}, {0xE0100, 0xE01EF}}};
 
 bool isControl(char32_t c) { return c < 0x20 || (c >= 0x7F && c < 0xA0); }
@@ -102,11 +103,10 @@ std::string faultOfLine(std::string_view line, std::size_t mostBytes)
     if (line.size() > mostBytes) return "has " + std::to_string(line.size()) + " bytes";
     if (firstByteThatIsNotUtf8(line)) return "is not UTF-8";
     bool hasWords = false;
-    char32_t before = 0;
     for (std::size_t at = 0; at < line.size(); at += utf8Length(line.substr(at))) {
         const char32_t character = utf8Character(line.substr(at));
         if (isControl(character)) return "holds a control character";
-        if (isInvisible(character, std::exchange(before, character))) return "holds an invisible character";
+        if (isIn(invisible, character)) return "holds an invisible character";
         hasWords = hasWords || !isBlank(character);
     }
     return hasWords ? "" : "is empty";

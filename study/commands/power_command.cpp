@@ -227,13 +227,13 @@ void addPower(CLI::App& app, Action& action)
         ->add_option("--calibrate", call->plan.calibrate,
                      "also print how often each test rejects in N studies without a difference")
         ->check(CLI::Range(std::size_t{100}, mostCounted))
-        ->type_name("N");
+        ->option_text("N");
     command
         ->add_option("--planted", call->plan.planted,
                      "also print how often the claims find a planted difference in N studies of each kind, beside lmerTest's "
                      "model, and how often their intervals hold the truth")
         ->check(CLI::Range(std::size_t{100}, mostCounted))
-        ->type_name("N");
+        ->option_text("N");
     command
         ->add_option("--resume", call->resume,
                      "keep finished counts of --calibrate and --planted in FILE, and continue from it after an interruption")

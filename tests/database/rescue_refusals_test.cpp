@@ -190,6 +190,23 @@ private Q_SLOTS:
         QVERIFY(has(study::records::findingsOf(store).faults, "-of-another-log-1.txt: is of an erasure"));
     }
 
+    /// Between the new name of study.db and the rescued one in its place.
+    void anInterruptedRescueIsDoneAgain()
+    {
+        const StudyFolder folder = newStudy(2);
+        const fs::path older = folder.folder.parent_path() / "older.db";
+        copyDatabase(folder, older);
+        tests::support::OpenSession(folder, "S01").playUntilAnswers(4);
+        copyDatabase(folder, folder.folder / "rescue-1.db");
+        removeDatabase(folder);
+        fs::copy_file(older, folder.database());
+        fs::create_hard_link(folder.database(), folder.folder / "study-before-rescue-1.db");
+        const QString told = errorOf([&] { StudyStore(folder, StudyStore::Access::Write); });
+        QVERIFY2(told.contains("a rescue was interrupted") && told.contains("run vis2hap rescue"), qPrintable(told));
+        StudyStore::rescue(folder, folder.folder / "rescue-1.db");
+        QCOMPARE(StudyStore(folder, StudyStore::Access::Write).answers().size(), 4u);
+    }
+
     void filesOfOtherNamesOfTheFolderAreFound()
     {
         const StudyFolder folder = newStudy(4), other = newStudy(2);

@@ -475,6 +475,24 @@ private Q_SLOTS:
         QCOMPARE(session.store.erase(erasure).answers, 4);
     }
 
+    /// Reasons, readings and notes from before the first presentation.
+    void whatTheLogAloneHoldsIsSearchedFor()
+    {
+        const StudyFolder folder = newStudy();
+        {
+            OpenSession session(folder, "S01");
+            session.send(study::session::Noted{"before the first tray", false});
+            session.playUntilAnswers(2);
+            session.send(study::session::WithdrawnEvent{"feels unwell since noon"});
+        }
+        protocols::writeWholeFile(folder.folder / "a.txt", "noted before the first tray");
+        protocols::writeWholeFile(folder.folder / "b.txt", "S01 feels unwell since noon");
+        protocols::writeWholeFile(folder.folder / "held-S01-2-1.json", "{}");  // of participant S01-2
+        StudyStore store(folder, StudyStore::Access::Write);
+        const auto record = store.erase({protocols::ParticipantId("S01"), true, "Ada", "asked for it", {}});
+        QCOMPARE(record.found, (std::vector<std::string>{"a.txt", "b.txt"}));
+    }
+
     void shortTextsAreCountedAndNotSearchedFor()
     {
         const StudyFolder folder = newStudy();

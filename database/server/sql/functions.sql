@@ -57,7 +57,7 @@ $$ SELECT CASE
          OR code BETWEEN 917504 AND 917631 THEN 'holds an invisible character'
     ELSE '' END $$;
 
--- Joiners and selectors of forms; no letter or digit of ASCII has any.
+-- Joiners and selectors of forms behind a letter or digit of ASCII, where an id hides them.
 CREATE OR REPLACE FUNCTION @schema@.server_has_hidden_form(value text) RETURNS boolean LANGUAGE sql IMMUTABLE AS
 $$ SELECT value ~ ('[0-9A-Za-z][' || chr(6155) || '-' || chr(6159) || chr(8204) || chr(8205) || chr(65024) || '-' || chr(65039)
                    || chr(917760) || '-' || chr(917999) || ']') $$;
@@ -98,7 +98,6 @@ DECLARE
     has_words boolean := false;
 BEGIN
     IF octet_length(line) > most_bytes THEN RETURN 'has ' || octet_length(line) || ' bytes'; END IF;
-    IF @schema@.server_has_hidden_form(line) THEN RETURN 'holds an invisible character'; END IF;
     FOR place IN 1 .. coalesce(length(line), 0) LOOP
         code := ascii(substr(line, place, 1));
         fault := @schema@.server_fault_of_character(code);
@@ -192,11 +191,13 @@ END
 $$;
 
 -- An object that this program can read as well as PostgreSQL: without the character of code 0, numbers that no double holds, and
--- deep nesting. Of a name that occurs twice jsonb keeps one value, so numbers and brackets are looked for in the text.
+-- deep nesting (50 brackets; the program writes some five). Of a name that occurs twice jsonb keeps one value, so that numbers and
+-- brackets are looked for in the text.
 CREATE OR REPLACE FUNCTION @schema@.server_is_json_object(value text) RETURNS boolean LANGUAGE plpgsql IMMUTABLE AS $$
 DECLARE
-    without_texts text := regexp_replace(value, '"([^"\\]|\\.)*"', '', 'g');
+    without_texts text;
 BEGIN
+    without_texts := regexp_replace(value, '"([^"\\]|\\.)*"', '', 'g');
     RETURN coalesce(jsonb_typeof(value::jsonb) = 'object' AND without_texts !~ '[eE][+]?[0-9]{3}|[0-9]{200}'
                     AND length(translate(without_texts, '[{', '')) > length(without_texts) - 50, false);
 EXCEPTION

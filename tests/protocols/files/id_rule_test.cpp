@@ -50,6 +50,7 @@ private Q_SLOTS:
         QTest::addColumn<QString>("fault");
         QTest::newRow("name") << QByteArray("Dr. Ada M\u00FCller, Ph.D. / lab 3") << "";
         QTest::newRow("Persian") << QByteArray("\u0645\u06CC\u200C\u062E") << "";
+        QTest::newRow("keycap and joiner") << QByteArray("1\uFE0F\u20E3 Auf\u200Clage") << "";
         QTest::newRow("200 bytes") << QByteArray(200, 'x') << "";
         QTest::newRow("201 bytes") << QByteArray(201, 'x') << "has 201 bytes";
         QTest::newRow("nothing") << QByteArray() << "is empty";

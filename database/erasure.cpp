@@ -83,8 +83,8 @@ std::set<std::string> textsToRemove(const SqliteConnection& sqlite, const Erasur
     for (const Source& source : sources) {
         if (source.isAnswer && !erasure.answersToo) continue;
         for (std::string& text : textsFrom(sqlite, source.select, erasure.participant.value)) add(std::move(text));
-        shortOnes.erase("");
     }
+    shortOnes.erase("");
     return texts;
 }
 
@@ -249,8 +249,6 @@ std::vector<std::filesystem::path> rescueFilesAround(const StudyFolder& study)
 
 bool isOwnFile(const std::string& name) { return name == "study.db" || name == "study.db-wal" || name == "study.db-shm"; }
 
-std::filesystem::path pathOf(const std::string& name, const StudyFolder& study) { return study.folder / name; }
-
 /// How a message and a certificate, which nobody can change later, name the file.
 std::string shownName(const FoundFile& file)
 {
@@ -261,11 +259,12 @@ FoundFile foundFile(const std::string& name, const std::set<std::string>& texts,
 {
     const bool holdsText = std::ranges::any_of(texts, [&](const auto& text) { return name.find(text) != std::string::npos; });
     FoundFile file{holdsText ? "" : protocols::printable(name)};
+    const std::filesystem::path path = study.folder / name;
     std::error_code unknown;
-    if (const auto bytes = std::filesystem::file_size(pathOf(name, study), unknown); !unknown) file.bytes = std::int64_t(bytes);
+    if (const auto bytes = std::filesystem::file_size(path, unknown); !unknown) file.bytes = std::int64_t(bytes);
     if (isOwnFile(name)) return file;
     try {
-        file.sha256 = protocols::sha256OfFile(pathOf(name, study));
+        file.sha256 = protocols::sha256OfFile(path);
     } catch (const protocols::Error&) {
         // Then its name counts alone.
     }
@@ -314,7 +313,7 @@ std::vector<FoundFile> stillThere(const std::vector<FoundFile>& named, const Era
         });
         if (same == named.end() || !rowsAbout(path, erasure.participant.value, erasure.answersToo, study).value_or(true))
             continue;
-        found.push_back({same->name.empty() ? "" : name, bytes, same->sha256});
+        found.push_back({same->name.empty() ? "" : name, bytes, protocols::sha256OfFile(path)});
     }
     return found;
 }
@@ -375,9 +374,9 @@ void requireRoom(const std::filesystem::path& database)
 protocols::ByteSearch searchFiles(const SqliteConnection& sqlite, const StudyFolder& study,
                                   const std::vector<std::string>& sequences)
 {
-    protocols::ByteSearch search = protocols::searchFiles(study.folder, sequences, rescueFilesAround(study), isOwnFile);
     const RawDatabase raw(sqlite.handle());
     if (!raw.isThere()) return protocols::searchFiles(study.folder, sequences, rescueFilesAround(study));
+    protocols::ByteSearch search = protocols::searchFiles(study.folder, sequences, rescueFilesAround(study), isOwnFile);
     const protocols::ByteSequences wanted(sequences);
     std::vector<char> block(std::size_t{1} << 20);
     std::string carried;  // the end of the block before

@@ -42,15 +42,6 @@ bool isRegular(const fs::path& file)
     return fs::symlink_status(file, unknown).type() == fs::file_type::regular;
 }
 
-/// True for PREFIX, a number and ".json". P1 and P1-2 may be two participants.
-bool isNumbered(const std::string& name, const std::string& prefix)
-{
-    const std::string ending = ".json";
-    if (!name.starts_with(prefix) || !name.ends_with(ending) || name.size() <= prefix.size() + ending.size()) return false;
-    return std::all_of(name.begin() + std::ptrdiff_t(prefix.size()), name.end() - std::ptrdiff_t(ending.size()),
-                       [](char c) { return c >= '0' && c <= '9'; });
-}
-
 enum class Owner {
     This,     ///< this account
     Another,  ///< another account
@@ -140,6 +131,13 @@ bool hasRowsAbout(const SqliteConnection& kept, const std::string& participant, 
 }
 
 }  // namespace
+
+bool isNumbered(std::string_view name, std::string_view prefix, std::string_view ending)
+{
+    if (!name.starts_with(prefix) || !name.ends_with(ending) || name.size() <= prefix.size() + ending.size()) return false;
+    return std::ranges::all_of(name.substr(prefix.size(), name.size() - prefix.size() - ending.size()),
+                               [](char c) { return c >= '0' && c <= '9'; });
+}
 
 fs::path freeName(const fs::path& where, const std::string& prefix)
 {
@@ -238,8 +236,9 @@ std::vector<std::string> databasesAbout(const std::string& participant, bool ans
         const fs::path& file = entry.path();
         const std::string name = file.filename().string();
         const bool isOther = file.extension() == ".db" && file.filename() != folder.database().filename();
+        // P1 and P1-2 may be two participants.
         const bool isOfSession =
-            isNumbered(name, "held-" + participant + "-") || isNumbered(name, "not-sent-" + participant + "-");
+            isNumbered(name, "held-" + participant + "-", ".json") || isNumbered(name, "not-sent-" + participant + "-", ".json");
         if (isRegular(file) && ((isOther && isAbout(file)) || (answersToo && isOfSession))) found.push_back(name);
     }
     for (const fs::path& file : rescueFilesOutside(folder))

@@ -5,12 +5,16 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "database/disk/study_folder.h"
 #include "database/sqlite_connection.h"
 
 namespace database {
+
+/// True for PREFIX, a number and ENDING.
+bool isNumbered(std::string_view name, std::string_view prefix, std::string_view ending);
 
 /// A file name that is free: PREFIX1.db, PREFIX2.db ...
 std::filesystem::path freeName(const std::filesystem::path& where, const std::string& prefix);

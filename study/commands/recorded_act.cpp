@@ -52,10 +52,15 @@ StateForFiles::StateForFiles(const database::StudyStore& store)
 {
 }
 
-void StateForFiles::record(const std::string& kind, const std::filesystem::path& path)
+const database::LogHead& StateForFiles::end()
 {
     m_state.reset();
-    recordAct(m_store, kind, path, {}, m_head);
+    return m_head;
+}
+
+void StateForFiles::record(const std::string& kind, const std::filesystem::path& path)
+{
+    recordAct(m_store, kind, path, {}, end());
 }
 
 void noteIfReadByAll(const std::filesystem::path& secret)

@@ -27,7 +27,9 @@ void recordAct(const database::StudyStore& store, const std::string& kind, const
 class StateForFiles {
 public:
     explicit StateForFiles(const database::StudyStore& store);
-    /// Ends the state, so that the log can be emptied, and records the act with the head of the state. Call it before the first
+    /// Ends the state, so that the log can be emptied, and returns its head.
+    const database::LogHead& end();
+    /// Ends the state and records the act with its head. Call it before the first
     /// word on the screen: a reader such as `head` may close the pipe at any line.
     void record(const std::string& kind, const std::filesystem::path& path);
 

@@ -2,7 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "database/sqlite_connection.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/safe_text.h"
 #include "protocols/files/whole_file.h"
@@ -62,14 +61,6 @@ app::ToolOutcome recorded(const ToolCall& call, const std::string& kind, std::st
     return {text + "Log head " + records::headTextOf(call.store) + "\n", call.out};
 }
 
-/// Ends the state that was read for the files of a tool, and returns its head.
-database::LogHead ended(const ToolCall& call, std::unique_ptr<database::ReadSnapshot>& state)
-{
-    const database::LogHead head = call.store.head();
-    state.reset();
-    return head;
-}
-
 app::ToolOutcome verified(const database::StudyStore& store)
 {
     const records::Findings findings = records::findingsOf(store);
@@ -101,23 +92,23 @@ app::ToolOutcome backup(const ToolCall& call)
 app::ToolOutcome exported(const ToolCall& call)
 {
     // As in reported(): an open key would show means to the operator.
-    auto state = call.store.readOneState();
+    StateForFiles state(call.store);
     exports::writeExport(call.store, call.out, {.format = "csv", .withMeans = false}, {});
     const std::string text =
         call.store.unblinding() ? "Answers of the unblinded study.\n" : "Blinded: progress, balance and flags.\n";
-    return recorded(call, "export", text, {}, ended(call, state));
+    return recorded(call, "export", text, {}, state.end());
 }
 
 app::ToolOutcome reported(const ToolCall& call)
 {
-    auto state = call.store.readOneState();
+    StateForFiles state(call.store);
     std::optional<reports::StudyData> data;
     // An open key would show scores while sessions run; the operator must not see them.
     if (call.store.unblinding()) data = records::studyData(call.store, {});
     if (!data) {
         reports::writeProgressReport(records::blindedReport(call.store), call.out);
         return recorded(call, "report", "Blinded: progress, balance and flags. Results follow after the unblinding.\n", {},
-                        ended(call, state));
+                        state.end());
     }
     data->pictures = frictionPictures(call.store, *data, [](const std::string&) {});
     const reports::AnalysisOptions options{reports::Depth::Whole, 0, [&](int done, int total, const std::string& step) {
@@ -126,7 +117,7 @@ app::ToolOutcome reported(const ToolCall& call)
     reports::writeReport(reports::analyse(std::move(*data), options), call.out,
                          {records::headTextOf(call.store), records::shownMadeWith(call.store, call.store.facts())},
                          reports::allDocuments());
-    return recorded(call, "report", "Open index.html in a browser.\n", {}, ended(call, state));
+    return recorded(call, "report", "Open index.html in a browser.\n", {}, state.end());
 }
 
 app::ToolOutcome dataSheet(const ToolCall& call)

@@ -13,6 +13,7 @@
 #include "database/erasure.h"
 #include "database/event_chain.h"
 #include "database/preregistrations.h"
+#include "database/rescue_files.h"
 #include "database/schema.h"
 #include "database/sqlite_connection.h"
 #include "database/study_rows.h"
@@ -34,19 +35,11 @@ constexpr const char* knownFolders[] = {"stimuli", "erasures", "prompts"};
 /// Of the owner's folder while the study lies on a server; sessions on this computer leave the queue there.
 constexpr const char* filesOnServer[] = {"server.json", "queue.db", "queue.db-wal", "queue.db-shm"};
 
-/// True for PREFIX, a number and ENDING.
-bool isNumbered(std::string_view name, std::string_view prefix, std::string_view ending)
-{
-    if (!name.starts_with(prefix) || !name.ends_with(ending) || name.size() <= prefix.size() + ending.size()) return false;
-    const auto number = name.substr(prefix.size(), name.size() - prefix.size() - ending.size());
-    return std::ranges::all_of(number, [](char c) { return c >= '0' && c <= '9'; });
-}
-
 /// True for "before-upgrade", "before-upgrade-2" and so on.
 bool isCopyBeforeUpgrade(const std::string& name, const database::StudyFolder& folder)
 {
     const std::string first = folder.beforeUpgrade().filename().string();
-    return name == first || isNumbered(name, first + "-", "");
+    return name == first || database::isNumbered(name, first + "-", "");
 }
 
 /// True for what a session leaves that cannot go on with its server.
@@ -69,10 +62,10 @@ std::set<std::string> registeredFiles(const database::StudyStore& store)
 }
 
 /// What a rescue put aside, which may be a damaged study.
-bool isBeforeRescue(const std::string& name) { return isNumbered(name, "study-before-rescue-", ".db"); }
+bool isBeforeRescue(const std::string& name) { return database::isNumbered(name, "study-before-rescue-", ".db"); }
 
 /// A database that a rescue put aside, or that waits for one.
-bool isKeptDatabase(const std::string& name) { return isNumbered(name, "rescue-", ".db") || isBeforeRescue(name); }
+bool isKeptDatabase(const std::string& name) { return database::isNumbered(name, "rescue-", ".db") || isBeforeRescue(name); }
 
 /// The same with the files that SQLite keeps beside it.
 bool belongsToKeptDatabase(const std::string& name, const fs::path& folder)

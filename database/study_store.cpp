@@ -121,12 +121,14 @@ struct StudyStore::Connection {
                  (isFound ? "" : " --from " + protocols::shellWord(keptAside.string()))});
     }
 
-    /// Stops a writer whose files are no longer in place.
+    /// Stops a writer whose files, or whose lock, are no longer in place.
     void requireFilesInPlace(Moment moment = Moment::BeforeStep)
     {
-        if (hasFilesInPlace(moment)) return;
-        isTold = true;
-        throw displaced();
+        if (!hasFilesInPlace(moment)) {
+            isTold = true;
+            throw displaced();
+        }
+        if (lock && moment == Moment::BeforeStep) lock->requireInPlace();
     }
 };
 

@@ -91,7 +91,7 @@ void requireNotHeldElsewhere(const StudyFolder& folder, int descriptor)
 
 }  // namespace
 
-WriteLock::WriteLock(const StudyFolder& folder)
+WriteLock::WriteLock(const StudyFolder& folder) : m_folder(folder)
 {
     m_descriptor = ::open(folder.lock().c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0600);
     if (m_descriptor < 0 && protocols::isTooManyOpenFiles(errno)) throw protocols::tooManyOpenFiles(folder.lock().string());
@@ -101,6 +101,8 @@ WriteLock::WriteLock(const StudyFolder& folder)
         throw protocols::badInput({"a link or something else stands in the place of the file", folder.lock().string(),
                                    "the lock of the study, or no file of this name", "remove it; nothing was written"});
     }
+    m_device = status.st_dev;
+    m_inode = status.st_ino;
     if (m_descriptor < 0)
         throw protocols::environmentFault({std::string("the study cannot be opened for writing: ") + std::strerror(errno),
                                            folder.folder.string(), "a folder that may be written",
@@ -131,6 +133,16 @@ WriteLock::~WriteLock()
 {
     [[maybe_unused]] const int emptied = ::ftruncate(m_descriptor, 0);  // says that the lock ended properly
     ::close(m_descriptor);
+}
+
+void WriteLock::requireInPlace() const
+{
+    struct stat named {};
+    const bool isThere = ::lstat(m_folder.lock().c_str(), &named) == 0;
+    if (isThere ? named.st_dev == m_device && named.st_ino == m_inode : errno != ENOENT) return;
+    throw protocols::environmentFault({"the lock of the study was deleted or replaced while it was open",
+                                       m_folder.lock().string(), "one writer at a time",
+                                       "close the study in every program, then open it again; every stored answer is in it"});
 }
 
 void requireNoOtherComputer(const StudyFolder& folder)

@@ -3,6 +3,8 @@
 // lock is held, keeps others away; a name that a killed program left must be removed by hand.
 #pragma once
 
+#include <sys/types.h>
+
 #include "database/disk/study_folder.h"
 
 namespace database {
@@ -19,7 +21,14 @@ public:
     WriteLock(const WriteLock&) = delete;
     WriteLock& operator=(const WriteLock&) = delete;
 
+    /// Throws environmentFault where the file is no longer in its place: somebody deleted it, so that another writer may come. A
+    /// file system that does not answer throws nothing.
+    void requireInPlace() const;
+
 private:
+    StudyFolder m_folder;
+    ::dev_t m_device = 0;
+    ::ino_t m_inode = 0;  ///< of the open file: a share of which another computer deleted it no longer says
     int m_descriptor = -1;
 };
 

@@ -244,6 +244,7 @@ Slot StationStore::enrol(const protocols::ParticipantId& participant, Participan
 {
     m_isOpen = false;
     m_stale.reset();
+    m_lock.requireInPlace();
     requireLink();
     sendWaiting();
     claim(participant.value, nameOf(kind));
@@ -335,6 +336,7 @@ std::int64_t StationStore::send(const AnswerQueue::Entry& entry)
 void StationStore::append(const Append& entry)
 {
     if (m_stale) throw *m_stale;
+    m_lock.requireInPlace();
     const AnswerQueue::Entry waiting{0, entry.event.participant.value, m_kind,
                                      entryJson(entry, static_cast<int>(m_events.size()))};
     EventRecord event = entry.event;

@@ -118,9 +118,12 @@ void MainWindow::connectPages()
         close();  // the program opens another one with texts in this language
     });
     connect(m_pages, &WindowPages::startRequested, this, &MainWindow::showStart);
-    connect(m_pages, &WindowPages::studyMade, this, [this](const QString& folder) {
+    connect(m_pages, &WindowPages::studyMade, this, [this](const QString& folder, const QStringList& remarks) {
         showStart();
-        showingFaults(*m_pages->start, [&] { openStudy(folder.toStdString()); });
+        showingFaults(*m_pages->start, [&] {
+            openStudy(folder.toStdString());
+            m_pages->study->showRemarks(remarks);
+        });
     });
     connect(m_pages->study, &StudyPage::closeRequested, this, &MainWindow::closeStudy);
     connect(m_pages->study, &StudyPage::secondEnterAsked, m_strayKeys, &StrayKeys::holdEnterOfStudy);

@@ -57,7 +57,7 @@ public:
 Q_SIGNALS:
     /// The operator leaves a page that needs no study.
     void startRequested();
-    void studyMade(const QString& folder);
+    void studyMade(const QString& folder, const QStringList& remarks);
 
 private:
     void connectStart();

@@ -32,7 +32,7 @@ struct AppCall {
     bool plainImages = false;
 };
 
-void makeForApp(const app::NewStudyRequest& form, const app::MakingProgress& progress)
+std::vector<std::string> makeForApp(const app::NewStudyRequest& form, const app::MakingProgress& progress)
 {
     making::NewStudy request;
     request.study = form.study;
@@ -45,7 +45,8 @@ void makeForApp(const app::NewStudyRequest& form, const app::MakingProgress& pro
     request.programVersion = versionText();
     request.programCommit = commitText();
     const auto show = [&](int done, int total, const std::string& what) { progress(total > 0 ? 1.0 * done / total : 0.0, what); };
-    making::makeStudy(request, {show, [&](const std::string& stage, int done, int total) { show(done, total, stage); }});
+    return making::makeStudy(request, {show, [&](const std::string& stage, int done, int total) { show(done, total, stage); }})
+        .warnings;
 }
 
 /// A harmless explanation of a flag on equal ratings; empty for other flags.

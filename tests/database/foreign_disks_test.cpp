@@ -256,6 +256,26 @@ private Q_SLOTS:
         QCOMPARE(protocols::readWholeFile(folder.lock()), std::string());
     }
 
+    /// As somebody does who believes that the other program is gone.
+    void aLockThatIsDeletedStopsTheSessionBeforeItsNextStep()
+    {
+        const StudyFolder folder = newStudy();
+        {
+            OpenSession session(folder, "S01");
+            session.playUntilAnswers(3);
+            fs::remove(folder.lock());
+            const QString alone = errorOf([&] { session.playUntilAnswers(4); });
+            QVERIFY2(alone.startsWith("3:") && alone.contains("the lock of the study was deleted or replaced"),
+                     qPrintable(alone));
+            const WriteLock second(folder);
+            QVERIFY(errorOf([&] { session.playUntilAnswers(4); }).contains("the lock of the study was deleted or replaced"));
+        }
+        QVERIFY(rescueFiles(folder).empty());
+        OpenSession again(folder, "S01");
+        again.playToEnd();
+        QVERIFY(again.store.answers().size() > 4u);
+    }
+
     void theLockOfAnotherComputerCountsOnAShare_data()
     {
         QTest::addColumn<bool>("isShare");

@@ -12,6 +12,11 @@ namespace study::app {
 
 namespace {
 
+// A driver or a server may send texts without an end, and each sentence is tried at each place.
+constexpr qsizetype shortestSentence = 30, longestSentence = 600, longestText = 30'000;
+constexpr int mostColons = 12;
+constexpr const char* mostSteps = "(*LIMIT_MATCH=20000)";  // of one sentence at one place, as PCRE counts them
+
 /// A sentence of the table as a pattern that finds what the room filled in. A value ends before the next part of a message.
 struct Sentence {
     const char* english;
@@ -36,9 +41,9 @@ Sentence sentenceFrom(const char* english)
         from = one.capturedEnd();
     }
     sentence.known += text.size() - from;
-    sentence.pattern =
-        QRegularExpression(QRegularExpression::anchoredPattern(pattern + QRegularExpression::escape(text.mid(from))),
-                           QRegularExpression::DotMatchesEverythingOption);
+    sentence.pattern = QRegularExpression(
+        QLatin1String(mostSteps) + QRegularExpression::anchoredPattern(pattern + QRegularExpression::escape(text.mid(from))),
+        QRegularExpression::DotMatchesEverythingOption);
     return sentence;
 }
 
@@ -96,8 +101,9 @@ QString wholeOf(const QString& english)
 /// "WHERE: WHAT" with WHAT translated; WHERE may hold colons.
 QString afterPlace(const QString& english)
 {
-    for (qsizetype colon = english.indexOf(QLatin1String(": ")); colon >= 0;
-         colon = english.indexOf(QLatin1String(": "), colon + 1)) {
+    int tried = 0;
+    for (qsizetype colon = english.indexOf(QLatin1String(": ")); colon >= 0 && tried < mostColons;
+         colon = english.indexOf(QLatin1String(": "), colon + 1), ++tried) {
         const QString own = wholeOf(english.mid(colon + 2));
         if (!own.isEmpty()) return english.left(colon + 2) + own;
     }
@@ -109,9 +115,12 @@ QString afterPlace(const QString& english)
 QString inOwnLanguage(const QString& english)
 {
     if (english.isEmpty() || !isTranslating()) return english;
-    if (const QString own = wholeOf(english); !own.isEmpty()) return own;
+    if (english.size() <= longestSentence)
+        if (const QString own = wholeOf(english); !own.isEmpty()) return own;
     QStringList parts = english.split(QStringLiteral("; "));
+    qsizetype tried = 0;
     for (QString& part : parts) {
+        if (part.size() > longestSentence || (tried += shortestSentence + part.size()) > longestText) continue;
         const QString own = wholeOf(part);
         part = own.isEmpty() ? afterPlace(part) : own;
     }

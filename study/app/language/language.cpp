@@ -91,19 +91,22 @@ bool isSoundMessage(const QByteArray& messages, qsizetype at)
 bool isSoundCatalogue(const QByteArray& bytes)
 {
     constexpr qsizetype magic = 16;
-    constexpr uchar contextsTag = 0x2f, hashesTag = 0x42, messagesTag = 0x69;
+    constexpr uchar contextsTag = 0x2f, hashesTag = 0x42, messagesTag = 0x69, otherFilesTag = 0x96;
     QByteArray hashes, messages;
     for (qsizetype at = magic; at < bytes.size();) {
         if (bytes.size() - at < 5) return false;
         const auto tag = static_cast<uchar>(bytes[at]);
         const qint64 length = numberAt(bytes, at + 1);
         at += 5;
-        if (tag == contextsTag || length > bytes.size() - at) return false;
+        if (tag == 0 || length == 0) break;  // Qt ends here
+        if (tag == contextsTag || tag == otherFilesTag || length > bytes.size() - at) return false;
         if (tag == hashesTag) hashes = bytes.mid(at, length);
         if (tag == messagesTag) messages = bytes.mid(at, length);
         at += length;
     }
-    for (qsizetype at = 0; at + 8 <= hashes.size(); at += 8)
+    constexpr qsizetype entry = 8;  // a hash and the place of its message
+    if (hashes.size() % entry != 0) return false;
+    for (qsizetype at = 0; at < hashes.size(); at += entry)
         if (!isSoundMessage(messages, numberAt(hashes, at + 4))) return false;
     return true;
 }

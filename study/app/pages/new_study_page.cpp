@@ -255,10 +255,10 @@ void NewStudyPage::make()
         Qt::QueuedConnection);
     connect(
         m_making.get(), &StudyMaking::done, this,
-        [this] {
+        [this](const QStringList& remarks) {
             const QString folder = QString::fromStdString(m_making->request().study.string());
             end();
-            Q_EMIT made(folder);
+            Q_EMIT made(folder, remarks);
         },
         Qt::QueuedConnection);
     m_doing->setText(tr("The program creates the study."));

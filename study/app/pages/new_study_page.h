@@ -34,7 +34,7 @@ public:
     bool isMaking() const { return m_making != nullptr; }
 
 Q_SIGNALS:
-    void made(const QString& folder);
+    void made(const QString& folder, const QStringList& remarks);
     void backRequested();
     /// The operator makes a protocol, or changes this file; empty if none is named.
     void protocolEditRequested(const QString& file);

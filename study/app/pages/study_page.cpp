@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "protocols/files/id_rule.h"
+#include "protocols/files/utf8.h"
 #include "study/app/language/below.h"
 #include "study/app/pages/stage_page.h"
 #include "study/app/pieces/flow_layout.h"
@@ -44,7 +45,8 @@ StudyPage::StudyPage(QWidget* parent)
       m_close(plainButton("closeStudyButton", tr("Close the study (Esc)"), this)),
       m_tools(plainButton("toolsButton", tr("Tools… (F2)"), this)),
       m_rehearsal(button("rehearsalButton", tr("Rehearse… (F8)"), this)),
-      m_message(new MessageBar("studyMessage", this))
+      m_message(new MessageBar("studyMessage", this)),
+      m_remarks(new MessageBar("studyRemarks", this))
 {
     setObjectName("studyPage");
     name(*m_places, "placesList", tr("Places of the study"));
@@ -74,6 +76,7 @@ StudyPage::StudyPage(QWidget* parent)
     column->addWidget(m_title);
     column->addWidget(m_folder);
     column->addWidget(m_summary);
+    column->addWidget(m_remarks);
     column->addWidget(m_message);
     column->addSpacing(10);
     column->addLayout(m_middle, 1);
@@ -170,6 +173,7 @@ void StudyPage::present(const StudyOverview& overview, database::ParticipantKind
     m_kind = kind;
     m_message->clearMessage();
     m_message->standBelow(*m_summary);
+    if (m_folder->text() != overview.folder) m_remarks->clearMessage();  // they are of another study
     m_isAskedAgain = false;
     m_going->clear();
     m_title->setText(overview.name);
@@ -190,6 +194,8 @@ void StudyPage::refresh(const StudyOverview& overview)
                                .arg(overview.placesIn(SlotState::Started))
                                .arg(overview.placesIn(SlotState::Free));
     m_summary->setText(withdrawn > 0 ? tr("%1  ·  withdrawn %2").arg(counts).arg(withdrawn) : counts);
+    const bool isNew = std::ranges::all_of(overview.places, [](const auto& place) { return place.state == SlotState::Free; });
+    if (!isNew) m_remarks->clearMessage();
     showPlaces();
 }
 
@@ -310,6 +316,18 @@ void StudyPage::offerTools(bool isOffered) { m_tools->setVisible(isOffered); }
 void StudyPage::offerRehearsal(bool isOffered) { m_rehearsal->setVisible(isOffered); }
 
 void StudyPage::showFault(const QString& text) { m_message->showFault(text); }
+
+void StudyPage::showRemarks(const QStringList& remarks)
+{
+    constexpr qsizetype mostLines = 5;
+    constexpr std::size_t longestRemark = 300;  // bytes; the page must keep its places in view
+    if (remarks.isEmpty()) return m_remarks->clearMessage();
+    QStringList lines{tr("The study is made. Look at these remarks before the first session:")};
+    for (const QString& remark : remarks.first(std::min(mostLines, remarks.size())))
+        lines << QString::fromStdString(protocols::inShort(remark.toStdString(), longestRemark));
+    if (remarks.size() > mostLines) lines << tr("And %1 more.").arg(remarks.size() - mostLines);
+    m_remarks->showHint(lines.join(QLatin1Char('\n')));
+}
 
 void StudyPage::showHint(const QString& text) { m_message->showHint(text); }
 

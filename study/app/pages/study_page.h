@@ -28,6 +28,8 @@ public:
     void refresh(const StudyOverview& overview);
     void showFault(const QString& text);
     void showHint(const QString& text);
+    /// What the program noticed as it made this study, until its first participant.
+    void showRemarks(const QStringList& remarks);
     void focusFirst();
     /// Shows the button of the tools.
     void offerTools(bool isOffered);
@@ -87,6 +89,7 @@ private:
     QPushButton* m_tools;
     QPushButton* m_rehearsal;
     MessageBar* m_message;
+    MessageBar* m_remarks;
 };
 
 }  // namespace study::app

@@ -41,8 +41,9 @@ struct NewStudyRequest {
 /// unfinished study behind.
 using MakingProgress = std::function<void(double fraction, const std::string& what)>;
 
-/// Makes the study or throws protocols::Error. Called on a worker thread.
-using MakeStudy = std::function<void(const NewStudyRequest&, const MakingProgress&)>;
+/// Makes the study or throws protocols::Error. Called on a worker thread. Returns remarks for the experimenter, such as on images
+/// that no participant can feel.
+using MakeStudy = std::function<std::vector<std::string>(const NewStudyRequest&, const MakingProgress&)>;
 
 /// Opens a display as app::openDisplay() does. Displays with a driver are opened on a worker thread.
 using OpenDisplay =

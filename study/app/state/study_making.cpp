@@ -1,6 +1,7 @@
 #include "study/app/state/study_making.h"
 
 #include "protocols/files/errors.h"
+#include "protocols/files/safe_text.h"
 #include "study/app/language/below.h"
 
 namespace study::app {
@@ -14,15 +15,15 @@ void StudyMaking::begin()
 {
     m_work.run(
         [this](const std::atomic<bool>& isStopping) -> InBackground::Then {
-            make(isStopping);
-            return [this] { Q_EMIT done(); };
+            const QStringList remarks = make(isStopping);
+            return [this, remarks] { Q_EMIT done(remarks); };
         },
         [this](const QString& why) { Q_EMIT failed(why); });
 }
 
-void StudyMaking::make(const std::atomic<bool>& isStopping)
+QStringList StudyMaking::make(const std::atomic<bool>& isStopping)
 {
-    m_make(m_request, [&](double fraction, const std::string& what) {
+    const auto remarks = m_make(m_request, [&](double fraction, const std::string& what) {
         if (isStopping)
             throw protocols::workFailed({.what = "creating the study was stopped",
                                          .where = m_request.study.string(),
@@ -30,6 +31,9 @@ void StudyMaking::make(const std::atomic<bool>& isStopping)
                                          .nextStep = "nothing was kept; create the study again when you are ready"});
         Q_EMIT progressed(fraction, inOwnLanguage(what));
     });
+    QStringList shown;
+    for (const std::string& remark : remarks) shown << inOwnLanguage(protocols::printable(remark));
+    return shown;
 }
 
 }  // namespace study::app

@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 
 #include "study/app/state/app_options.h"
 #include "study/app/state/in_background.h"
@@ -22,11 +23,11 @@ public:
 
 Q_SIGNALS:
     void progressed(double fraction, const QString& what);  ///< emitted on the worker thread
-    void done();
+    void done(const QStringList& remarks);
     void failed(const QString& why);
 
 private:
-    void make(const std::atomic<bool>& isStopping);
+    QStringList make(const std::atomic<bool>& isStopping);
 
     MakeStudy m_make;
     NewStudyRequest m_request;

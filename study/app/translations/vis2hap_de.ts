@@ -848,6 +848,18 @@
         <translation>schließen Sie die Studie zuerst dort</translation>
     </message>
     <message>
+        <source>the lock of the study was deleted or replaced while it was open</source>
+        <translation>die Sperre der Studie wurde gelöscht oder ersetzt, während sie offen war</translation>
+    </message>
+    <message>
+        <source>close the study in every program, then open it again</source>
+        <translation>schließen Sie die Studie in jedem Programm und öffnen Sie sie dann wieder</translation>
+    </message>
+    <message>
+        <source>every stored answer is in it</source>
+        <translation>jede gespeicherte Antwort ist darin</translation>
+    </message>
+    <message>
         <source>another computer has the study open for writing, or its program ended without closing it (process %1)</source>
         <translation>ein anderer Computer hat die Studie zum Schreiben geöffnet, oder sein Programm endete, ohne sie zu schließen (Prozess %1)</translation>
     </message>
@@ -1634,6 +1646,26 @@
     <message>
         <source>%1 entries for another address wait in the folder of this station</source>
         <translation>im Ordner dieser Station warten %1 Einträge, die für eine andere Adresse bestimmt sind</translation>
+    </message>
+    <message>
+        <source>signals of %1</source>
+        <translation>Signale von %1</translation>
+    </message>
+    <message>
+        <source>generating</source>
+        <translation>die Signale werden erzeugt</translation>
+    </message>
+    <message>
+        <source>composing</source>
+        <translation>die Reibungsbilder werden zusammengesetzt</translation>
+    </message>
+    <message>
+        <source>generated against measured</source>
+        <translation>erzeugte Signale werden mit gemessenen verglichen</translation>
+    </message>
+    <message>
+        <source>training photographs for retrieval</source>
+        <translation>Trainingsfotos für den Vergleich werden gelesen</translation>
     </message>
     <message>
         <source>open the folder itself, so that they are sent</source>
@@ -5150,6 +5182,14 @@ Noch ist nichts gewählt.</translation>
     <message>
         <source>A session is in progress. Press Enter again to enrol %1 as a new participant.</source>
         <translation>Ein Versuch läuft noch. Drücken Sie noch einmal Enter, um %1 als neue Versuchsperson aufzunehmen.</translation>
+    </message>
+    <message>
+        <source>The study is made. Look at these remarks before the first session:</source>
+        <translation>Die Studie ist angelegt. Lesen Sie diese Hinweise vor dem ersten Versuch:</translation>
+    </message>
+    <message>
+        <source>And %1 more.</source>
+        <translation>Und %1 weitere.</translation>
     </message>
 </context>
 <context>

@@ -848,6 +848,18 @@
         <translation>请先在那里关闭研究</translation>
     </message>
     <message>
+        <source>the lock of the study was deleted or replaced while it was open</source>
+        <translation>研究打开期间，其锁文件被删除或替换</translation>
+    </message>
+    <message>
+        <source>close the study in every program, then open it again</source>
+        <translation>请在所有程序中关闭该研究，然后重新打开</translation>
+    </message>
+    <message>
+        <source>every stored answer is in it</source>
+        <translation>所有已保存的回答都在其中</translation>
+    </message>
+    <message>
         <source>another computer has the study open for writing, or its program ended without closing it (process %1)</source>
         <translation>另一台计算机已打开此研究并可写入，或者其程序未关闭研究就已结束（进程%1）</translation>
     </message>
@@ -1634,6 +1646,26 @@
     <message>
         <source>%1 entries for another address wait in the folder of this station</source>
         <translation>本工作站的文件夹中有 %1 条发往另一个地址的记录在等待</translation>
+    </message>
+    <message>
+        <source>signals of %1</source>
+        <translation>%1的信号</translation>
+    </message>
+    <message>
+        <source>generating</source>
+        <translation>正在生成信号</translation>
+    </message>
+    <message>
+        <source>composing</source>
+        <translation>正在合成摩擦图像</translation>
+    </message>
+    <message>
+        <source>generated against measured</source>
+        <translation>正在将生成的信号与测量的信号比较</translation>
+    </message>
+    <message>
+        <source>training photographs for retrieval</source>
+        <translation>正在读取用于检索的训练照片</translation>
     </message>
     <message>
         <source>open the folder itself, so that they are sent</source>
@@ -5150,6 +5182,14 @@ Nothing is chosen yet.</source>
     <message>
         <source>A session is in progress. Press Enter again to enrol %1 as a new participant.</source>
         <translation>有一次实验正在进行。再按一次Enter，可将%1登记为新的参与者。</translation>
+    </message>
+    <message>
+        <source>The study is made. Look at these remarks before the first session:</source>
+        <translation>研究已创建。请在第一次实验前查看这些提示：</translation>
+    </message>
+    <message>
+        <source>And %1 more.</source>
+        <translation>另有%1条。</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 // places, keys and spaces as in English. lupdate reads the texts from the sources.
 #include <QDir>
 #include <QDirIterator>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QFileInfo>
 #include <QLibraryInfo>
@@ -253,6 +254,26 @@ private Q_SLOTS:
                 for (const QString& piece : part.split(QStringLiteral("; ")))
                     if (piece.trimmed().size() > 3 && !isSaid(piece.trimmed(), literals)) gone << sentence + "  (" + piece + ")";
         QVERIFY2(gone.isEmpty(), qPrintable("no room says this any more:\n" + gone.join('\n')));
+    }
+
+    /// A driver or a server may send any text.
+    void longTextsStayAsTheyAreAndTakeNoTime()
+    {
+        study::app::LanguageInUse language("vis2hap 0.6.0");
+        language.use("de");
+        const QString known = "The session is finished.";
+        QVERIFY(study::app::inOwnLanguage(known) != known);
+        QElapsedTimer watch;
+        watch.start();
+        const QString nested =
+            QString(": ").repeated(120) + QString(" was chosen in ").repeated(8) + QString(" of ").repeated(55);
+        for (const QString& part : {QString("a: "), QString("Slot 1 holds "), QString("x"), nested + "; ", QString("; ")}) {
+            const QString endless = part.repeated(200'000 / part.size());
+            QCOMPARE(study::app::inOwnLanguage(endless).size(), endless.size());
+            study::app::inOwnLanguage(endless.left(599));
+        }
+        QCOMPARE(study::app::inOwnLanguage((known + "; ").repeated(100)).count(known), 0);  // a list of faults has many
+        QVERIFY2(watch.elapsed() < 20'000, qPrintable(QString::number(watch.elapsed())));
     }
 
     void everyRefusalOfASessionIsTranslated()

@@ -2,6 +2,7 @@
 // refused in one line.
 #include <QAbstractButton>
 #include <QComboBox>
+#include <QDataStream>
 #include <QDir>
 #include <QFile>
 #include <QHeaderView>
@@ -246,6 +247,21 @@ private Q_SLOTS:
                 qPrintable(why));
             QVERIFY(!why.contains('\n'));
         }
+        // A catalogue that names another file would bring in texts that nobody looked at.
+        QByteArray other, length;
+        QDataStream ofOther(&other, QIODevice::WriteOnly), ofLength(&length, QIODevice::WriteOnly);
+        ofOther << sound;
+        ofLength << static_cast<quint32>(other.size());
+        QFile linking(filePath("linking.qm"));
+        QVERIFY(linking.open(QIODevice::WriteOnly) && linking.write(content + '\x96' + length + other) > 0);
+        linking.close();
+        QVERIFY2(refusalOf(linking.fileName()).contains("damaged"), qPrintable(refusalOf(linking.fileName())));
+        // Qt ends at an empty section, so what stands behind it makes nothing sound.
+        const QByteArray outside = QByteArray::fromHex("42000000080000000100ffffff") + QByteArray::fromHex("8800000000");
+        QFile hiding(filePath("hiding.qm"));
+        QVERIFY(hiding.open(QIODevice::WriteOnly) && hiding.write(content.first(16) + outside + content.mid(16)) > 0);
+        hiding.close();
+        QVERIFY2(refusalOf(hiding.fileName()).contains("damaged"), qPrintable(refusalOf(hiding.fileName())));
         // Lengths and places that lead out of the file: refused or read, and no crash.
         for (qsizetype at = 16; at < content.size(); ++at)
             for (const char byte : {'\x80', '\x7e'}) {

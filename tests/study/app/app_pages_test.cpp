@@ -262,6 +262,9 @@ void AppPagesTest::newStudyIsMadeOnAWorkerThread()
         asked = request;
         thread = QThread::currentThread();
         progress(0.5, "drawing the running orders");
+        std::vector<std::string> remarks(9, "the image of F02 under f has one level: no participant can feel a texture on it");
+        remarks.front() = "<b>photograph 3</b>\x1b of F01 is cut " + std::string(400, 'x');
+        return remarks;
     };
     ShownWindow shown(options);
     shown.gui.click("newStudyButton");
@@ -279,12 +282,18 @@ void AppPagesTest::newStudyIsMadeOnAWorkerThread()
     QTRY_COMPARE(shown.window.currentPage()->objectName(), QString("studyPage"));
     QCOMPARE(asked, (NewStudyRequest{made.folder, "/data/fabrics", std::nullopt, 4, 42, passphrase}));
     QVERIFY(thread != QThread::currentThread());
+    const QString remarks = shown.widget<QLabel>("studyRemarks").text();
+    QVERIFY(shown.widget<QLabel>("studyRemarks").isVisible());
+    QCOMPARE(remarks.count('\n'), 6);
+    QVERIFY2(remarks.contains("before the first session") && remarks.contains("<b>photograph 3</b>\\x1b of F01 is cut") &&
+                 remarks.contains("has one level") && remarks.endsWith("And 4 more."),
+             qPrintable(remarks));
 }
 
 void AppPagesTest::pageShowsWhyTheStudyCouldNotBeMade()
 {
     AppOptions options;
-    options.makeStudy = [](const NewStudyRequest& request, const MakingProgress&) {
+    options.makeStudy = [](const NewStudyRequest& request, const MakingProgress&) -> std::vector<std::string> {
         throw protocols::badInput({.what = "no photographs", .where = request.dataset.string(), .expected = {}, .nextStep = {}});
     };
     ShownWindow shown(options);
@@ -314,7 +323,7 @@ void AppPagesTest::tabFollowsThePage()
         return names;
     };
     AppOptions options;
-    options.makeStudy = [](const NewStudyRequest&, const MakingProgress&) {};
+    options.makeStudy = [](const NewStudyRequest&, const MakingProgress&) { return std::vector<std::string>(); };
     ShownWindow shown(options);
     shown.gui.click("newStudyButton");
     const QStringList wanted{"newStudyFolderField",
@@ -343,7 +352,7 @@ void AppPagesTest::makingCanBeStopped()
 {
     AppOptions options;
     std::atomic<bool> isUnwound = false;
-    options.makeStudy = [&](const NewStudyRequest&, const MakingProgress& progress) {
+    options.makeStudy = [&](const NewStudyRequest&, const MakingProgress& progress) -> std::vector<std::string> {
         struct Unwinding {
             std::atomic<bool>& flag;
             ~Unwinding() { flag = true; }
@@ -371,7 +380,10 @@ void AppPagesTest::incompleteFormShowsAHintAndMakesNothing()
 {
     AppOptions options;
     bool isMade = false;
-    options.makeStudy = [&](const NewStudyRequest&, const MakingProgress&) { isMade = true; };
+    options.makeStudy = [&](const NewStudyRequest&, const MakingProgress&) {
+        isMade = true;
+        return std::vector<std::string>();
+    };
     ShownWindow shown(options);
     shown.gui.click("newStudyButton");
     const auto* message = &shown.widget<QLabel>("newStudyMessage");

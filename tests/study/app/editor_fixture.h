@@ -26,7 +26,9 @@ namespace tests {
 inline study::app::AppOptions editorOptions()
 {
     study::app::AppOptions options;
-    options.makeStudy = [](const study::app::NewStudyRequest&, const study::app::MakingProgress&) {};
+    options.makeStudy = [](const study::app::NewStudyRequest&, const study::app::MakingProgress&) {
+        return std::vector<std::string>();
+    };
     options.lookAhead = study::commands::lookAhead;
     return options;
 }

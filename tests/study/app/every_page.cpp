@@ -76,7 +76,7 @@ PhotographSteps somePhotographs()
 void EveryPage::visitPages(const Look& look)
 {
     AppOptions options;
-    options.makeStudy = [](const NewStudyRequest&, const MakingProgress&) {};
+    options.makeStudy = [](const NewStudyRequest&, const MakingProgress&) { return std::vector<std::string>(); };
     options.lookAtData = someData();
     options.lookAhead = [](const protocols::Protocol&) {
         return SessionOutlook{true,

@@ -22,7 +22,9 @@ inline study::app::AppOptions photographOptions()
 {
     study::app::AppOptions options;
     options.photographs = ::study::photographs::photographSteps();
-    options.makeStudy = [](const study::app::NewStudyRequest&, const study::app::MakingProgress&) {};
+    options.makeStudy = [](const study::app::NewStudyRequest&, const study::app::MakingProgress&) {
+        return std::vector<std::string>();
+    };
     return options;
 }
 

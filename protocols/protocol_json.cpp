@@ -8,6 +8,7 @@
 #include "protocols/files/id_rule.h"
 #include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
+#include "protocols/new_texts.h"
 #include "protocols/protocol_part.h"
 #include "protocols/protocol_schema.h"
 #include "protocols/question_ids.h"
@@ -256,6 +257,7 @@ Protocol readFrom(const JsonDocument& document, ProtocolEdition edition, Protoco
 Protocol readNewFrom(const JsonDocument& document, ProtocolFaults& faults)
 {
     Protocol protocol = readFrom(document, ProtocolEdition::Current, faults);
+    for (const std::string& fault : faultsOfTexts(document.root())) faults.add(fault);
     if (const std::string why = faultOfLine(protocol.name, longestReason); !why.empty() && !protocol.name.empty())
         faults.add("name: " + why + ", expected " + lineRule(longestReason));
     for (std::size_t i = 0; i < protocol.fabrics.size(); ++i)

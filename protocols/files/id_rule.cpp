@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstdio>
 #include <span>
 #include <utility>
 
@@ -66,6 +67,14 @@ std::string faultOfCharacter(char32_t c, char32_t before)
     return c == ',' ? "holds a comma" : "";
 }
 
+/// "U+000B"
+std::string numberOfCharacter(char32_t character)
+{
+    std::array<char, 16> text{};
+    std::snprintf(text.data(), text.size(), "U+%04X", static_cast<unsigned>(character));
+    return text.data();
+}
+
 }  // namespace
 
 std::string idRule()
@@ -110,6 +119,18 @@ std::string faultOfLine(std::string_view line, std::size_t mostBytes)
         hasWords = hasWords || !isBlank(character);
     }
     return hasWords ? "" : "is empty";
+}
+
+std::string faultOfWords(std::string_view words)
+{
+    for (std::size_t at = 0; at < words.size(); at += utf8Length(words.substr(at))) {
+        if (utf8Length(words.substr(at)) == 0) return "is not UTF-8";
+        const char32_t character = utf8Character(words.substr(at));
+        const bool isLayout = character == '\n' || character == '\r' || character == '\t';
+        const bool isKept = isKeptText(words.substr(at, utf8Length(words.substr(at))));
+        if ((isControl(character) && !isLayout) || !isKept) return "holds the character " + numberOfCharacter(character);
+    }
+    return "";
 }
 
 void requireGoodId(std::string_view id, const std::string& named, const std::string& where)

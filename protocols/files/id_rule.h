@@ -33,4 +33,8 @@ std::string lineRule(std::size_t mostBytes);
 /// more than `mostBytes`; bytes that are not UTF-8; control characters, and so line ends; invisible characters.
 std::string faultOfLine(std::string_view line, std::size_t mostBytes);
 
+/// What a text of several lines, such as a question, breaks; empty for a good one. Line ends and tabs are good. Refused are:
+/// other control characters, and what no database keeps (isKeptText()).
+std::string faultOfWords(std::string_view words);
+
 }  // namespace protocols

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "protocols/files/utf8.h"
+
 namespace protocols {
 
 namespace {
@@ -34,23 +36,24 @@ bool beginsHidden(std::string_view text)
     return std::ranges::any_of(hidden, [&](std::string_view one) { return text.starts_with(one); });
 }
 
+constexpr std::string_view replacement = "\xEF\xBF\xBD";  // U+FFFD
+
 }  // namespace
 
 std::string escapedMarkup(std::string_view text)
 {
     std::string escaped;
     escaped.reserve(text.size());
-    for (std::size_t at = 0; at < text.size(); ++at) {
+    for (std::size_t at = 0, length = 0; at < text.size(); at += std::max<std::size_t>(1, length)) {
+        length = utf8Length(text.substr(at));
         const char c = text[at];
-        if (isForbidden(c)) continue;
-        if (static_cast<unsigned char>(c) >= 0xE2 && beginsHidden(text.substr(at))) {
-            at += 2;
-            continue;
-        }
-        if (const std::string_view entity = entityFor(c); !entity.empty())
+        if (isForbidden(c) || (length == 3 && beginsHidden(text.substr(at)))) continue;
+        if (length == 0)
+            escaped += replacement;
+        else if (const std::string_view entity = entityFor(c); !entity.empty())
             escaped += entity;
         else
-            escaped += c;
+            escaped += text.substr(at, length);
     }
     return escaped;
 }

@@ -147,12 +147,12 @@ void playDirectly(const std::vector<players::Script>& scripts, const std::filesy
         const auto slot = slotOf(store, script.participant);
         requireScripted(slot, script);
         if (finishedAlready(slot, script)) continue;
-        session::requireKeptProtocol(store);  // before the participant takes a place
+        session::requireKeptProtocol(store);  // this and the station key before the participant takes a place
+        rendering::PresentedImages& images = open.images();
         store.enrol(script.participant, ParticipantKind::Scripted);
         const auto logged = store.events(script.participant);
         session::VirtualClock clock;
-        session::Driver driver(store, script.participant, ParticipantKind::Scripted, open.images(), *display, clock,
-                               playing.operatedBy);
+        session::Driver driver(store, script.participant, ParticipantKind::Scripted, images, *display, clock, playing.operatedBy);
         players::DriverHands hands(driver);
         play(script, store, hands, clock, logged, playing);
     }
@@ -172,7 +172,8 @@ void playThroughWindow(const std::vector<players::Script>& scripts, const std::f
         const auto slot = slotOf(store, script.participant);
         requireScripted(slot, script);
         if (finishedAlready(slot, script)) continue;
-        session::requireKeptProtocol(store);  // before the participant takes a place
+        session::requireKeptProtocol(store);  // this and the station key before the participant takes a place
+        window.study()->images();
         store.enrol(script.participant, ParticipantKind::Scripted);
         const auto logged = store.events(script.participant);
         window.show();

@@ -14,6 +14,7 @@
 #include "protocols/files/sha256.h"
 #include "protocols/files/utf8.h"
 #include "protocols/files/whole_file.h"
+#include "protocols/new_texts.h"
 #include "protocols/protocol_json.h"
 #include "protocols/records/balance.h"
 #include "protocols/usual_texts.h"
@@ -144,6 +145,7 @@ int amend(const Amendment& call)
         !why.empty() && amended.name != before.name)
         throw protocols::badInput({"the new name of the study " + why, file.string(),
                                    protocols::lineRule(protocols::longestReason), "correct \"name\" in the file"});
+    protocols::requireGoodNewTexts(text, kept.json, file.string());
     const auto changed = fixedPartsChanged(before, amended);
     if (!changed.empty())
         throw protocols::badInput({"the edit changes " + listed(changed) + ", which running orders and stimuli depend on",

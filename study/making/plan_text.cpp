@@ -1,6 +1,11 @@
 #include "study/making/plan_text.h"
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 #include "protocols/files/number_text.h"
+#include "protocols/files/safe_text.h"
 #include "reports/data/study_data.h"
 #include "reports/text/number_text.h"
 #include "reports/text/plain_words.h"
@@ -54,9 +59,35 @@ bool asksForChoices(const protocols::Protocol& protocol)
     return false;
 }
 
+/// A text of the protocol as one line. Tabs and line ends become blanks. Marks of direction stay where each ends in the text
+/// itself, as Hebrew and Arabic texts have them; others would turn around what stands behind the text.
+std::string inOneLine(std::string text)
+{
+    constexpr std::string_view isolates[] = {"\xE2\x81\xA6", "\xE2\x81\xA7", "\xE2\x81\xA8"}, end = "\xE2\x81\xA9";
+    std::ranges::replace(text, '\t', ' ');
+    int open = 0;
+    std::string line, piece;
+    const auto addPiece = [&] { line += protocols::printable(std::exchange(piece, "")); };
+    for (std::size_t at = 0; at < text.size();) {
+        const std::string_view mark = std::string_view(text).substr(at, end.size());
+        const bool begins = std::ranges::find(isolates, mark) != std::end(isolates), ends = mark == end;
+        if (ends && open == 0) return protocols::printable(text);
+        if (!begins && !ends) {
+            piece += text[at++];
+            continue;
+        }
+        open += begins ? 1 : -1;
+        addPiece();
+        line += mark;
+        at += mark.size();
+    }
+    addPiece();
+    return open == 0 ? line : protocols::printable(text);
+}
+
 std::string headOf(const StudyPlan& plan, const RegistrationStamp& stamp)
 {
-    std::string text = "STUDY PLAN: " + plan.facts.name + "\n";
+    std::string text = "STUDY PLAN: " + inOneLine(plan.facts.name) + "\n";
     text += "Registered: " + stamp.time + (stamp.who.empty() ? "" : " by " + stamp.who) + ", " + timingOf(stamp) + ".\n";
     if (stamp.number == 1) return text + "This is the first registration of this study.\n";
     text += "This is registration " + std::to_string(stamp.number) + ", an amendment.\n";
@@ -130,7 +161,7 @@ std::string measures(const StudyPlan& plan)
 {
     std::string text;
     for (const auto& question : questionsOf(plan.protocol))
-        text += item(question.id.value + ": \"" + question.text + "\" Answer: " + scoringText(question.kind) + ".");
+        text += item(question.id.value + ": \"" + inOneLine(question.text) + "\" Answer: " + scoringText(question.kind) + ".");
     return text + "The response time runs from the first touch to the answer. It is described, without a hypothesis.\n";
 }
 
@@ -140,8 +171,8 @@ std::string instructionsText(const protocols::Phase& phase)
     if (phase.instructions.empty()) return "";
     std::string text = " Instructions (" + std::to_string(phase.instructions.size()) + "):";
     for (const auto& instruction : phase.instructions)
-        text +=
-            (&instruction == &phase.instructions.front() ? " " : "; ") + instruction.id.value + ", \"" + instruction.text + "\"";
+        text += (&instruction == &phase.instructions.front() ? " " : "; ") + instruction.id.value + ", \"" +
+                inOneLine(instruction.text) + "\"";
     return text +
            " All presentations are repeated under each instruction. The order of the instructions is balanced over "
            "participants. Answers after a deadline are marked and analysed.";
@@ -172,7 +203,7 @@ std::string design(const StudyPlan& plan)
     text += "Conditions (" + std::to_string(protocol.conditions.size()) + "): " + names + ".\n";
     std::string fabrics;
     for (const auto& fabric : plan.facts.fabrics)
-        fabrics += (fabrics.empty() ? "" : ", ") + fabric.value + " (" + plan.facts.fabricNames.at(fabric) + ")";
+        fabrics += (fabrics.empty() ? "" : ", ") + fabric.value + " (" + inOneLine(plan.facts.fabricNames.at(fabric)) + ")";
     text += "Fabrics (" + std::to_string(plan.facts.fabrics.size()) + "): " + fabrics + ".\n";
     for (std::size_t i = 0; i < protocol.phases.size(); ++i) {
         std::vector<std::string> ids;

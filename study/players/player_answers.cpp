@@ -12,15 +12,16 @@ using protocols::FabricId;
 using protocols::Overloaded;
 using session::GivenAnswer;
 
-/// The fabric that a script names by its part in the presentation or by its id.
+/// The fabric that a script names by its id, or by its part in the presentation.
 FabricId scriptedChoice(const std::string& text, const ScriptedPresentation& presentation)
 {
+    // First, because exported scripts hold ids, and another lab may call a fabric "correct".
+    if (std::ranges::find(presentation.tray, FabricId(text)) != presentation.tray.end()) return FabricId(text);
     if (text == "correct") return presentation.truth;
     std::vector<FabricId> foils = presentation.tray;
     std::erase(foils, presentation.truth);
     for (std::size_t k = 0; k < foils.size(); ++k)
         if (text == "foil:" + std::to_string(k + 1)) return foils[k];
-    if (std::ranges::find(presentation.tray, FabricId(text)) != presentation.tray.end()) return FabricId(text);
     throw protocols::badInput({"answer \"" + text + "\" is not on the tray", presentation.name,
                                "correct, foil:1 .. foil:" + std::to_string(foils.size()) + " or a fabric of the tray",
                                "correct the script and run the same command again; earlier answers are stored"});

@@ -18,9 +18,9 @@ struct ScriptedPresentation {
     std::string name;                              ///< the script and the trial, for errors
 };
 
-/// "correct", "foil:1" or a fabric id for a choice; "same", "different", "correct" or "wrong" for same/different; words for
-/// free text; a number for a rating. The session refuses a number for another kind of question. Throws badInput for a text
-/// that answers no question of this kind on this tray.
+/// A fabric id, "correct" or "foil:1" for a choice, in this order; "same", "different", "correct" or "wrong" for same/different;
+/// words for free text; a number for a rating. The session refuses a number for another kind of question. Throws badInput for a
+/// text that answers no question of this kind on this tray.
 session::GivenAnswer scriptedAnswer(const ScriptedResponse& scripted, const protocols::AnswerKind& kind,
                                     const ScriptedPresentation& presentation);
 

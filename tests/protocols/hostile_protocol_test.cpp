@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "protocols/files/errors.h"
+#include "protocols/new_texts.h"
 #include "protocols/orders/counterbalancing.h"
 #include "protocols/protocol_json.h"
 #include "protocols/question_ids.h"
@@ -350,6 +351,47 @@ private Q_SLOTS:
         QCOMPARE(faultsIn(json), expected);
         QCOMPARE(checkedProtocol(json, "study.json").faults.size(), static_cast<std::size_t>(expected.size()));
         for (const char* version : {"0.5.0", "0.6.0"}) QVERIFY(!keptProtocolFromJson(json, "a study", version).name.empty());
+    }
+
+    /// A terminal obeys some characters, and a database drops others. A study that has them can still be read.
+    void textsOfANewStudyAreKeptAsTheyAre_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("fault");
+        QTest::newRow("several lines") << "Rate it.\\n\\tTake your time.\\r\\n" << QString();
+        QTest::newRow("Persian, with a joiner") << QString::fromUtf8("می\u200cخواهم") << QString();
+        QTest::newRow("escape") << "a\\u001b[2Jb"
+                                << "holds the character U+001B";
+        QTest::newRow("C1") << "a\\u009bb"
+                            << "holds the character U+009B";
+        QTest::newRow("NUL") << "a\\u0000b"
+                             << "holds the character U+0000";
+        QTest::newRow("order mark") << "a\\ufeffb"
+                                    << "holds the character U+FEFF";
+    }
+    void textsOfANewStudyAreKeptAsTheyAre()
+    {
+        QFETCH(const QString, text);
+        QFETCH(const QString, fault);
+        std::string json = ratingsOf({"Q1"});
+        const std::string usual = "What about Q1?";
+        json.replace(json.find(usual), usual.size(), text.toStdString());
+        const QStringList expected = fault.isEmpty()
+                                         ? QStringList()
+                                         : QStringList{"question_texts.Q1: the text " + fault +
+                                                       ", expected characters that a reader sees, line ends and tabs"};
+        QCOMPARE(faultsIn(json), expected);
+        QVERIFY(!keptProtocolFromJson(json, "a study", "1.0.0").name.empty());
+        // An amendment follows the rule in the texts that it changes.
+        requireGoodNewTexts(json, json, "study.json");
+        if (!fault.isEmpty()) QVERIFY_EXCEPTION_THROWN(requireGoodNewTexts(json, ratingsOf({"Q1"}), "study.json"), Error);
+    }
+
+    void aTextThatNobodyReadsMayHoldAnything()
+    {
+        std::string json = ratingsOf({"Q1"});
+        json.insert(1, R"("comment": "page\u000cbreak", )");
+        QCOMPARE(faultsIn(json), QStringList());
     }
 
     void theEditionFollowsTheVersion_data()

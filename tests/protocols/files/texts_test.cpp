@@ -91,6 +91,8 @@ private Q_SLOTS:
         QCOMPARE(escapedMarkup(std::string_view("a\0b\x1b", 4)), std::string("ab"));
         // What XML does not have, and what turns the numbers behind it around.
         QCOMPARE(escapedMarkup("a\uFFFE\u202Eb\uFFFF\u2067c\u2069 \u2013 \uFF21"), std::string("abc \u2013 \uFF21"));
+        // Bytes that are no character, among them a mark of direction that would come together without its control character.
+        QCOMPARE(escapedMarkup("a\xC3(\xE2\x80\x01\xAE"), std::string("a\uFFFD(\uFFFD\uFFFD\uFFFD"));
     }
 };
 

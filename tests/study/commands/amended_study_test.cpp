@@ -107,6 +107,14 @@ private Q_SLOTS:
     void aScriptPlaysByTheVersionOfItsParticipant()
     {
         write(at("P02.json"), wholeScript("P02"));
+        const json places = status()["slots"];
+        QVERIFY(QFile::rename(study() + "/station-key.json", at("key")));
+        const auto refused = runProgram({"replay", study(), at("P02.json")}),
+                   shown = runProgram({"replay", study(), at("P02.json"), "--gui"});
+        QVERIFY2(refused.exitCode != 0 && refused.err.contains("station-key.json"), qPrintable(refused.err));
+        QVERIFY2(shown.exitCode != 0 && shown.err.contains("station-key.json"), qPrintable(shown.err));
+        QVERIFY(QFile::rename(at("key"), study() + "/station-key.json"));
+        QCOMPARE(status()["slots"], places);  // a refused script takes no place
         const auto ended = runProgram({"replay", study(), at("P02.json")});
         QVERIFY2(ended.exitCode == 0 && ended.out.contains("12 answers stored, finished"), qPrintable(ended.err + ended.out));
         QVERIFY(mustRun({"verify", study()}).out.contains("sound"));

@@ -95,6 +95,25 @@ private Q_SLOTS:
         QCOMPARE(bytesOf(study + "/protocol.json"), amended);
     }
 
+    void textsOfAnyScriptStandInThePlanAsTheyAre()
+    {
+        const QString study = newStudy();
+        const auto amended = [&](const QString& text) {
+            write(study + "/protocol.json", QString::fromStdString(plannedProtocol).replace("How close is it?", text));
+            return runProgram({"study", "amend", study, "--who", "M", "--why", "words"});
+        };
+        const auto refused = amended("a\\u001b[2Jb");
+        QVERIFY2(refused.exitCode == 2 && refused.err.contains("question_texts.Feel: the text holds the character U+001B"),
+                 qPrintable(refused.err));
+        const QString hebrew = QString::fromUtf8("כמה קרוב \u2066F01\u2069?");
+        QCOMPARE(amended(hebrew + "\\n\\tSay it.").exitCode, 0);
+        mustRun({"study", "preregister", study});
+        QVERIFY(bytesOf(study + "/preregistration.txt").contains("- Feel: \"" + hebrew + "  Say it.\" Answer:"));
+        QCOMPARE(amended(QString::fromUtf8("turned \u2066F01?")).exitCode, 0);
+        mustRun({"study", "preregister", study});
+        QVERIFY(bytesOf(study + "/preregistration-2.txt").contains("- Feel: \"turned \\xe2\\x81\\xa6F01?\" Answer:"));
+    }
+
     void copiesGoIntoANewFolder()
     {
         const QString study = newStudy(), copies = at("new/copies");

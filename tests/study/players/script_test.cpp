@@ -5,6 +5,7 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/protocol_json.h"
+#include "study/players/player_answers.h"
 
 using namespace study::players;
 
@@ -39,6 +40,21 @@ private Q_SLOTS:
         QCOMPARE(std::get<protocols::Tenths>(rating->response).value, 54);
         QVERIFY(!script.answerTo(protocols::QuestionId("Q2"),
                                  {std::nullopt, protocols::ConditionId("f"), protocols::FabricId("F03")}));
+    }
+
+    /// Exported scripts hold ids, and another lab may call a fabric by a word of scripts.
+    void aFabricMayBeCalledLikeAWordOfScripts()
+    {
+        using protocols::FabricId;
+        const std::vector<FabricId> tray{FabricId("foil:2"), FabricId("silk"), FabricId("correct")};
+        const auto chosen = [&](const std::vector<FabricId>& pieces, const char* answer) {
+            return std::get<FabricId>(
+                scriptedAnswer(std::string(answer), protocols::ForcedChoice{}, {pieces, pieces[1], "trial 1"}));
+        };
+        QCOMPARE(chosen(tray, "correct"), FabricId("correct"));
+        QCOMPARE(chosen(tray, "foil:2"), FabricId("foil:2"));
+        QCOMPARE(chosen(tray, "foil:1"), FabricId("foil:2"));
+        QCOMPARE(chosen({FabricId("wool"), FabricId("silk"), FabricId("felt")}, "correct"), FabricId("silk"));
     }
 
     /// A repetition without an answer of its own gets that of the first presentation; a mismatch does not.

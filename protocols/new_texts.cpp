@@ -1,0 +1,59 @@
+#include "protocols/new_texts.h"
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "protocols/files/errors.h"
+#include "protocols/files/id_rule.h"
+
+namespace protocols {
+
+namespace {
+
+using nlohmann::json;
+
+/// Calls found(place, text) for each text.
+template <class Found>
+void eachText(const json& value, const std::string& place, const Found& found)
+{
+    if (value.is_string()) return found(place, value.get_ref<const std::string&>());
+    std::size_t number = 0;
+    for (const auto& [key, part] : value.items()) {
+        if (place.empty() && (key == "name" || key == "fabrics" || key == "comment" || key == "$schema")) continue;
+        if (value.is_object())
+            eachText(part, place.empty() ? key : place + "." + key, found);
+        else if (value.is_array())
+            eachText(part, place + "[" + std::to_string(number++) + "]", found);
+    }
+}
+
+/// Empty for a good text.
+std::string faultOfText(const std::string& place, const std::string& text)
+{
+    const std::string why = faultOfWords(text);
+    if (why.empty()) return {};
+    return place + ": the text " + why + ", expected characters that a reader sees, line ends and tabs";
+}
+
+}  // namespace
+
+std::vector<std::string> faultsOfTexts(const json& protocol)
+{
+    std::vector<std::string> faults;
+    eachText(protocol, "", [&](const std::string& place, const std::string& text) {
+        if (std::string fault = faultOfText(place, text); !fault.empty()) faults.push_back(std::move(fault));
+    });
+    return faults;
+}
+
+void requireGoodNewTexts(std::string_view amended, std::string_view before, const std::string& where)
+{
+    std::set<std::string> known;
+    eachText(json::parse(before), "", [&](const std::string&, const std::string& text) { known.insert(text); });
+    eachText(json::parse(amended), "", [&](const std::string& place, const std::string& text) {
+        const std::string fault = known.contains(text) ? "" : faultOfText(place, text);
+        if (!fault.empty()) throw badInput({fault, where, "", "correct the text"});
+    });
+}
+
+}  // namespace protocols

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "protocols/files/id_rule.h"
 #include "rendering/composition/friction_image.h"
 #include "rendering/display/driver_dialogue.h"
 
@@ -151,6 +152,8 @@ std::string DriverCheck::hello()
     if (m_driver.hello().schema != displaySchema)
         return "its schema is \"" + m_driver.hello().schema + "\", not " + displaySchema;
     if (m_driver.hello().name.empty()) return "its hello has no name";
+    if (const auto fault = protocols::faultOfLine(m_driver.hello().name, protocols::longestName); !fault.empty())
+        return "the name in its hello " + fault;
     return m_driver.hello().widthPx > 0 && m_driver.hello().heightPx > 0 ? "" : "its hello has no width and height";
 }
 

@@ -10,6 +10,8 @@
 #include <opencv2/core.hpp>
 #include <thread>
 
+#include "protocols/files/id_rule.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/files/utf8.h"
 
 namespace rendering {
@@ -82,7 +84,8 @@ ExternalDisplay::~ExternalDisplay()
 
 std::string ExternalDisplay::name() const
 {
-    return m_hello.name.empty() ? m_address.text() : m_hello.name + " (" + m_address.text() + ")";
+    if (m_hello.name.empty()) return m_address.text();
+    return protocols::printable(protocols::inShort(m_hello.name, protocols::longestName)) + " (" + m_address.text() + ")";
 }
 
 void ExternalDisplay::show(const cv::Mat& frictionImage)

@@ -164,6 +164,15 @@ cv::Mat integrateAround(const Slopes& slopes, const cv::Mat& measured, const Pit
 double curlResidual(const Slopes& slopes, const cv::Mat& heightMm, const Pitch& pitch, SlopeKind kind)
 {
     requireShape(slopes, pitch);
+    const double largest =
+        std::max(cv::norm(slopes.x, cv::NORM_INF, finite(slopes.x)), cv::norm(slopes.y, cv::NORM_INF, finite(slopes.y)));
+    // Their squares would leave the range of numbers, and the share does not depend on the unit.
+    constexpr double mostSquared = 1e15, leastSquared = 1e-15;
+    if (largest > mostSquared || (largest > 0 && largest < leastSquared)) {
+        const double unit = std::ldexp(1, -std::clamp(std::ilogb(largest), -1000, 1000));
+        return curlShare<double>({as<double>(slopes.x) * unit, as<double>(slopes.y) * unit}, as<double>(heightMm) * unit, pitch,
+                                 kind);
+    }
     return slopes.x.total() > largeMap ? curlShare<float>(slopes, heightMm, pitch, kind)
                                        : curlShare<double>(slopes, heightMm, pitch, kind);
 }

@@ -184,6 +184,8 @@ void fitExponent(CostCurve& curve)
         xx += x * x;
         xy += x * (std::log(point.milliseconds) - meanY);
     }
+    constexpr double leastSpread = 1e-12;  // sizes that differ by a millionth
+    if (!(xx > leastSpread)) return;
     const double slope = xy / xx;
     curve.exponent = slope;
     if (n < 3) return;
@@ -257,8 +259,9 @@ CostCurve curveFrom(const ordered_json& json, const std::string& where)
             const ordered_json& memory = point.at("mb");
             curve.points.push_back({point.at("size").get<double>(), point.at("ms").get<double>(),
                                     memory.is_null() ? std::optional<double>() : std::optional(memory.get<double>())});
-            if (!(curve.points.back().size > 0 && curve.points.back().milliseconds > 0))
-                throw ordered_json::other_error::create(501, "a time that is not positive", nullptr);
+            const double before = curve.points.size() > 1 ? curve.points[curve.points.size() - 2].size : 0;
+            if (!(curve.points.back().size > before && curve.points.back().milliseconds > 0))
+                throw ordered_json::other_error::create(501, "a size that does not grow, or no time", nullptr);
         }
         fitExponent(curve);
         return curve;

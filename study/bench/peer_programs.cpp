@@ -5,11 +5,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "protocols/files/errors.h"
+#include "protocols/secrets/secret_variables.h"
 #include "protocols/shipped_folder.h"
 
 extern char** environ;
@@ -52,7 +54,10 @@ std::vector<std::string> peerEnvironment()
     std::vector<std::string> variables;
     for (char** variable = environ; *variable != nullptr; ++variable) {
         const std::string text = *variable;
-        if (!text.starts_with("OPENBLAS_CORETYPE=") && !text.starts_with("OPENBLAS_L2_SIZE=")) variables.push_back(text);
+        const std::string name = text.substr(0, text.find('='));
+        if (name != "OPENBLAS_CORETYPE" && name != "OPENBLAS_L2_SIZE" &&
+            std::ranges::none_of(protocols::secretVariables, [&](const char* secret) { return name == secret; }))
+            variables.push_back(text);
     }
     return variables;
 }

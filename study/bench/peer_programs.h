@@ -35,7 +35,7 @@ PeerResults signalPeers();
 /// for other work are left out, so that peers run as installed.
 std::string outputOfPeer(const std::vector<std::string>& command);
 
-/// The environment of this process without those settings: "NAME=value".
+/// The environment of this process without those settings and without secrets: "NAME=value".
 std::vector<std::string> peerEnvironment();
 
 }  // namespace study::bench

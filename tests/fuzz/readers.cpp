@@ -49,6 +49,7 @@
 #include "tests/fuzz/settings_readers.h"
 #include "tests/fuzz/shard_readers.h"
 #include "tests/fuzz/study_readers.h"
+#include "tests/fuzz/text_readers.h"
 #include "tests/support/true_map_bytes.h"
 
 namespace fuzz {
@@ -407,7 +408,7 @@ std::vector<Reader> allReaders(const fs::path& folder)
     std::vector<Reader> readers = textReaders();
     for (auto& more : {answerReaders(folder), foreignReaders(folder), imageReaders(folder), labReaders(folder),
                        modelReaders(folder), recordReaders(folder), numberReaders(folder), pageReaders(), settingsReaders(folder),
-                       shardReaders(folder), studyReaders(folder)})
+                       shardReaders(folder), studyReaders(folder), writtenTextReaders(folder)})
         readers.insert(readers.end(), more.begin(), more.end());
     return readers;
 }

@@ -9,6 +9,7 @@
 #include "protocols/files/sha256.h"
 #include "protocols/files/strict_json.h"
 #include "study/analyse/power/shared_counts.h"
+#include "study/bench/cost_curves.h"
 #include "study/evaluation/left_out/leave_one_out.h"
 #include "study/shards/shard_file.h"
 #include "study/simulation/simulation_analysis.h"
@@ -36,6 +37,13 @@ study::evaluation::LeftOutFabric someFabric()
     study::evaluation::LeftOutFabric fabric{protocols::FabricId("F01"), "ab12", 100, 7, {{"generated", "generated", {}}}};
     at(fabric.predictors[0].values, study::evaluation::Measure::FrictionMae) = 0.25;
     return fabric;
+}
+
+study::bench::CostCurve someCurve()
+{
+    study::bench::CostCurve curve{"integration", "pixels", true, {{16, 1.5, 2.0}, {64, 7, {}}, {256, 30, 9.0}}, {}, {}};
+    study::bench::fitExponent(curve);
+    return curve;
 }
 
 constexpr const char* program = "vis2hap 1.0.0";
@@ -86,6 +94,14 @@ void readValues(const std::string& bytes)
         if (leftOutJson(study::evaluation::leftOutFrom(written, "written")) != written)
             throw std::runtime_error("values of a fabric are not read as they were written");
         study::evaluation::leaveOneOutText({"set", {fabric}});
+        return;
+    }
+    if (values.is_object() && values.contains("work")) {
+        const auto curve = study::bench::curveFrom(values, "values");
+        const ordered_json written = jsonOf(curve);
+        if (jsonOf(study::bench::curveFrom(written, "written")) != written)
+            throw std::runtime_error("a cost curve is not read as it was written");
+        study::bench::tableOf({curve});
         return;
     }
     auto counts = study::analyse::sharedCountsFrom(values, "values");
@@ -187,9 +203,10 @@ std::vector<std::string> someShards(const fs::path& folder)
 
 std::vector<Reader> shardReaders(const fs::path& folder)
 {
-    return {{"shard", someShards(folder), [folder](const std::string& bytes) { readShard(folder / "shard.json", bytes); }},
-            {"shard-values", {jsonOf(someCounts()).dump(), leftOutJson(someFabric()).dump()}, readValues},
-            {"simulated-answers", {someAnswers()}, readAnswers}};
+    return {
+        {"shard", someShards(folder), [folder](const std::string& bytes) { readShard(folder / "shard.json", bytes); }},
+        {"shard-values", {jsonOf(someCounts()).dump(), leftOutJson(someFabric()).dump(), jsonOf(someCurve()).dump()}, readValues},
+        {"simulated-answers", {someAnswers()}, readAnswers}};
 }
 
 }  // namespace fuzz

@@ -50,7 +50,11 @@ void hello(const Json& request)
     if (is("no name")) return reply("hello", request["id"], {{"schema", "vis2hap.display/1"}, {"width", 40}, {"height", 30}});
     if (is("shows at the start")) showing = 1;
     reply("hello", request["id"],
-          {{"schema", "vis2hap.display/1"}, {"name", "A"}, {"width", 40}, {"height", 30}, {"touches", true}});
+          {{"schema", "vis2hap.display/1"},
+           {"name", is("wild name") ? "\x1b[2J" + std::string(5000, 'A') : "A"},
+           {"width", 40},
+           {"height", 30},
+           {"touches", true}});
 }
 
 void show(const Json& request)

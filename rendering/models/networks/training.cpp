@@ -14,6 +14,7 @@
 #include "rendering/models/networks/validation.h"
 #include "rendering/models/networks/weights.h"
 #include "rendering/models/seeing/checkpoint.h"
+#include "rendering/models/training_limits.h"
 #include "rendering/models/training_log.h"
 
 namespace rendering::models {
@@ -35,6 +36,7 @@ void checkOptions(const TrainingOptions& options)
         refuse("--crop is " + std::to_string(options.crop), "a multiple of 16 from 32 to " + std::to_string(largestCrop));
     if (options.baseChannels > mostChannels)
         refuse("--channels is " + std::to_string(options.baseChannels), "at most " + std::to_string(mostChannels));
+    requireWithinLimits(options.batch, options.learningRate, options.threads);
     if (options.batch < 1 || options.baseChannels < 1 || options.checkpointEvery < 1 || options.validationPairs < 1 ||
         options.validateEvery < 1 || options.patience < 1 || !(options.learningRate > 0))
         refuse("a count or rate is not positive", "positive numbers");

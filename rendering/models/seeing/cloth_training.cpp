@@ -11,6 +11,7 @@
 #include "rendering/models/seeing/checkpoint.h"
 #include "rendering/models/seeing/cloth_steps.h"
 #include "rendering/models/seeing/friction_target.h"
+#include "rendering/models/training_limits.h"
 #include "rendering/models/training_log.h"
 
 namespace rendering::models {
@@ -300,6 +301,7 @@ void requireUsable(const ClothTrainingOptions& options)
         refuse("--crop is " + std::to_string(options.side), "a multiple of 16 from 48 to " + std::to_string(largestCrop));
     if (options.baseChannels < 1 || options.baseChannels > mostChannels)
         refuse("--channels is " + std::to_string(options.baseChannels), "1 to " + std::to_string(mostChannels));
+    requireWithinLimits(options.batch, options.learningRate, options.threads);
     if (options.batch < 2 || options.checkpointEvery < 1 || options.validateEvery < 1 || options.validationPatches < 1 ||
         !(options.learningRate > 0))
         refuse("a count or rate is too small", "positive numbers, and a batch of at least 2");

@@ -31,6 +31,9 @@ bool isPicture(const fs::path& file)
     return std::find(endings.begin(), endings.end(), endingOf(file)) != endings.end();
 }
 
+/// Of all pictures of a folder. A press of a GelSight Mini has 8 million.
+constexpr std::size_t mostPixels = 420'000'000;
+
 bool isBackground(const fs::path& file)
 {
     return file.stem() == "background" || file.stem() == "reference" || file.stem() == "tactile-reference";
@@ -65,11 +68,20 @@ signals::BallPresses readBallPresses(const fs::path& folder, double ballRadiusMm
     signals::BallPresses presses;
     presses.ballRadiusMm = ballRadiusMm;
     presses.mmPerPixel = mmPerPixel;
+    std::size_t pixels = 0;
     for (const auto& file : picturesIn(folder)) {
+        cv::Mat picture = readPicture(file, decodeOther);
+        pixels += picture.total();
+        if (pixels > mostPixels)
+            throw protocols::badInput({.what = "the pictures have more pixels together than are read",
+                                       .where = file.string(),
+                                       .expected = "at most " + std::to_string(mostPixels / 1000000) +
+                                                   " million pixels, such as 50 presses of 3280 x 2464",
+                                       .nextStep = "use fewer presses, or smaller pictures of all"});
         if (isBackground(file))
-            presses.background = readPicture(file, decodeOther);
+            presses.background = picture;
         else
-            presses.presses.push_back({file.filename().string(), readPicture(file, decodeOther)});
+            presses.presses.push_back({file.filename().string(), picture});
     }
     if (presses.background.empty() || presses.presses.empty())
         throw protocols::badInput(

@@ -191,6 +191,8 @@ private Q_SLOTS:
                                       << "acme/7";
         QTest::newRow("no name") << "sends hello"
                                  << "no name";
+        QTest::newRow("wild name") << "sends hello"
+                                   << "the name in its hello has 5004 bytes";
         QTest::newRow("endless line") << "sends hello"
                                       << "longer than 65536 bytes";
         QTest::newRow("endless lines") << "sends only messages"

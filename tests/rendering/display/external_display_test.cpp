@@ -302,6 +302,12 @@ private Q_SLOTS:
         QVERIFY2(fault.contains("does not start: Der Verstärker ist aus"), qPrintable(fault));
     }
 
+    void aWildNameIsShownInShort()
+    {
+        const std::string name = ExternalDisplay(broken("wild name"), impatient).name();
+        QVERIFY2(name.size() < 2000 && name.find('\x1b') == std::string::npos, name.c_str());
+    }
+
     void driverThatCannotStartIsReportedAtOnce_data()
     {
         QTest::addColumn<QString>("told");

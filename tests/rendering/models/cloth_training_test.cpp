@@ -262,6 +262,8 @@ private Q_SLOTS:
         QTest::newRow("crop") << QStringList{"--crop", "100"} << "--crop is 100";
         QTest::newRow("steps") << QStringList{"--steps", "0"} << "--steps is 0";
         QTest::newRow("batch") << QStringList{"--batch", "1"} << "batch of at least 2";
+        QTest::newRow("a huge batch") << QStringList{"--batch", "100000"} << "--batch is 100000";
+        QTest::newRow("many threads") << QStringList{"--threads", "100000"} << "--threads is 100000";
         QTest::newRow("share") << QStringList{"--scan-share", "2"} << "--scan-share is out of range";
         QTest::newRow("scans") << QStringList{"--scans", "nowhere"} << "nowhere";
         QTest::newRow("a control from a model") << QStringList{"--reference", "--from", at("model.safetensors")}

@@ -313,6 +313,12 @@ private Q_SLOTS:
                                            << "--minutes";
         QTest::newRow("no steps") << QStringList{"train", fabrics, "--out", out, "--steps", "0"} << 2 << "--steps";
         QTest::newRow("odd crop") << QStringList{"train", fabrics, "--out", out, "--steps", "1", "--crop", "50"} << 2 << "--crop";
+        QTest::newRow("a huge batch") << QStringList{"train", fabrics, "--out", out, "--steps", "1", "--batch", "100000"} << 2
+                                      << "--batch";
+        QTest::newRow("many threads") << QStringList{"train", fabrics, "--out", out, "--steps", "1", "--threads", "100000"} << 2
+                                      << "--threads";
+        QTest::newRow("a huge rate") << QStringList{"train", fabrics, "--out", out, "--steps", "1", "--learning-rate", "1e300"}
+                                     << 2 << "--learning-rate";
         QTest::newRow("unknown split") << QStringList{"train", fabrics, "--out", out, "--split", "weather"} << 2 << "--split";
         QTest::newRow("two kinds of losses")
             << QStringList{"train", fabrics, "--out", out, "--reference", "--l1-only"} << 2 << "--l1-only";

@@ -398,6 +398,8 @@ private Q_SLOTS:
             return curlResidual(slopes, integrate(slopes, pitch), pitch);
         };
         QVERIFY(std::abs(residual(noise, {0.1, 0.1}) - 0.7) < 0.1);
+        for (const double unit : {1e-300, 1e-30, 1e30, 1e300})  // their squares are no numbers any more
+            QVERIFY(std::abs(residual({noise.x * unit, noise.y * unit}, {0.1, 0.1}) - residual(noise, {0.1, 0.1})) < 1e-9);
         const auto known = weave(12);
         QVERIFY(residual(known.slopes, surfacePitch) < 0.001);
         QVERIFY(residual({known.slopes.x, -known.slopes.y}, surfacePitch) > 0.3);

@@ -144,6 +144,28 @@ private Q_SLOTS:
         QVERIFY(tableOf(std::vector{curve}).find("time ~ values^1.00") != std::string::npos);
     }
 
+    /// A shard from elsewhere, read by `merge`.
+    void curvesOfEqualSizesHaveNoExponent()
+    {
+        const study::bench::CostCurve sound{"w", "n", false, {{1, 3, {}}, {2, 7, {}}}, {}, {}};
+        QCOMPARE(study::bench::curveFrom(jsonOf(sound), "shard.json").points.size(), std::size_t(2));
+        auto equal = sound;
+        equal.points[1].size = 1;
+        QVERIFY_EXCEPTION_THROWN(study::bench::curveFrom(jsonOf(equal), "shard.json"), protocols::Error);
+        equal.points = {{2, 3, {}}, {std::nextafter(2, 3), 7, {}}, {2.0000001, 9, {}}};
+        QVERIFY(!study::bench::curveFrom(jsonOf(equal), "shard.json").exponent.has_value());
+    }
+
+    void peersGetNoSecrets()
+    {
+        qputenv("VIS2HAP_PASSPHRASE", "hidden");
+        qputenv("VIS2HAP_BENCH_TEST", "shown");
+        const auto variables = study::bench::peerEnvironment();
+        QVERIFY(std::ranges::find(variables, "VIS2HAP_BENCH_TEST=shown") != variables.end());
+        QVERIFY(std::ranges::find(variables, "VIS2HAP_PASSPHRASE=hidden") == variables.end());
+        qunsetenv("VIS2HAP_PASSPHRASE");
+    }
+
     void exponentsHaveTheirInterval()
     {
         // R: confint(lm(log(c(3, 7, 30)) ~ log(c(1, 2, 9))))[2, ]      0.262674956 1.807324574

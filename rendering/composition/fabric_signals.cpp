@@ -136,8 +136,8 @@ cv::Mat SignalComputation::tactileHeight(const protocols::FabricId& fabric, int 
 {
     if (m_dataset.tactileCalibration == "known") return fabrics::readKnownHeight(m_dataset, fabric, index).value();
     if (!m_calibration) {
-        m_calibration = signals::readCalibration(m_dataset.folder / m_dataset.tactileCalibration);
         m_reference = fabrics::readTactileReference(m_dataset);
+        m_calibration = signals::calibrationOf(m_dataset, m_reference);
     }
     return signals::heightFromFrame(frame, m_reference, *m_calibration, models::presetOf(m_quality).integration);
 }

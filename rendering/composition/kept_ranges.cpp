@@ -8,6 +8,7 @@
 #include "rendering/cache/cache_key.h"
 #include "rendering/cache/packed_result.h"
 #include "rendering/fabrics/dataset_json.h"
+#include "rendering/fabrics/friction_record.h"
 #include "rendering/models/kept_generation.h"
 
 namespace rendering {
@@ -58,7 +59,11 @@ std::string KeptRanges::keyOf(const protocols::FabricId& fabric, const SampleCho
         else
             key.addFile("calibration", m_dataset.folder / m_dataset.tactileCalibration);
     }
-    if (needs(Signal::FrictionRecord)) key.addFile("record", samplePath(m_dataset, fabric, Modality::Friction, samples.friction));
+    if (needs(Signal::FrictionRecord)) {
+        const auto record = samplePath(m_dataset, fabric, Modality::Friction, samples.friction);
+        key.addFile("record", record);
+        if (const auto speed = fabrics::ownSpeedMmPerS(record)) key.add("speed_mm_per_s", *speed);
+    }
     if (needs(Signal::ShapeFromShading))
         key.add("method", static_cast<int>(m_request.shading.method))
             .add("high_pass_px", m_request.shading.highPassPx)

@@ -35,8 +35,8 @@ struct FabricInfo {
 /// How the friction records of a data set were recorded.
 struct FrictionRecording {
     double sampleRateHz = 60;
-    double speedMmPerS = 5;
-    double lengthMm = 40;  ///< length of a stroke
+    double speedMmPerS = 5;  ///< of the records that state no speed of their own (ownSpeedMmPerS())
+    double lengthMm = 40;    ///< length of a stroke
 };
 
 struct Dataset {
@@ -62,7 +62,8 @@ void requireDatasetFolder(const std::filesystem::path& folder);
 Dataset readDataset(const std::filesystem::path& folder);
 void writeDatasetJson(const Dataset& dataset);
 
-/// SHA-256 of dataset.json and of the path and content hash of every sample, in order of path.
+/// SHA-256 of dataset.json and of the path and content hash of every sample, in order of path. The speed that is stated for a
+/// friction record belongs to it.
 std::string hashOf(const Dataset& dataset);
 
 /// Existing sample indices, ascending: visual/007.png has index 7.

@@ -5,16 +5,19 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <set>
 #include <tuple>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
 #include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/fabrics/dataset.h"
 #include "rendering/fabrics/dataset_json.h"
 #include "rendering/fabrics/friction_record.h"
 #include "rendering/fabrics/sample_places.h"
+#include "rendering/images/sensor_appearance.h"
 
 namespace rendering::fabrics {
 
@@ -23,6 +26,20 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string sizeText(cv::Size size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
+
+/// The sensor that a calibration states; nullopt where its form is not that of a sensor.
+std::optional<SensorAppearance> statedSensor(const nlohmann::json& sensor)
+{
+    try {
+        const auto side = [&](const char* name) {
+            const double px = sensor.at(name).get<double>();
+            return px >= 1 && px <= 1 << 20 ? static_cast<int>(px) : 0;
+        };
+        return SensorAppearance{side("width"), side("height"), sensor.at("colours").get<std::vector<double>>()};
+    } catch (const nlohmann::json::exception&) {
+        return std::nullopt;
+    }
+}
 
 class DatasetCheck {
 public:
@@ -228,12 +245,13 @@ private:
     {
         const auto& frames = m_sizes["tactile"];
         const bool calibrated = !m_dataset.tactileCalibration.empty();
+        cv::Mat reference;
         if (fs::exists(m_folder / "tactile-reference.png")) {
             readable([&] {
-                const cv::Size size = readTactileReference(m_dataset).size();
-                if (!frames.empty() && frames.front().second != size)
+                reference = readTactileReference(m_dataset);
+                if (!frames.empty() && frames.front().second != reference.size())
                     fault("tactile-reference.png",
-                          "is " + sizeText(size) + ", but the frames are " + sizeText(frames.front().second));
+                          "is " + sizeText(reference.size()) + ", but the frames are " + sizeText(frames.front().second));
             });
         } else if (calibrated && m_dataset.tactileCalibration != "known" && !frames.empty()) {
             fault("tactile-reference.png", "is missing, but the frames are calibrated");
@@ -243,9 +261,29 @@ private:
         readable([&] {
             const nlohmann::json calibration =
                 protocols::parseStrictJson(protocols::readWholeFile(file, protocols::largestJson), file.string());
-            if (!calibration.is_object() || calibration.value("schema", nlohmann::json()) != "vis2hap.calibration/1")
+            if (calibration.is_object() && calibration.value("schema", nlohmann::json()) == "vis2hap.calibration/1")
+                checkCalibratedSensor(calibration, reference);
+            else
                 fault(m_dataset.tactileCalibration, "is not a calibration (schema vis2hap.calibration/1)");
         });
+    }
+
+    /// With the calibration of another sensor, or of frames of another size, heights have another scale.
+    void checkCalibratedSensor(const nlohmann::json& calibration, const cv::Mat& reference)
+    {
+        const auto sensor = calibration.value("sensor", nlohmann::json());
+        const auto stated = sensor.is_null() ? std::nullopt : statedSensor(sensor);
+        if (!sensor.is_null() && !stated)
+            fault(m_dataset.tactileCalibration, "states its sensor without width, height and colours");
+        if (stated && !reference.empty())
+            if (const auto difference = differenceOf(*stated, appearanceOf(reference)))
+                fault("tactile-reference.png", "is not of the sensor of " + m_dataset.tactileCalibration + ": " + *difference);
+        const auto pitch = calibration.value("mm_per_pixel", nlohmann::json());
+        if (!pitch.is_number() || !m_dataset.tactileMmPerPixel) return;
+        if (const double mm = pitch.get<double>(); !isSamePitch(mm, *m_dataset.tactileMmPerPixel))
+            fault(m_dataset.tactileCalibration, "is for frames of " + protocols::shortest(mm) +
+                                                    " mm per pixel, but dataset.json states " +
+                                                    protocols::shortest(*m_dataset.tactileMmPerPixel));
     }
 
     void checkPlaces()

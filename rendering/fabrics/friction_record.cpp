@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/number_text.h"
+#include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
 
 namespace rendering::fabrics {
@@ -87,6 +89,22 @@ double meanRateHz(const std::vector<double>& timeS, const std::string& where)
     return rateHz;
 }
 
+std::optional<double> ownSpeedMmPerS(const std::filesystem::path& record)
+{
+    constexpr double limitMmPerS = 1e9;  // as in dataset.json
+    std::filesystem::path file = record;
+    file.replace_extension(".json");
+    if (!std::filesystem::exists(file)) return std::nullopt;
+    const auto report = protocols::parseStrictJson(protocols::readWholeFile(file, protocols::largestJson), file.string());
+    if (!report.is_object() || report.value("schema", nlohmann::json()) != "vis2hap.friction-import/1") return std::nullopt;
+    const nlohmann::json speed = report.value("speed_mm_per_s", nlohmann::json());
+    if (speed.is_null()) return std::nullopt;
+    if (!speed.is_number() || !(speed.get<double>() > 0) || !(speed.get<double>() < limitMmPerS))
+        throw protocols::badInput({"\"speed_mm_per_s\" is " + speed.dump(), file.string(),
+                                   "a number above 0 and below 1e9, or null", "correct the file"});
+    return speed.get<double>();
+}
+
 FrictionRecord readFriction(const Dataset& dataset, const protocols::FabricId& fabric, int index)
 {
     const FabricInfo& info = dataset.fabric(fabric);
@@ -112,7 +130,7 @@ FrictionRecord readFriction(const Dataset& dataset, const protocols::FabricId& f
         throw protocols::badInput({"has " + std::to_string(record.values.size()) + " rows", reader.where(), "at least 2 rows",
                                    "check that the record is complete"});
     record.sampleRateHz = meanRateHz(record.timeS, file.string());
-    record.speedMmPerS = dataset.friction.speedMmPerS;
+    record.speedMmPerS = ownSpeedMmPerS(file).value_or(dataset.friction.speedMmPerS);
     return record;
 }
 

@@ -1,6 +1,8 @@
 // Friction records of a data set: CSV files whose header names the quantities.
 #pragma once
 
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +14,7 @@ namespace rendering::fabrics {
 struct FrictionRecord {
     std::string quantity = "mu";  ///< "mu" for the coefficient of friction, else a name such as "taxel_sum_counts"
     double sampleRateHz = 60;
-    double speedMmPerS = 5;  ///< speed of the stroke, from the data set
+    double speedMmPerS = 5;  ///< speed of the stroke: its own, else the data set's
     std::vector<double> timeS;
     std::vector<double> values;  ///< tangential over normal force, or the quantity
     bool isCoefficient() const { return quantity == "mu"; }
@@ -32,8 +34,13 @@ inline constexpr double leastRecordHz = 1e-3, mostRecordHz = 1e9;
 /// for a gap longer than both `longestGapSteps` and `longestGapShare`. `where` names the record.
 double meanRateHz(const std::vector<double>& timeS, const std::string& where);
 
+/// The speed that the import's report beside a record states, mm/s: "speed_mm_per_s" in F01/friction/000.json for 000.csv.
+/// Nullopt where there is no report or it states none. Throws badInput for a file that is no JSON, and for a speed that is no
+/// number above 0 and below 1e9.
+std::optional<double> ownSpeedMmPerS(const std::filesystem::path& record);
+
 /// Reads CSV with the columns t_s,normal_n,tangential_n, or t_s,mu, or t_s,<quantity>. Throws badInput, also where a row
-/// has a normal force of at most `leastNormalN`, and where `meanRateHz` does.
+/// has a normal force of at most `leastNormalN`, and where `meanRateHz` and `ownSpeedMmPerS` do.
 FrictionRecord readFriction(const Dataset& dataset, const protocols::FabricId& fabric, int index);
 
 }  // namespace rendering::fabrics

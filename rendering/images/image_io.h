@@ -26,7 +26,8 @@ void writePgm(const std::filesystem::path& file, const cv::Mat& image, protocols
 std::string pgmBytes(const cv::Mat& image);
 cv::Mat pgmOfBytes(std::string_view bytes, const std::filesystem::path& where);
 
-/// Reads an image in the format of the file's ending: .png, .tif, .tiff, .npy or .pgm. Throws badInput for any other.
+/// Reads an image in the format of the file's ending: .png, .tif, .tiff, .npy or .pgm. A TIFF must have one channel;
+/// readColourTiff() takes others. Throws badInput for any other ending.
 cv::Mat readImage(const std::filesystem::path& file);
 
 }  // namespace rendering

@@ -95,22 +95,26 @@ protocols::Error notATiff(const std::filesystem::path& file, const std::string& 
                                     "an upright TIFF in strips, grey or interleaved RGB, of 8 or 16 bits",
                                     "export it again, or convert it to PNG"});
     return protocols::badInput({"is not a readable TIFF (" + why + ")", file.string(),
-                                "one channel of 32-bit float, 16-bit or 8-bit samples in strips", "export it again"});
+                                "one upright channel of 32-bit float, 16-bit or 8-bit samples in strips", "export it again"});
 }
 
-/// Numbers of a palette, negatives and pictures that lie on their side would be read as other pixels.
-void requirePlainColours(TIFF* tiff, const std::filesystem::path& file)
+/// Numbers of a palette, negatives and pictures that lie on their side would be read as other pixels. Negatives are not inverted:
+/// some programs set that mark for their view alone, so that the numbers are right as they stand.
+void requirePlainColours(TIFF* tiff, const std::filesystem::path& file, bool mayHaveColours)
 {
     std::uint16_t samples = 1, kind = 0, orientation = ORIENTATION_TOPLEFT;
     TIFFGetFieldDefaulted(tiff, TIFFTAG_SAMPLESPERPIXEL, &samples);
     const bool statesKind = TIFFGetField(tiff, TIFFTAG_PHOTOMETRIC, &kind) == 1;
     TIFFGetFieldDefaulted(tiff, TIFFTAG_ORIENTATION, &orientation);
+    if (statesKind && samples == 1 && kind == PHOTOMETRIC_MINISWHITE)
+        throw protocols::badInput({"is a TIFF in which 0 is white (WhiteIsZero), so bright and dark may be exchanged",
+                                   file.string(), "0 is black (BlackIsZero)", "save it as BlackIsZero, or convert it to PNG"});
     std::string why;
     if (statesKind && kind != (samples == 1 ? PHOTOMETRIC_MINISBLACK : PHOTOMETRIC_RGB))
         why = "its colours are neither grey nor RGB";
     else if (orientation != ORIENTATION_TOPLEFT)
         why = "its orientation mark turns or mirrors it";
-    if (!why.empty()) throw notATiff(file, why, true);
+    if (!why.empty()) throw notATiff(file, why, mayHaveColours);
 }
 
 int typeOf(TIFF* tiff, const std::filesystem::path& file, bool mayHaveColours)
@@ -159,7 +163,7 @@ cv::Mat readPixels(const std::filesystem::path& file, bool mayHaveColours)
     TIFFGetField(tiff.get(), TIFFTAG_IMAGEWIDTH, &width);
     TIFFGetField(tiff.get(), TIFFTAG_IMAGELENGTH, &height);
     const int type = typeOf(tiff.get(), file, mayHaveColours);
-    if (mayHaveColours) requirePlainColours(tiff.get(), file);
+    requirePlainColours(tiff.get(), file, mayHaveColours);
     const std::uint64_t pixels = std::uint64_t(width) * height;
     if (pixels == 0 || pixels > mostTiffPixels)
         throw notATiff(file, std::to_string(width) + " x " + std::to_string(height) + " pixels");

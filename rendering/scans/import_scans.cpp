@@ -101,6 +101,18 @@ std::vector<std::string> writeFabric(fabrics::ImportStage& stage, const ScanFile
     return lines;
 }
 
+/// "2 images were left out WHY: a.png, b.png"; no line where there are none.
+std::vector<std::string> leftOutLines(const std::vector<std::filesystem::path>& files, const std::string& why)
+{
+    constexpr std::size_t mostNames = 8;
+    if (files.empty()) return {};
+    std::string line = std::to_string(files.size()) + (files.size() == 1 ? " image was" : " images were") + " left out " + why;
+    for (std::size_t i = 0; i < std::min(mostNames, files.size()); ++i)
+        line += (i == 0 ? ": " : ", ") + files[i].filename().string();
+    if (files.size() > mostNames) line += " and " + std::to_string(files.size() - mostNames) + " more";
+    return {line};
+}
+
 bool hasSurfaces(const fabrics::Dataset& dataset)
 {
     return std::any_of(dataset.fabrics.begin(), dataset.fabrics.end(), [&](const fabrics::FabricInfo& fabric) {
@@ -154,6 +166,9 @@ std::vector<std::string> importScans(const ScanImport& request)
         lines.insert(lines.end(), said.begin(), said.end());
     }
     if (request.progress) request.progress(total, total);
+    for (const auto& said : {leftOutLines(found.leftOver, "(no colour, normals or displacement by name)"),
+                             leftOutLines(found.unread, "(a format that is not read; convert to PNG what is needed)")})
+        lines.insert(lines.end(), said.begin(), said.end());
     stage.dataset().surfaceIsFree = true;
     stage.commit();
     return lines;

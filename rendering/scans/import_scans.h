@@ -26,9 +26,9 @@ struct ScanImport {
     std::function<void(int, int)> progress = {};  ///< fabrics done, of how many
 };
 
-/// Writes or extends the data set, as a whole or not at all. Returns a report, one line each. A fabric that shows a place
-/// twice has one group, so that no split divides it. Throws badInput as scansIn(), tileWidths() and readScan(), and where a
-/// fabric is in the data set already or has no room for patches.
+/// Writes or extends the data set, as a whole or not at all. Returns a report, one line each; images that were left out stand
+/// last. A fabric that shows a place twice has one group, so that no split divides it. Throws badInput as scansIn(), tileWidths()
+/// and readScan(), and where a fabric is in the data set already or has no room for patches.
 std::vector<std::string> importScans(const ScanImport& request);
 
 }  // namespace rendering::scans

@@ -87,7 +87,7 @@ cv::Mat eightBitColour(const ReadMap& map)
     if (colour.depth() == CV_32F)
         throw protocols::badInput(
             {"holds float numbers", map.source.file.string(), "a colour image of 8 or 16 bits", "export it again"});
-    if (colour.depth() == CV_16U) colour.convertTo(colour, CV_8U, 1.0 / 257);
+    colour = fabrics::inEightBits(colour, map.source.file);
     if (colour.channels() == 1) cv::cvtColor(colour, colour, cv::COLOR_GRAY2RGB);
     return colour;
 }

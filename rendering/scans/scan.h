@@ -30,7 +30,8 @@ inline constexpr double assumedRmsSlope = 0.15;
 /// Reads the files of a fabric whose tile is `tileMm` wide. The surface has the grid of the normals (else of the displacement),
 /// or that of the colour where this is coarser. The sign of the green channel comes from the agreement of the slopes and from
 /// the displacement; the file name decides only where both leave it open. Throws badInput naming the file: not an image, not a
-/// normal map, a narrow strip, another shape than the colour, a displacement that is constant or not finite.
+/// normal map, a narrow strip, another shape than the colour, a displacement that is constant or not finite, a colour of 16 bits
+/// that uses few of them (inEightBits()).
 Scan readScan(const ScanFiles& files, double tileMm, const fabrics::DecodeOther& decodeOther);
 
 }  // namespace rendering::scans

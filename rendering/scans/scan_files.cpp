@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "protocols/files/errors.h"
 #include "rendering/fabrics/recordings/import_sources.h"
@@ -27,6 +28,10 @@ constexpr std::array<std::string_view, 4> directXWords{"dx", "directx", "dirx", 
 constexpr std::array<std::string_view, 14> fillers{"jpg",     "jpeg", "png",  "tif",  "tiff",  "map",  "tex",
                                                    "texture", "base", "srgb", "8bit", "16bit", "var1", "seamless"};
 constexpr std::array<std::string_view, 4> plainFolders{"textures", "texture", "maps", "images"};
+/// Formats of images in which libraries and drawing programs give maps, and which are not read.
+constexpr std::array<std::string_view, 18> unreadEndings{".exr",  ".hdr",  ".tga", ".webp", ".psd",  ".dds",
+                                                         ".ktx",  ".ktx2", ".jp2", ".jxl",  ".heic", ".heif",
+                                                         ".avif", ".gif",  ".pfm", ".ppm",  ".pgm",  ".tx"};
 
 template <std::size_t N>
 bool isOneOf(const std::string& word, const std::array<std::string_view, N>& words)
@@ -92,6 +97,12 @@ std::string nameOfFolder(const fs::path& folder)
 
 using FabricKey = std::pair<std::string, fs::path>;
 
+FabricKey keyOf(const fs::path& file, const MapName& map)
+{
+    const fs::path folder = fs::absolute(file).lexically_normal().parent_path();
+    return {map.fabric.empty() ? nameOfFolder(folder) : map.fabric, folder};
+}
+
 std::map<FabricKey, ScanFiles> sorted(const std::vector<fabrics::SourceFile>& files, std::vector<fs::path>& leftOver)
 {
     std::map<FabricKey, ScanFiles> found;
@@ -101,17 +112,67 @@ std::map<FabricKey, ScanFiles> sorted(const std::vector<fabrics::SourceFile>& fi
             leftOver.push_back(source.file);
             continue;
         }
-        const fs::path folder = fs::absolute(source.file).lexically_normal().parent_path();
-        const std::string name = map->fabric.empty() ? nameOfFolder(folder) : map->fabric;
-        ScanFiles& fabric = found[{name, folder}];
-        fabric.name = name;
-        fabric.folder = folder;
+        const FabricKey key = keyOf(source.file, *map);
+        ScanFiles& fabric = found[key];
+        std::tie(fabric.name, fabric.folder) = key;
         auto& list = map->role == MapRole::Colour    ? fabric.colour
                      : map->role == MapRole::Normals ? fabric.normals
                                                      : fabric.displacement;
         list.push_back({source.file, map->green});
     }
     return found;
+}
+
+/// Maps by their names, in formats that are not read.
+std::vector<fs::path> unreadMaps(const fs::path& folder)
+{
+    std::vector<fs::path> maps;
+    std::error_code problem;
+    fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, problem);
+    for (; !problem && entry != fs::recursive_directory_iterator(); entry.increment(problem)) {
+        const fs::path& file = entry->path();
+        std::error_code unknown;
+        if (fabrics::isHidden(file))
+            entry.disable_recursion_pending();
+        else if (isOneOf(fabrics::lowerCase(file.extension().string()), unreadEndings) && entry->is_regular_file(unknown) &&
+                 mapNamed(file.stem().string()))
+            maps.push_back(file);
+    }
+    std::sort(maps.begin(), maps.end());
+    return maps;
+}
+
+/// Normals tell more than a displacement does, so beside them it may be missing.
+const char* lackingRole(const ScanFiles& fabric, MapRole role)
+{
+    switch (role) {
+        case MapRole::Colour:
+            return fabric.colour.empty() ? "colour" : nullptr;
+        case MapRole::Normals:
+            return fabric.normals.empty() ? "normals" : nullptr;
+        case MapRole::Displacement:
+            return fabric.normals.empty() && fabric.displacement.empty() ? "displacement" : nullptr;
+    }
+    return nullptr;
+}
+
+/// Without this, a fabric whose measured normals lie beside it would get guessed slopes.
+void requireNoneNeeded(const std::vector<fs::path>& unread, const std::map<FabricKey, ScanFiles>& found)
+{
+    for (const fs::path& file : unread) {
+        const MapName map = mapNamed(file.stem().string()).value();
+        const FabricKey key = keyOf(file, map);
+        auto fabric = found.find(key);
+        if (fabric == found.end())  // The formats of one fabric may lie in folders of their own.
+            fabric = std::find_if(found.begin(), found.end(), [&](const auto& one) { return one.first.first == key.first; });
+        const char* const role = fabric == found.end() ? nullptr : lackingRole(fabric->second, map.role);
+        if (!role) continue;
+        throw protocols::badInput({"is not read, and \"" + fabric->second.name + "\" has no other file with its " + role,
+                                   file.string(), "PNG, JPEG or TIFF",
+                                   map.role == MapRole::Colour
+                                       ? "convert it to PNG"
+                                       : "convert it to a PNG of 16 bits whose numbers stay as they are"});
+    }
 }
 
 void requireComplete(const ScanFiles& fabric)
@@ -156,6 +217,8 @@ FoundScans scansIn(const fs::path& folder)
     const auto files = fabrics::sourceFiles(from, fabrics::photographEndings(), fabrics::FabricNaming::FolderOrFile);
     FoundScans scans;
     auto found = sorted(files, scans.leftOver);
+    scans.unread = unreadMaps(folder);
+    requireNoneNeeded(scans.unread, found);
     std::map<std::string, int> uses;
     for (const auto& [key, fabric] : found) ++uses[key.first];
     for (auto& [key, fabric] : found) {

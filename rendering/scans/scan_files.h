@@ -39,10 +39,12 @@ struct ScanFiles {
 struct FoundScans {
     std::vector<ScanFiles> fabrics;               ///< in the order of their names
     std::vector<std::filesystem::path> leftOver;  ///< images of no known role
+    std::vector<std::filesystem::path> unread;    ///< maps by their names, in formats that are not read (.exr, .tga and others)
 };
 
 /// Searches a folder and its sub-folders. Throws badInput that names the folder where no fabric has colour, and that names
-/// the fabric which has no colour, or neither normals nor displacement.
+/// the fabric which has no colour, or neither normals nor displacement. Throws badInput that names an unread file where a fabric
+/// lacks its colour or normals, or, without normals, its displacement.
 FoundScans scansIn(const std::filesystem::path& folder);
 
 }  // namespace rendering::scans

@@ -145,7 +145,12 @@ rendering::TrueMap knownSurface(const CalibrateCall& call)
     }
     if (!(call.mmPerPixel > 0))
         throw protocols::badInput({"the pitch of the surface is unknown", call.surface, "--mm-per-pixel", "state it"});
-    return {rendering::readImage(file), call.mmPerPixel, call.mmPerPixel, ""};
+    const cv::Mat heightMm = rendering::readImage(file);
+    if (heightMm.type() != CV_32FC1 && heightMm.type() != CV_64FC1)  // integers have no unit that is known
+        throw protocols::badInput({"is a picture, and no map of heights in mm", call.surface,
+                                   "one channel of floating-point numbers, as .tmd, .tiff or .npy",
+                                   "export the heights in mm as 32-bit float"});
+    return {heightMm, call.mmPerPixel, call.mmPerPixel, ""};
 }
 
 int calibrateOnSurface(const CalibrateCall& call)
@@ -163,7 +168,6 @@ int calibrateOnSurface(const CalibrateCall& call)
     const int first = row(call.rows[0]), last = row(call.rows[1]);
     auto calibration = signals::calibrationFrom(surface, first, last, qualities.at(call.quality));
     if (call.cutoffMm > 0) calibration.highPassCutoffMm = call.cutoffMm;
-    protocols::writeWholeFile(call.out, signals::toJson(calibration));
     ordered_json report{{"schema", "vis2hap.calibration-report/1"}, {"quality", call.quality}, {"surface", call.surface}};
     const auto put = [&](const char* name, int from, int to) {
         if (from >= to) return;
@@ -180,6 +184,7 @@ int calibrateOnSurface(const CalibrateCall& call)
     put("learned", first, last);
     put("above", 0, first);
     put("below", last, map.heightMm.rows);
+    protocols::writeWholeFile(call.out, signals::toJson(calibration));
     if (call.json)
         writeJson(call.json, report);
     else

@@ -45,7 +45,7 @@ MeasuredSignals::MeasuredSignals(const fabrics::Dataset& dataset, double pitchIf
     }
     if (dataset.tactileCalibration == "known") return;
     m_reference = fabrics::readTactileReference(dataset);
-    m_calibration = signals::readCalibration(dataset.folder / dataset.tactileCalibration);
+    m_calibration = signals::calibrationOf(dataset, m_reference);
 }
 
 cv::Mat MeasuredSignals::height(const protocols::FabricId& fabric, int index) const

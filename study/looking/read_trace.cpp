@@ -7,6 +7,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/foreign/foreign_table.h"
 #include "protocols/files/number_text.h"
+#include "rendering/fabrics/friction_record.h"
 #include "study/looking/place_in_dataset.h"
 
 namespace study::looking {
@@ -128,7 +129,7 @@ SeenSignal readTrace(const fs::path& file, const ReadingOptions& options)
     const protocols::CsvTable table = protocols::readForeignTable(file).table;
     const auto place = placeInDataset(file);
     std::optional<double> speed = options.speedMmPerS;
-    if (!speed && place) speed = place->dataset.friction.speedMmPerS;
+    if (!speed && place) speed = rendering::fabrics::ownSpeedMmPerS(file).value_or(place->dataset.friction.speedMmPerS);
     SeenTrace trace;
     takeValues(trace, table, options.quantity);
     takePlaces(trace, table, speed);

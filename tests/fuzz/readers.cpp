@@ -26,6 +26,7 @@
 #include "rendering/fabrics/dataset_json.h"
 #include "rendering/fabrics/friction_record.h"
 #include "rendering/fabrics/recordings/friction_preparation.h"
+#include "rendering/fabrics/recordings/friction_report.h"
 #include "rendering/fabrics/recordings/friction_tables.h"
 #include "rendering/fabrics/recordings/import_friction.h"
 #include "rendering/fabrics/recordings/instrument_texts.h"
@@ -136,6 +137,15 @@ const std::string labview =
     "LabVIEW Measurement\t\r\nSeparator\tTab\r\nDecimal_Separator\t.\r\n***End_of_Header***\t\r\nChannels\t3\r\nDelta_X\t0.01\r\n"
     "***End_of_Header***\r\nX_Value\tfx_N\tfy_N\tfz_N\tComment\r\n0\t0.3\t0.4\t-1\r\n0.01\t0.3\t0.4\t-1.1\r\n0.02\t0.3\t0.4\t-1."
     "2\r\n";
+
+const std::string labviewWithoutTimes =
+    "LabVIEW Measurement\t\r\nX_Columns\tNo\r\n***End_of_Header***\t\r\nChannels\t3\r\nY_Unit_Label\tmN\tmN\tmN\r\n"
+    "Delta_X\t0.01\t0.01\t0.01\r\n***End_of_Header***\r\nX_Value\tfx\tfy\tfz\tComment\r\n"
+    "\t300\t400\t-1000\r\n\t300\t400\t-1100\r\n";
+
+const std::string tribometerWithCommas =
+    "Profile\tx\r\n\r\nStep Time (s)\tTraction Force (N)\tPin Load (N)\tSliding Speed (mm/s)\r\n"
+    "0,00\t0,400\t1,000\t10,0\r\n0,01\t0,410\t1,000\t10,0\r\n0,02\t0,4\t1,1\t10\r\n";
 
 const std::string tribometer =
     "MTM311 Test Data File\r\nLubricant name:\t\xB5\r\n\r\nStep 1 started at 20/09/2016 07:49:34\r\n"
@@ -310,16 +320,21 @@ void importInto(rendering::fabrics::Dataset dataset, const rendering::fabrics::R
     const PreparedRecord prepared = prepare(record, {});
     const FrictionRecording stated = recordingOf(record, prepared, dataset.friction);
     if (prepared.values.size() > mostSamples) return;
-    dataset.friction = stated;
     const protocols::FabricId fabric = dataset.fabrics.front().id;
-    put(samplePath(dataset, fabric, Modality::Friction, 0), frictionCsv(prepared, record.quantity));
+    const fs::path file = samplePath(dataset, fabric, Modality::Friction, 0);
+    put(file, frictionCsv(prepared, record.quantity));
+    put(fs::path(file).replace_extension(".json"), preparationJson(record, {}, prepared));
+    dataset.friction.speedMmPerS = 7;  // The record states its own speed, or has this one.
     try {
-        const FrictionRecording again = datasetFromJson(toJson(dataset), "d.json").friction;
+        Dataset described = dataset;
+        described.friction = stated;
+        const FrictionRecording again = datasetFromJson(toJson(described), "d.json").friction;
         require(again.sampleRateHz == stated.sampleRateHz && again.speedMmPerS == stated.speedMmPerS &&
                     again.lengthMm == stated.lengthMm,
                 "dataset.json states another recording");
         const FrictionRecord read = readFriction(dataset, fabric, 0);
         require(read.values.size() == prepared.values.size(), "another number of samples is read again");
+        require(read.speedMmPerS == record.speedMmPerS.value_or(dataset.friction.speedMmPerS), "another speed is read again");
         require(std::abs(read.sampleRateHz * prepared.stepS - 1) < 0.01, "another sample rate is read again");
         for (std::size_t i = 0; i < read.values.size(); ++i) {
             const double load = prepared.evenNormalN.empty() ? 1 : prepared.evenNormalN[i];
@@ -377,8 +392,9 @@ std::vector<Reader> recordReaders(const fs::path& folder)
                      readFrictionCsv, dataset),
         recordReader("slide", folder / "a_F1_V-20mmps_0.csv", {recordText("timestamp, proximity1, channel1, channel2", 4, ',')},
                      readSlide, dataset),
-        recordReader("tribometer", folder / "a.txt", {tribometer}, readTribometer, dataset, "Step Time (s)"),
-        recordReader("labview", folder / "a.lvm", {labview}, readLabview, dataset, "X_Value"),
+        recordReader("tribometer", folder / "a.txt", {tribometer, tribometerWithCommas}, readTribometer, dataset,
+                     "Step Time (s)"),
+        recordReader("labview", folder / "a.lvm", {labview, labviewWithoutTimes}, readLabview, dataset, "X_Value"),
         {"samples",
          {"fabric,signal,index,x_mm,y_mm,rotation_deg,group\nF01,visual,0,908.981,739.053,-2.89,F01/visual/"
           "0\nF01,tactile,1,3,4,,a\n",

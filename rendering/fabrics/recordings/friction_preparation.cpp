@@ -49,6 +49,7 @@ void subtractZero(PreparedRecord& result, std::vector<double>& second, const Raw
     if (options.zero == Selection::None) return;
     result.zeroRows = options.zero == Selection::Stated ? rowsIn(result.timeS, options.zeroInterval, record.where, "--zero")
                                                         : unloadedRows(result.normalN);
+    result.lacksZero = !result.zeroRows;
     if (!result.zeroRows) return;
     result.zeroNormalN = meanOf(result.normalN, *result.zeroRows);
     subtract(result.normalN, result.zeroNormalN);
@@ -202,6 +203,56 @@ void measure(PreparedRecord& result, const RawRecord& record)
             "the coefficient is negative: the tangential axis points against the stroke (use --tangential=-NAME)");
 }
 
+/// Forces of two axes along the line on which most of the force lies. A stroke back has the other sign there.
+std::vector<double> alongMainLine(std::vector<double> x, const std::vector<double>& y)
+{
+    double largest = 0, xx = 0, yy = 0, xy = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) largest = std::max({largest, std::abs(x[i]), std::abs(y[i])});
+    if (!(largest > 0)) return x;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const double a = x[i] / largest, b = y[i] / largest;  // squares of huge forces are no numbers
+        xx += a * a;
+        yy += b * b;
+        xy += a * b;
+    }
+    const double angle = std::atan2(2 * xy, xx - yy) / 2;
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = std::cos(angle) * x[i] + std::sin(angle) * y[i];
+    return x;
+}
+
+std::string wholePercent(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
+
+/// The mean over strokes back and forth is no friction. `first` and `second` are the tangential axes before they are combined.
+void requireOneDirection(PreparedRecord& result, const RawRecord& record, const std::vector<double>& first,
+                         const std::vector<double>& second)
+{
+    constexpr double leastOfEach = 0.05, leastOfBoth = 0.8;  // shares of the slide's samples
+    if (result.normalN.empty() && record.quantity != "mu") return;
+    const auto directionsIn = [&](RowRange rows) {
+        const auto part = [&](const std::vector<double>& values) {
+            return std::vector<double>(values.begin() + std::ptrdiff_t(rows.begin), values.begin() + std::ptrdiff_t(rows.end));
+        };
+        return directionsOf(second.empty() ? part(result.tangentialN) : alongMainLine(part(first), part(second)));
+    };
+    const auto& [contact, slide, why] = result.slide;
+    const StrokeDirections found = directionsIn(slide);
+    const double load = result.normalN.empty() ? 1 : loadedLevel(result.normalN);
+    if (!(found.medianMagnitude > tinyCoefficient * load)) return;  // such a force may be the drift of the sensor
+    if (std::min(found.positive, found.negative) <= leastOfEach) return;
+    const std::string shares = "the tangential force points one way in " + wholePercent(found.positive) +
+                               " and the other way in " + wholePercent(found.negative) + " of the slide";
+    if (found.positive + found.negative < leastOfBoth) {
+        result.warnings.push_back(shares + ": check that the record is one stroke in one direction");
+        return;
+    }
+    const RowRange stroke = directionsIn(contact).longest;  // a whole one: the slide may begin within the first
+    const auto timeAt = [&](std::size_t row) { return fourFigures(result.timeS[contact.begin + row]); };
+    throw protocols::badInput(
+        {"the stroke runs in both directions: " + shares, record.where + ", row " + std::to_string(slide.begin + found.turn + 1),
+         "one stroke in one direction",
+         "cut the record to one stroke, such as --trim " + timeAt(stroke.begin) + "," + timeAt(stroke.end - 1)});
+}
+
 }  // namespace
 
 std::string fourFigures(double value)
@@ -226,12 +277,14 @@ PreparedRecord prepare(const RawRecord& record, const FrictionOptions& options)
         makeCompressionPositive(result, options);
         requirePlausibleForces(result, record.where);
     }
+    const auto first = second.empty() ? std::vector<double>{} : result.tangentialN;
     for (std::size_t i = 0; i < second.size(); ++i) result.tangentialN[i] = std::hypot(result.tangentialN[i], second[i]);
     result.slide = slideOf(result, record, options);
     const Kept kept = keptOf(result, record.where);
     resample(result, kept, record.where, options.rateHz);
     requirePlausibleRate(result.stepS, record);
     measure(result, record);
+    requireOneDirection(result, record, first, second);
     if (!record.timeWithoutUnit.empty() && 1 / result.base.stepS < fewSamplesHz)
         result.warnings.push_back("the column \"" + record.timeWithoutUnit + "\" states no unit, and in s it gives " +
                                   fourFigures(1 / result.base.stepS) + " Hz: if its unit is ms or us, add that to its name");

@@ -19,6 +19,7 @@ struct PreparedRecord {
     std::vector<double> tangentialN, normalN;  ///< forces in N; or the quantity, and `normalN` empty
 
     std::optional<RowRange> zeroRows;  ///< unloaded rows, whose means were subtracted
+    bool lacksZero = false;            ///< true where the options ask for a zero and no samples are unloaded
     double zeroNormalN = 0;
     std::vector<double> zeroTangentialN;  ///< one value for each axis
     bool normalReversed = false;          ///< true where compression was negative
@@ -38,8 +39,10 @@ struct PreparedRecord {
 /// Prepares a record. Throws badInput naming its file and, where one row is at fault, that row. Faults of the time: time
 /// that does not increase, an interval without samples, a gap too long to fill, a sample rate outside leastRateHz to
 /// mostRateHz. A speed outside 0.001 to 100,000 mm/s is a fault, too. Faults of the forces: forces or a
-/// coefficient that are implausible in every unit, no contact, lost contact. Contact is lost where more than 1 % of the
-/// slide's samples have too small a normal force: below leastShareOfLoad of the median, or below leastNormalN.
+/// coefficient that are implausible in every unit, no contact, lost contact, strokes in both directions. Contact is lost
+/// where more than 1 % of the slide's samples have too small a normal force: below leastShareOfLoad of the median, or below
+/// leastNormalN. A slide runs in both directions where each has more than 5 % of its samples and both together have at least
+/// 80 % (directionsOf()). Where both together have less, there is a warning.
 PreparedRecord prepare(const RawRecord& record, const FrictionOptions& options);
 
 /// Text with four significant figures.

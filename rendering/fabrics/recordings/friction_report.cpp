@@ -47,6 +47,7 @@ std::string describeCuts(const PreparedRecord& prepared)
     if (prepared.zeroRows)
         text += ", zero from " + std::to_string(prepared.zeroRows->count()) + " unloaded samples (normal " +
                 fourFigures(prepared.zeroNormalN) + " N)";
+    if (prepared.lacksZero) text += ", no zero taken (no unloaded samples found), so any offset of the sensor remains";
     if (prepared.normalReversed) text += ", normal force reversed";
     std::string cuts;
     for (const auto& [name, rows] : cutsOf(prepared))
@@ -72,6 +73,7 @@ std::string preparationJson(const RawRecord& record, const FrictionOptions& opti
                       {"rows", record.timeS.size()},
                       {"quantity", record.normalN.empty() ? record.quantity : "mu"},
                       {"meaning", record.meaning}};
+    if (record.speedMmPerS) json["speed_mm_per_s"] = *record.speedMmPerS;  // readFriction() reads it
     if (!record.normalN.empty()) {
         json["axes"] = {{"normal", jsonOf(options.normal)}, {"tangential", ordered_json::array()}};
         for (const auto& axis : options.tangential) json["axes"]["tangential"].push_back(jsonOf(std::optional(axis)));

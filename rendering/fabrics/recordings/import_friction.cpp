@@ -70,7 +70,7 @@ std::string remarkOnSpeed(const RawRecord& record, const Dataset& dataset)
     if (!record.speedMmPerS) return ", speed not stated (the data set's " + known + " is assumed)";
     const std::string own = fourFigures(*record.speedMmPerS) + " mm/s";
     if (std::abs(*record.speedMmPerS / dataset.friction.speedMmPerS - 1) < 0.01) return ", " + own;
-    return ", " + own + " (the data set states " + known + ")";
+    return ", " + own + " (the data set states " + known + "; this record keeps its own)";
 }
 
 std::string titleOf(const FabricInfo& fabric, int sample)

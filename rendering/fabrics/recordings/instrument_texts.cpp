@@ -30,6 +30,16 @@ std::optional<std::size_t> columnNamed(const LineCells& header, std::string_view
     return found == header.end() ? std::nullopt : std::optional(std::size_t(found - header.begin()));
 }
 
+std::optional<double> numberOf(std::string_view cell, bool decimalComma)
+{
+    if (!decimalComma) return protocols::numberIn(cell);
+    std::string text(cell);
+    std::replace(text.begin(), text.end(), ',', '.');
+    return protocols::numberIn(text);
+}
+
+bool isBlank(std::string_view cell) { return protocols::withoutBlanks(cell).empty(); }
+
 /// "Pin Load (N)" without its unit.
 std::string withoutUnit(const std::string& header) { return header.substr(0, header.find(" (")); }
 
@@ -45,7 +55,10 @@ void requireFewTables(std::size_t count, const std::string& where)
 /// Table of one step of a tribometer profile, kept as text until a column is read.
 class StepTable {
 public:
-    StepTable(const std::string& where, std::string_view header) : m_where(where), m_header(header) {}
+    StepTable(const std::string& where, std::string_view header, bool decimalComma)
+        : m_where(where), m_header(header), m_decimalComma(decimalComma)
+    {
+    }
 
     void addLine(std::string_view line, std::size_t number)
     {
@@ -53,6 +66,7 @@ public:
         m_numbers.push_back(number);
     }
     std::size_t rows() const { return m_lines.size(); }
+    bool hasDecimalCommas() const { return m_decimalComma; }
 
     /// Header of the column that a user calls `name`; empty where there is none.
     std::string headerCalled(const std::string& name) const
@@ -72,7 +86,7 @@ public:
             const LineCells cells = splitAt(m_lines[row], '\t');
             const std::string_view cell = *at < cells.size() ? cells[*at] : std::string_view();
             if (cell.empty() && values.size() == 0) continue;
-            const auto value = protocols::numberIn(cell);
+            const auto value = numberOf(cell, m_decimalComma);
             if (!value || values.size() != row)
                 throw protocols::badInput({"\"" + protocols::inShort(cell, longestCellShown) + "\" is not a number",
                                            lineName(m_where, m_numbers[row]) + ", column " + std::string(name),
@@ -84,7 +98,8 @@ public:
 
 private:
     std::string m_where;
-    std::string_view m_header;              ///< split where it is needed: a file may hold thousands of long ones
+    std::string_view m_header;  ///< split where it is needed: a file may hold thousands of long ones
+    bool m_decimalComma;
     std::vector<std::string_view> m_lines;  ///< parts of the file's text, which outlives the table
     std::vector<std::size_t> m_numbers;
 };
@@ -124,6 +139,7 @@ RawRecord tribometerRecord(const StepTable& step, const std::string& where, cons
                                    "one axis, because this instrument measures one tangential force",
                                    "name one column with --tangential"});
     RawRecord record{.where = where, .instrument = "tribometer"};
+    if (step.hasDecimalCommas()) record.form = "decimal commas";
     record.timeS = step.column("Step Time (s)");
     const ForceColumn force = options.tangential.empty() ? usualForce(step, {"Traction Force (N)"})
                                                          : namedForce(step, options.tangential.front(), options, where);
@@ -157,6 +173,41 @@ RawRecord tribometerRecord(const StepTable& step, const std::string& where, cons
     return record;
 }
 
+bool isDigitAt(std::string_view text, std::size_t place)
+{
+    return place < text.size() && text[place] >= '0' && text[place] <= '9';
+}
+
+/// Whether the comma of "1,234" may stand between thousands. It stands before decimals in "0,400", "12,5" and "1234,567".
+bool mayBeThousands(std::string_view number)
+{
+    if (number.starts_with('-') || number.starts_with('+')) number.remove_prefix(1);
+    const std::size_t comma = number.find(',');
+    return comma >= 1 && comma <= 3 && number.front() != '0' && number.size() == comma + 4 && isDigitAt(number, comma + 1) &&
+           isDigitAt(number, comma + 2) && isDigitAt(number, comma + 3);
+}
+
+/// Whether the numbers below the headers of a tribometer have decimal commas: none has a point, and the comma of at least one
+/// cannot stand between thousands.
+bool writesDecimalCommas(const std::vector<std::string_view>& lines)
+{
+    bool inTable = false, hasDecimals = false;
+    for (const std::string_view line : lines) {
+        const LineCells cells = splitAt(line, '\t');
+        const bool isHeader = cells[0] == "Step Time (s)";
+        inTable = isHeader || (inTable && numberOf(cells[0], true));
+        if (isHeader || !inTable) continue;
+        for (const std::string_view padded : cells) {
+            const std::string_view cell = protocols::withoutBlanks(padded);
+            const std::size_t comma = cell.find(',');
+            if (cell.find('.') != std::string_view::npos && protocols::numberIn(cell)) return false;
+            if (comma == std::string_view::npos || !isDigitAt(cell, comma + 1) || !numberOf(cell, true)) continue;
+            hasDecimals = hasDecimals || !mayBeThousands(cell);
+        }
+    }
+    return hasDecimals;
+}
+
 /// Column of a LabVIEW table with the factor that converts it to newtons.
 struct LabviewColumn {
     std::size_t index = 0;
@@ -167,20 +218,48 @@ struct LabviewColumn {
 /// Part of a LabVIEW file between two headers.
 struct Segment {
     double deltaX = 0;
+    bool isOneStep = true;    ///< every column that states Delta_X states the same
+    bool lacksTimes = false;  ///< the header says "X_Columns No", so that the cells of the times are blank
     bool decimalComma = false;
+    LineCells units = {};  ///< the row Y_Unit_Label of the header
     LabviewColumn time, normal;
     std::vector<LabviewColumn> tangential;
     std::vector<double> timeS, normalN;
     std::vector<std::vector<double>> tangentialN;  ///< one vector for each axis
 };
 
-LabviewColumn labviewColumn(const LineCells& cells, const ForceAxis& axis, const FrictionOptions& options,
+/// The unit that the header gives for a column; empty where it gives none.
+std::string unitLabelOf(const LineCells& units, const LineCells& cells, std::size_t column)
+{
+    std::size_t times = 0;  // columns of times left of the column
+    bool hasGaps = true;    // so that the units stand above their own columns
+    for (std::size_t i = 1; i < std::min(units.size(), cells.size()); ++i) {
+        if (cells[i] != "X_Value") continue;
+        if (i < column) ++times;
+        if (!isBlank(units[i])) hasGaps = false;
+    }
+    const std::size_t place = hasGaps ? column : column - times;
+    return place > 0 && place < units.size() ? std::string(protocols::withoutBlanks(units[place])) : "";
+}
+
+/// Newtons per unit of a column: the unit in its name, else the one in the options, else the one that the header gives.
+double labviewNewtons(const std::string& name, const std::string& label, const FrictionOptions& options, const std::string& place)
+{
+    if (label.empty() || !options.forceUnit.empty() || !nameAndUnit(name).unit.empty()) return newtonsOf(name, options, place);
+    if (const auto newtons = newtonsIn(label)) return *newtons;
+    throw protocols::badInput({"the unit \"" + protocols::inShort(label, longestCellShown) + "\" of the column \"" +
+                                   protocols::inShort(name, longestCellShown) + "\" is unknown",
+                               place + ", Y_Unit_Label", std::string(knownForceUnits), "state the unit with --force-unit"});
+}
+
+LabviewColumn labviewColumn(const LineCells& cells, const Segment& pending, const ForceAxis& axis, const FrictionOptions& options,
                             const std::string& place)
 {
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const std::string cell(cells[i]);
         if (!isCalled(cell, axis.column)) continue;
-        return {i, axis.sign * newtonsOf(cell, options, place), nameAndUnit(cell).name};
+        const std::string label = unitLabelOf(pending.units, cells, i);
+        return {i, axis.sign * labviewNewtons(cell, label, options, place), nameAndUnit(cell).name};
     }
     throw protocols::badInput({"has no column " + axis.column, place, "the columns X_Value, fx, fy and fz",
                                "name the axes with --normal and --tangential"});
@@ -190,39 +269,61 @@ Segment segmentFrom(const Segment& pending, const LineCells& cells, const Fricti
 {
     Segment segment;
     segment.deltaX = pending.deltaX;
+    segment.isOneStep = pending.isOneStep;
+    segment.lacksTimes = pending.lacksTimes;
     segment.decimalComma = pending.decimalComma;
     segment.time = {0, 1, "X_Value"};
-    segment.normal = labviewColumn(cells, options.normal.value_or(ForceAxis{"fz"}), options, place);
+    segment.normal = labviewColumn(cells, pending, options.normal.value_or(ForceAxis{"fz"}), options, place);
     const std::vector<ForceAxis> tangential =
         options.tangential.empty() ? std::vector<ForceAxis>{{"fx"}, {"fy"}} : options.tangential;
-    for (const ForceAxis& axis : tangential) segment.tangential.push_back(labviewColumn(cells, axis, options, place));
+    for (const ForceAxis& axis : tangential) segment.tangential.push_back(labviewColumn(cells, pending, axis, options, place));
     segment.tangentialN.resize(tangential.size());
     return segment;
 }
 
-std::optional<double> labviewNumber(std::string_view cell, bool decimalComma)
+bool isBlankRow(const LineCells& cells) { return std::all_of(cells.begin(), cells.end(), isBlank); }
+
+void takeStep(Segment& pending, const LineCells& cells)
 {
-    if (!decimalComma) return protocols::numberIn(cell);
-    std::string text(cell);
-    std::replace(text.begin(), text.end(), ',', '.');
-    return protocols::numberIn(text);
+    pending.deltaX = numberOf(cells[1], pending.decimalComma).value_or(0);
+    pending.isOneStep = std::all_of(cells.begin() + 1, cells.end(), [&](auto cell) {
+        return isBlank(cell) || numberOf(cell, pending.decimalComma).value_or(0) == pending.deltaX;
+    });
 }
 
-bool isBlankRow(const LineCells& cells)
+/// Whether a line that stands in no table has numbers like a row of one.
+bool looksLikeRow(const LineCells& cells, const Segment& pending)
 {
-    return std::all_of(cells.begin(), cells.end(), [](auto cell) { return protocols::withoutBlanks(cell).empty(); });
+    const auto isNumber = [&](auto cell) { return numberOf(cell, pending.decimalComma).has_value(); };
+    if (cells.size() < 2) return false;
+    return isNumber(cells[0]) ||
+           (pending.lacksTimes && isBlank(cells[0]) && std::any_of(cells.begin() + 1, cells.end(), isNumber));
+}
+
+/// The next time of a segment without times.
+double timeOfRow(const Segment& segment, const LineCells& cells, const std::string& place)
+{
+    if (!isBlank(cells[0]))
+        throw protocols::badInput({"a time stands below rows without one", place + ", column X_Value",
+                                   "times in every row, or in none where X_Columns is No", "correct the row or remove it"});
+    if (!(segment.deltaX > 0) || !segment.isOneStep)
+        throw protocols::badInput({"has neither times nor one step between its rows", place,
+                                   "the same Delta_X above 0 for all columns where X_Columns is No",
+                                   "export the file with its X values"});
+    return double(segment.timeS.size()) * segment.deltaX;
 }
 
 void addRow(Segment& segment, const LineCells& cells, const std::string& where, std::size_t line)
 {
     const auto number = [&](const LabviewColumn& column) {
-        const auto value = column.index < cells.size() ? labviewNumber(cells[column.index], segment.decimalComma) : std::nullopt;
+        const auto value = column.index < cells.size() ? numberOf(cells[column.index], segment.decimalComma) : std::nullopt;
         if (!value)
             throw protocols::badInput({"a number is missing or malformed", lineName(where, line) + ", column " + column.name,
                                        "time and forces in every row", "correct the row or remove it"});
         return column.factor * *value;
     };
-    segment.timeS.push_back(number(segment.time));
+    if (segment.timeS.empty()) segment.lacksTimes = segment.lacksTimes && isBlank(cells[0]);
+    segment.timeS.push_back(segment.lacksTimes ? timeOfRow(segment, cells, lineName(where, line)) : number(segment.time));
     segment.normalN.push_back(number(segment.normal));
     for (std::size_t i = 0; i < segment.tangential.size(); ++i) segment.tangentialN[i].push_back(number(segment.tangential[i]));
 }
@@ -287,20 +388,21 @@ std::vector<RawRecord> readTribometer(const std::filesystem::path& file, const F
 {
     const std::string text = recordText(file);
     const std::vector<std::string_view> lines = linesOf(text);
+    const bool commas = text.find(',') != std::string::npos && writesDecimalCommas(lines);
     std::vector<StepTable> steps;
     bool inTable = false;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const std::string_view line = lines[i], first = line.substr(0, line.find('\t'));
         if (first == "Step Time (s)") {
-            steps.emplace_back(file.string(), line);
+            steps.emplace_back(file.string(), line, commas);
             requireFewTables(steps.size(), file.string());
             inTable = true;
-        } else if (inTable && protocols::numberIn(first)) {
+        } else if (inTable && numberOf(first, commas)) {
             steps.back().addLine(line, i);
         } else if (inTable && line.find('\t') != std::string_view::npos && !first.starts_with("Step")) {
             throw protocols::badInput({"\"" + protocols::inShort(first, longestCellShown) + "\" is not a time",
                                        lineName(file.string(), i), "a number of seconds", "correct the row"});
-        } else if (!steps.empty() && line.find('\t') != std::string_view::npos && protocols::numberIn(first)) {
+        } else if (!steps.empty() && line.find('\t') != std::string_view::npos && numberOf(first, commas)) {
             throw rowOutsideTable(file.string(), i);
         } else {
             inTable = false;
@@ -331,8 +433,12 @@ std::vector<RawRecord> readLabview(const std::filesystem::path& file, const Fric
         const LineCells cells = splitAt(lines[i], separator);
         if (cells[0].starts_with("Decimal_Separator"))
             pending.decimalComma = separator != ',' && lines[i].find(',') != std::string::npos;
+        else if (cells[0] == "X_Columns" && cells.size() > 1)
+            pending.lacksTimes = protocols::withoutBlanks(cells[1]) == "No";
+        else if (cells[0] == "Y_Unit_Label")
+            pending.units = cells;
         else if (cells[0] == "Delta_X" && cells.size() > 1)
-            pending.deltaX = labviewNumber(cells[1], pending.decimalComma).value_or(0);
+            takeStep(pending, cells);
         else if (cells[0] == "X_Value") {
             segments.push_back(segmentFrom(pending, cells, options, lineName(file.string(), i)));
             requireFewTables(segments.size(), file.string());
@@ -341,7 +447,7 @@ std::vector<RawRecord> readLabview(const std::filesystem::path& file, const Fric
             inRows = false;
         } else if (inRows) {
             addRow(segments.back(), cells, file.string(), i);
-        } else if (!segments.empty() && cells.size() > 1 && labviewNumber(cells[0], pending.decimalComma)) {
+        } else if (!segments.empty() && looksLikeRow(cells, pending)) {
             throw rowOutsideTable(file.string(), i);
         }
     }

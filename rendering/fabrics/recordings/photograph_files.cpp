@@ -1,6 +1,7 @@
 #include "rendering/fabrics/recordings/photograph_files.h"
 
 #include <algorithm>
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 #include "protocols/files/errors.h"
@@ -14,6 +15,8 @@ namespace {
 
 constexpr std::string_view imageEndings[] = {".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff"};
 constexpr int smallestSidePx = 16;
+constexpr double brightestWord = 65535, leastBrightest = 1 << 12;
+constexpr double wordsPerByte = 257;  ///< white is 65535 of 16 bits and 255 of 8
 
 cv::Mat readPhotographTiff(const std::filesystem::path& file)
 {
@@ -27,6 +30,23 @@ cv::Mat readPhotographTiff(const std::filesystem::path& file)
 }  // namespace
 
 std::span<const std::string_view> photographEndings() { return imageEndings; }
+
+cv::Mat inEightBits(const cv::Mat& picture, const std::filesystem::path& file)
+{
+    if (picture.depth() != CV_16U) return picture;
+    double brightest = 0;
+    cv::minMaxLoc(picture.reshape(1), nullptr, &brightest);
+    if (brightest < leastBrightest)
+        throw protocols::badInput(
+            {"its brightest value is " + std::to_string(std::lround(brightest)) + " of " +
+                 std::to_string(std::lround(brightestWord)) + ", so that " +
+                 std::to_string(std::lround(brightest / wordsPerByte) + 1) + " grey levels at most would be left of its 16 bits",
+             file.string(), "white at 65535; values of 10 or 12 bits need the factor 64 or 16",
+             "multiply the values of all pictures of this camera by one factor, or export them with 8 bits"});
+    cv::Mat bytes;
+    picture.convertTo(bytes, CV_8U, 1 / wordsPerByte);
+    return bytes;
+}
 
 cv::Mat readPhotographFile(const std::filesystem::path& file, const DecodeOther& decodeOther)
 {
@@ -44,7 +64,7 @@ cv::Mat readPhotographFile(const std::filesystem::path& file, const DecodeOther&
     if (image.empty() || std::min(image.rows, image.cols) < smallestSidePx)
         throw protocols::badInput({"is " + std::to_string(image.cols) + " x " + std::to_string(image.rows) + " pixels",
                                    file.string(), "at least 16 x 16 pixels", "export it at a larger size"});
-    if (image.depth() == CV_16U) image.convertTo(image, CV_8U, 1.0 / 257);
+    image = inEightBits(image, file);
     if (image.channels() == 1) cv::cvtColor(image, image, cv::COLOR_GRAY2RGB);
     return image;
 }

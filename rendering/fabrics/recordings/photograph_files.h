@@ -19,8 +19,13 @@ using DecodeOther = std::function<cv::Mat(const std::filesystem::path&)>;
 /// Endings of the image files that are photographs, lower case, with the dot. What Qt reads only with a plugin is not among them.
 std::span<const std::string_view> photographEndings();
 
+/// The picture with 8 bits a sample. Throws badInput naming `file` for 16 bits whose brightest value is below 4096: cameras of 10
+/// or 12 bits write such files, and a few grey levels would be left. One picture cannot tell their factor from a dark scene, so
+/// none is guessed. Pictures of 14 bits pass: black cloth is as dark.
+cv::Mat inEightBits(const cv::Mat& picture, const std::filesystem::path& file);
+
 /// CV_8UC3, RGB, at least 16 x 16 pixels. Reads PNG and TIFF itself, other formats by `decodeOther`. Throws badInput naming the
-/// file.
+/// file, also as inEightBits().
 cv::Mat readPhotographFile(const std::filesystem::path& file, const DecodeOther& decodeOther);
 
 struct NewPhotographSet {

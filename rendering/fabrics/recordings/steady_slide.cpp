@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace rendering::fabrics {
@@ -101,6 +102,34 @@ std::optional<RowRange> steadyPart(const std::vector<double>& coefficient, const
     return RowRange{*begin, count - *end};
 }
 
+constexpr std::size_t fewestAtRest = 10;
+
+/// Samples at the beginning of a record whose normal force stays at `rest`, within a tenth of the way to `full`.
+template <class Force>
+std::size_t countAtRest(Force begin, Force end, double rest, double full)
+{
+    const auto isAtRest = [&](double force) { return std::abs(force - rest) < 0.1 * std::abs(full - rest); };
+    return std::size_t(std::find_if_not(begin, end, isAtRest) - begin);
+}
+
+/// The same where the first samples show the level; 0 where they are loaded. An approach that begins with the record has no rest:
+/// its force changes from sample to sample, and its mean would be a wrong zero.
+template <class Force>
+std::size_t countAtOwnRest(Force begin, Force end, double full, double load)
+{
+    constexpr double mostChange = 0.03;  ///< of the way from rest to load; the first tenth of an approach changes by 0.05
+    const double rest = quantile(std::vector<double>(begin, begin + std::ptrdiff_t(fewestAtRest)), 0.5);
+    if (!(std::abs(rest) < leastShareOfLoad * load)) return 0;
+    const auto count = countAtRest(begin, end, rest, full);
+    const auto meanFrom = [&](std::size_t first) {
+        const auto from = begin + std::ptrdiff_t(first);
+        return std::accumulate(from, from + std::ptrdiff_t(count / 2), 0.0) / double(count / 2);
+    };
+    if (count < fewestAtRest || std::abs(meanFrom(count - count / 2) - meanFrom(0)) > mostChange * std::abs(full - rest))
+        return 0;
+    return count;
+}
+
 }  // namespace
 
 double loadedLevel(std::span<const double> normalN)
@@ -119,12 +148,16 @@ std::optional<RowRange> unloadedRows(std::span<const double> normalN)
     const double low = quantile(all, 0.02), high = quantile(all, 0.98), load = loadedLevel(normalN);
     // Compression may be negative, so rest is the end of the range that lies nearer to 0.
     const double rest = std::abs(low) < std::abs(high) ? low : high, full = rest == low ? high : low;
-    if (!(std::abs(rest) < leastShareOfLoad * load)) return std::nullopt;
-    const auto atRest = [&](double force) { return std::abs(force - rest) < 0.1 * std::abs(full - rest); };
-    const auto first = std::find_if_not(normalN.begin(), normalN.end(), atRest);
-    const auto last = std::find_if_not(normalN.rbegin(), normalN.rend(), atRest);
-    const auto before = std::size_t(first - normalN.begin()), after = std::size_t(last - normalN.rbegin());
-    if (std::max(before, after) < 10 || std::max(before, after) == normalN.size()) return std::nullopt;
+    std::size_t before = 0, after = 0;
+    if (std::abs(rest) < leastShareOfLoad * load) {
+        before = countAtRest(normalN.begin(), normalN.end(), rest, full);
+        after = countAtRest(normalN.rbegin(), normalN.rend(), rest, full);
+    }
+    if (std::max(before, after) < fewestAtRest) {  // A long slide leaves less than 2 % for the rest.
+        before = countAtOwnRest(normalN.begin(), normalN.end(), full, load);
+        after = countAtOwnRest(normalN.rbegin(), normalN.rend(), full, load);
+    }
+    if (std::max(before, after) < fewestAtRest || std::max(before, after) == normalN.size()) return std::nullopt;
     // The probe is already moving in the tenth next to the contact, so that tenth is left out.
     return before >= after ? RowRange{0, before - before / 10} : RowRange{normalN.size() - after + after / 10, normalN.size()};
 }
@@ -159,6 +192,29 @@ Slide steadySlide(std::span<const double> normalN, std::span<const double> tange
     else
         slide.why = "no steady part was found";
     return slide;
+}
+
+StrokeDirections directionsOf(std::span<const double> signedForce)
+{
+    constexpr std::size_t fewestInRun = 5;  ///< noise of a coarse sensor keeps its sign for fewer
+    StrokeDirections found;
+    if (signedForce.empty()) return found;
+    found.medianMagnitude = quantile(magnitudes(signedForce), 0.5);
+    const auto signAt = [&](std::size_t i) {
+        const double force = signedForce[i];
+        return std::abs(force) > found.medianMagnitude / 2 ? (force > 0 ? 1 : -1) : 0;
+    };
+    int firstSign = 0;
+    for (std::size_t begin = 0, end = 0; begin < signedForce.size(); begin = end) {
+        const int sign = signAt(begin);
+        for (end = begin + 1; end < signedForce.size() && signAt(end) == sign;) ++end;
+        if (sign == 0 || end - begin < fewestInRun) continue;
+        (sign > 0 ? found.positive : found.negative) += double(end - begin) / double(signedForce.size());
+        if (end - begin > found.longest.count()) found.longest = {begin, end};
+        if (firstSign == 0) firstSign = sign;
+        if (sign != firstSign && found.turn == 0) found.turn = begin;
+    }
+    return found;
 }
 
 }  // namespace rendering::fabrics

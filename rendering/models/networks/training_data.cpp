@@ -11,6 +11,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
 #include "rendering/fabrics/location_split.h"
+#include "rendering/models/lab/lab_heights.h"
 #include "rendering/models/ring_spectrum.h"
 #include "rendering/signals/friction_trace.h"
 #include "rendering/signals/tactile/photometric_stereo.h"
@@ -91,8 +92,12 @@ void readSample(const ReadingContext& reading, const SamplePlace& place, Trainin
             if (!record.isCoefficient())
                 throw protocols::badInput({"the friction record holds " + record.quantity + ", not a coefficient", file,
                                            "columns t_s,normal_n,tangential_n or t_s,mu", "train on another data set"});
+            const signals::FrictionTrace trace = signals::frictionTrace(record, file);
+            const double wanted = reading.data.architecture.traceMmPerSample;
+            const bool isAsWanted = std::abs(trace.mmPerSample / wanted - 1) < 0.01;  // stated rates and speeds are rounded
             samples.strokes.push_back(
-                {place.index, frictionTarget(signals::frictionTrace(record, file).values, reading.data.architecture)});
+                {place.index, frictionTarget(isAsWanted ? trace.values : atSpacing(trace.values, trace.mmPerSample, wanted),
+                                             reading.data.architecture)});
             return;
         }
     }
@@ -229,7 +234,7 @@ TrainingData readTrainingData(const Dataset& dataset, const Architecture& wanted
         dataset, data, {}, {}, dataset.cameraMmPerPixel.value_or(data.architecture.mmPerPixel) / data.architecture.mmPerPixel};
     if (dataset.tactileCalibration != "known") {
         reading.reference = fabrics::readTactileReference(dataset);
-        reading.calibration = signals::readCalibration(dataset.folder / dataset.tactileCalibration);
+        reading.calibration = signals::calibrationOf(dataset, reading.reference);
     }
     data.architecture.zeroPercentile = reading.calibration.value_or(signals::Calibration{}).zeroPercentile;
 

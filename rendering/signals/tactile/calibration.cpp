@@ -4,8 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
 #include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
+#include "rendering/fabrics/dataset.h"
 
 namespace rendering::signals {
 
@@ -198,6 +200,26 @@ Calibration calibrationFromJson(std::string_view text, const std::string& where)
 Calibration readCalibration(const std::filesystem::path& file)
 {
     return calibrationFromJson(protocols::readWholeFile(file, protocols::largestJson), file.string());
+}
+
+Calibration calibrationOf(const fabrics::Dataset& dataset, const cv::Mat& reference)
+{
+    const std::filesystem::path file = dataset.folder / dataset.tactileCalibration;
+    Calibration calibration = readCalibration(file);
+    const auto difference = calibration.sensor ? differenceOf(*calibration.sensor, appearanceOf(reference)) : std::nullopt;
+    if (difference)
+        throw protocols::badInput({.what = "the reference frame is not of the calibrated sensor: " + *difference,
+                                   .where = (dataset.folder / "tactile-reference.png").string(),
+                                   .expected = "a frame of the sensor of " + file.string(),
+                                   .nextStep = "calibrate this sensor at the size of its frames, and name that calibration"});
+    if (const auto stated = dataset.tactileMmPerPixel; stated && !isSamePitch(calibration.mmPerPixel, *stated))
+        throw protocols::badInput({.what = "the tactile frames have " + protocols::shortest(*stated) +
+                                           " mm per pixel, but their calibration is for " +
+                                           protocols::shortest(calibration.mmPerPixel),
+                                   .where = (dataset.folder / "dataset.json").string(),
+                                   .expected = "the pitch of " + file.string() + ", within 1 %",
+                                   .nextStep = "correct tactile.mm_per_pixel, or calibrate at the size of the frames"});
+    return calibration;
 }
 
 std::string toJson(const Calibration& calibration)

@@ -11,6 +11,10 @@
 #include "rendering/signals/tactile/frame_light.h"
 #include "rendering/signals/tactile/slope_map.h"
 
+namespace rendering::fabrics {
+struct Dataset;
+}
+
 namespace rendering::signals {
 
 struct Calibration {
@@ -31,6 +35,11 @@ struct Calibration {
 /// naming the source and the field.
 Calibration calibrationFromJson(std::string_view json, const std::string& where);
 Calibration readCalibration(const std::filesystem::path& file);
+
+/// The calibration that a data set names for its tactile frames. `reference`: its frame of the untouched sensor. Throws badInput
+/// as readCalibration(), where that frame shows another sensor than the calibration states, and where dataset.json states another
+/// pitch.
+Calibration calibrationOf(const fabrics::Dataset& dataset, const cv::Mat& reference);
 std::string toJson(const Calibration& calibration);
 
 }  // namespace rendering::signals

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -13,12 +12,10 @@ namespace rendering::signals {
 
 namespace {
 
-constexpr double otherSensorAbove = 0.06;  ///< mean difference of colour, 0 to 1; untouched frames of one sensor differ by 0.01
-/// The same of a frame with an object in it. Real presses of a ball differ by 0.025 from their background (at most 0.034),
-/// pressed fabrics by 0.003 (at most 0.012), photographs and frames of other sensors by 0.087 and more.
-constexpr double foreignFrameAbove = 0.06;
-constexpr double swappedAbove = 0.02, swappedFrameAbove = 0.04;  ///< smaller differences do not show an order of channels
-constexpr int fitGrid = 96;                                      ///< number of fitted places along the longer side
+/// Of a frame with an object in it. Real presses of a ball differ by 0.025 from their background (at most 0.034), pressed fabrics
+/// by 0.003 (at most 0.012), photographs and frames of other sensors by 0.087 and more.
+constexpr AppearanceLimits framesInUse{0.04, 0.06};
+constexpr int fitGrid = 96;  ///< number of fitted places along the longer side
 constexpr int cubicTerms = 10;
 
 double fullScale(const cv::Mat& frame) { return frame.depth() == CV_16U ? 65535 : 255; }
@@ -35,15 +32,6 @@ cv::Vec<double, cubicTerms> cubic(double u, double v)
 }
 
 double placeOf(double index, int length) { return length > 1 ? 2 * index / (length - 1) - 1 : 0; }
-
-double meanDifference(const SensorAppearance& a, const SensorAppearance& b, const std::vector<std::size_t>& channelOrder)
-{
-    const std::size_t channels = channelOrder.size();
-    double sum = 0;
-    for (std::size_t i = 0; i < a.colours.size(); ++i)
-        sum += std::abs(a.colours[i] - b.colours[i / channels * channels + channelOrder[i % channels]]);
-    return sum / static_cast<double>(a.colours.size());
-}
 
 }  // namespace
 
@@ -123,47 +111,9 @@ cv::Mat oneFrame(const std::vector<cv::Mat>& lamps)
     return frame;
 }
 
-SensorAppearance appearanceOf(const cv::Mat& reference)
-{
-    cv::Mat coarse;
-    reference.convertTo(coarse, CV_32F, 1 / fullScale(reference));
-    cv::resize(coarse, coarse, {SensorAppearance::columns, SensorAppearance::rows}, 0, 0, cv::INTER_AREA);
-    const cv::Mat flat = coarse.reshape(1, 1);
-    return {reference.cols, reference.rows, std::vector<double>(flat.begin<float>(), flat.end<float>())};
-}
-
-namespace {
-
-std::optional<std::string> differenceAbove(const SensorAppearance& known, const SensorAppearance& found, double swapAbove,
-                                           double otherAbove)
-{
-    if (known.width != found.width || known.height != found.height)
-        return "it has " + std::to_string(found.width) + " x " + std::to_string(found.height) + " pixels, but the sensor has " +
-               std::to_string(known.width) + " x " + std::to_string(known.height);
-    if (known.colours.size() != found.colours.size()) return "its number of channels differs";
-    std::vector<std::size_t> order(known.colours.size() / (SensorAppearance::columns * SensorAppearance::rows));
-    std::iota(order.begin(), order.end(), 0);
-    const double asItIs = meanDifference(known, found, order);
-    if (order.size() == 3) {
-        const double swapped = meanDifference(known, found, {2, 1, 0});
-        if (asItIs > swapAbove && swapped < 0.5 * asItIs) return "its red and blue are swapped";
-    }
-    if (asItIs > otherAbove)
-        return "its colours differ by " + std::to_string(std::lround(100 * asItIs)) +
-               " % of full scale, so it shows another sensor or other light";
-    return std::nullopt;
-}
-
-}  // namespace
-
-std::optional<std::string> differenceOf(const SensorAppearance& known, const SensorAppearance& found)
-{
-    return differenceAbove(known, found, swappedAbove, otherSensorAbove);
-}
-
 std::optional<std::string> foreignLight(const cv::Mat& background, const cv::Mat& frame)
 {
-    return differenceAbove(appearanceOf(background), appearanceOf(frame), swappedFrameAbove, foreignFrameAbove);
+    return differenceOf(appearanceOf(background), appearanceOf(frame), framesInUse);
 }
 
 }  // namespace rendering::signals

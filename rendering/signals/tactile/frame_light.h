@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "rendering/images/sensor_appearance.h"
+
 namespace rendering::signals {
 
 enum class LightMeasure {
@@ -25,19 +27,9 @@ cv::Mat logIllumination(const cv::Mat& channel);
 /// Merges frames of one channel, one for each lamp. Throws badInput where size or depth differ.
 cv::Mat oneFrame(const std::vector<cv::Mat>& lamps);
 
-/// Coarse colours of the untouched sensor, which reveal another sensor or swapped channels.
-struct SensorAppearance {
-    static constexpr int columns = 4, rows = 3;
-    int width = 0, height = 0;
-    std::vector<double> colours;  ///< mean of each field, row by row, channel by channel; 0 to 1
-    bool operator==(const SensorAppearance&) const = default;
-};
-
-SensorAppearance appearanceOf(const cv::Mat& reference);
-
-/// Reason why two appearances belong to different sensors, as the end of a sentence ("its red and blue are swapped").
-/// Returns nullopt where they match. Swapped channels are only recognised among three.
-std::optional<std::string> differenceOf(const SensorAppearance& known, const SensorAppearance& found);
+using rendering::appearanceOf;
+using rendering::differenceOf;
+using rendering::SensorAppearance;
 
 /// Reason why a frame cannot be of the sensor with this background, in the same form; an object in the frame is allowed for.
 /// Returns nullopt where its light may be the sensor's.

@@ -59,7 +59,8 @@ std::vector<fs::path> picturesIn(const fs::path& folder)
 cv::Mat readPicture(const fs::path& file, const Decode& decodeOther)
 {
     const std::string ending = endingOf(file);
-    const bool own = ending == ".png" || ending == ".tif" || ending == ".tiff" || ending == ".npy" || ending == ".pgm";
+    if (ending == ".tif" || ending == ".tiff") return readColourTiff(file);
+    const bool own = ending == ".png" || ending == ".npy" || ending == ".pgm";
     return own || !decodeOther ? readImage(file) : decodeOther(file);
 }
 

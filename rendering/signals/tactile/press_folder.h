@@ -16,7 +16,7 @@ using Decode = std::function<cv::Mat(const std::filesystem::path&)>;
 signals::BallPresses readBallPresses(const std::filesystem::path& folder, double ballRadiusMm, double mmPerPixel,
                                      const Decode& decodeOther = {});
 
-/// Reads a picture through image_io or, for other file endings, through `decodeOther`.
+/// Reads a picture through image_io, a TIFF also in colour, or, for other file endings, through `decodeOther`.
 cv::Mat readPicture(const std::filesystem::path& file, const Decode& decodeOther);
 
 }  // namespace rendering

@@ -12,6 +12,7 @@ namespace rendering::signals {
 namespace {
 
 constexpr std::size_t samplesWanted = 60000;
+constexpr double mostSlope = 10;        ///< mm/mm; heights in micrometres give slopes of hundreds
 constexpr double ownLightScale = 2;     ///< light differs from its own illumination by up to about a half
 constexpr double ownLightRidge = 1e-4;  ///< the channels are correlated, and the map is used on other rows than those of the fit
 
@@ -44,6 +45,10 @@ void requireFitting(const KnownSurfaceFrame& surface, int first, int last)
         return protocols::badInput(
             {.what = what, .where = "", .expected = expected, .nextStep = "check that frame and surface belong together"});
     };
+    if (surface.heightMm.type() != CV_32FC1 && surface.heightMm.type() != CV_64FC1)
+        throw fault("the surface has " + std::to_string(surface.heightMm.channels()) + " channels of " +
+                        std::to_string(8 * surface.heightMm.elemSize1()) + " bits",
+                    "one channel of floating-point numbers, mm");
     if (surface.frame.size() != surface.heightMm.size())
         throw fault("the frame has " + std::to_string(surface.frame.cols) + " x " + std::to_string(surface.frame.rows) +
                         " pixels, but the surface has " + std::to_string(surface.heightMm.cols) + " x " +
@@ -62,6 +67,17 @@ cv::Mat knownPlaces(const Slopes& slopes, int first, int last)
     cv::Mat places = cv::Mat::zeros(slopes.x.size(), CV_8UC1);
     measuredPlaces({slopes.x.rowRange(first, last), slopes.y.rowRange(first, last)}).copyTo(places.rowRange(first, last));
     return places;
+}
+
+void requireMillimetres(const Slopes& known, const cv::Mat& places)
+{
+    const cv::Mat steep = ((cv::abs(known.x) > mostSlope) | (cv::abs(known.y) > mostSlope)) & places;
+    if (2 * cv::countNonZero(steep) <= cv::countNonZero(places)) return;
+    throw protocols::badInput(
+        {.what = "more than half of the surface is steeper than 10 mm per mm, as heights in other units are",
+         .where = "",
+         .expected = "heights and pitch in mm",
+         .nextStep = "convert the heights to mm, or correct the pitch"});
 }
 
 cv::Mat withoutQuadratic(const cv::Mat& values, const cv::Mat& places)
@@ -93,6 +109,7 @@ Calibration calibrationFrom(const KnownSurfaceFrame& surface, int first, int las
     requireFitting(surface, first, last);
     const Slopes known = slopesOfHeight(surface.heightMm, surface.pitch);
     const cv::Mat places = knownPlaces(known, first, last);
+    requireMillimetres(known, places);
     SlopeSamples samples;
     samples.channels = surface.frame.channels();
     const auto count = static_cast<std::size_t>(cv::countNonZero(places));

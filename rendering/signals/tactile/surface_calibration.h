@@ -16,7 +16,8 @@ struct KnownSurfaceFrame {
     Pitch pitch;        ///< pitch of the height map; x and y must be equal within 1 %
 };
 
-/// Fits a map to the rows first to last - 1 only. Throws badInput where sizes differ or too few heights are known.
+/// Fits a map to the rows first to last - 1 only. Throws badInput where sizes differ, too few heights are known, or heights are
+/// no floating-point numbers in mm: more than half of the surface steeper than 10 mm/mm is of another unit.
 Calibration calibrationFrom(const KnownSurfaceFrame& surface, int first, int last, MapQuality quality = MapQuality::Balanced);
 
 struct SurfaceScore {

@@ -9,6 +9,7 @@
 
 #include "protocols/files/number_text.h"
 #include "rendering/fabrics/dataset_check.h"
+#include "rendering/images/sensor_appearance.h"
 #include "tests/rendering/fabric_files.h"
 
 using namespace fabric_files;
@@ -408,6 +409,18 @@ private Q_SLOTS:
         QTest::newRow("calibration of another kind") << "kind"
                                                      << "tactile-calibration.json"
                                                      << "not a calibration";
+        QTest::newRow("calibration of larger frames") << "sensorsize"
+                                                      << "tactile-reference.png"
+                                                      << "it has 32 x 24 pixels, but the sensor has 3280 x 24";
+        QTest::newRow("calibration of another sensor") << "sensorlight"
+                                                       << "tactile-reference.png"
+                                                       << "another sensor or other light";
+        QTest::newRow("calibration of another pitch") << "pitch"
+                                                      << "tactile-calibration.json"
+                                                      << "is for frames of 0.4 mm per pixel, but dataset.json states 0.05";
+        QTest::newRow("sensor of no size") << "sensorform"
+                                           << "tactile-calibration.json"
+                                           << "without width, height and colours";
     }
 
     void everyPlantedFaultIsFoundWithItsFile()
@@ -419,6 +432,13 @@ private Q_SLOTS:
         const auto faults = faultsOfDataset(m_dataset.folder);
         QVERIFY2(anyContains(faults, (m_dataset.folder / file.toStdString()).string(), words.toStdString()),
                  faults.empty() ? "no fault found" : faults.front().c_str());
+    }
+
+    void aCalibrationOfTheSensorIsNoFault()
+    {
+        writeCalibration(0.0502, appearanceOf(readTactileReference(m_dataset)));
+        const auto faults = faultsOfDataset(m_dataset.folder);
+        QVERIFY2(faults.empty(), faults.empty() ? "" : faults.front().c_str());
     }
 
     void allFaultsAreReportedAtOnce()
@@ -456,6 +476,19 @@ private:
             {"reference", [&] { writePng(folder / "tactile-reference.png", speckled(10, 10, CV_8UC3)); }},
             {"calibration", [&] { nameCalibration(); }},
             {"kind", [&] { nameCalibration(), write(folder / "tactile-calibration.json", "{\"schema\":\"other/1\"}"); }},
+            {"sensorsize",
+             [&] {
+                 SensorAppearance sensor = appearanceOf(readTactileReference(m_dataset));
+                 sensor.width = 3280;
+                 writeCalibration(0.05, sensor);
+             }},
+            {"sensorlight", [&] { writeCalibration(0.05, appearanceOf(readTactileReference(m_dataset) * 0.5)); }},
+            {"pitch", [&] { writeCalibration(0.4, appearanceOf(readTactileReference(m_dataset))); }},
+            {"sensorform",
+             [&] {
+                 nameCalibration();
+                 write(folder / "tactile-calibration.json", R"({"schema":"vis2hap.calibration/1","sensor":{"width":"wide"}})");
+             }},
         };
         acts.at(fault)();
     }
@@ -464,6 +497,17 @@ private:
     {
         m_dataset.tactileCalibration = "tactile-calibration.json";
         writeDatasetJson(m_dataset);
+    }
+
+    void writeCalibration(double mmPerPixel, const SensorAppearance& sensor)
+    {
+        nameCalibration();
+        std::string colours;
+        for (const double colour : sensor.colours) colours += (colours.empty() ? "" : ",") + std::to_string(colour);
+        write(m_dataset.folder / "tactile-calibration.json",
+              R"({"schema":"vis2hap.calibration/1","mm_per_pixel":)" + std::to_string(mmPerPixel) + R"(,"sensor":{"width":)" +
+                  std::to_string(sensor.width) + R"(,"height":)" + std::to_string(sensor.height) + R"(,"colours":[)" + colours +
+                  "]}}");
     }
 
     void writeHeight(int rows, int columns, float corner)

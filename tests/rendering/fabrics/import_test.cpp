@@ -148,6 +148,42 @@ private Q_SLOTS:
         QVERIFY(readPhotograph(readDataset(m_out), FabricId("F01"), 0).at<cv::Vec3b>(3, 3) == cv::Vec3b(77, 77, 77));
     }
 
+    /// As a camera gives Mono12: 4,096 levels in files of 16 bits became 17.
+    void picturesOfTwelveBitsAreRefusedUntilTheyAreScaled_data()
+    {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<QString>("folder");
+        QTest::newRow("photographs") << int(ImportKind::Photos) << "visual";
+        QTest::newRow("tactile frames") << int(ImportKind::Gelsight) << "tactile";
+    }
+    void picturesOfTwelveBitsAreRefusedUntilTheyAreScaled()
+    {
+        QFETCH(const int, kind);
+        QFETCH(const QString, folder);
+        cv::Mat picture(64, 64, CV_16UC1);
+        for (int level = 0; level < 4096; ++level) picture.at<ushort>(level / 64, level % 64) = static_cast<ushort>(level);
+        writePng(m_in / "A_1.png", picture);
+        const std::string refusal = refusalOf([&] { import(ImportKind(kind), {m_in}); });
+        for (const char* words : {"A_1.png", "4095 of 65535", "17 grey levels", "the factor 64 or 16", "export them with 8 bits"})
+            QVERIFY2(contains(refusal, words), refusal.c_str());
+        QVERIFY(!fs::exists(m_out));
+        writePng(m_in / "A_1.png", cv::Mat(16 * picture));
+        import(ImportKind(kind), {m_in});
+        const cv::Mat kept = readPng(m_out / "F01" / folder.toStdString() / "000.png");
+        QCOMPARE(int(kept.at<cv::Vec3b>(1000 / 64, 1000 % 64)[0]), 62);
+        QCOMPARE(int(kept.at<cv::Vec3b>(63, 63)[0]), 255);
+    }
+
+    void darkPicturesStayAsDarkAsTheyAre()
+    {
+        writePng(m_in / "A_1.png", cv::Mat(16, 16, CV_8UC3, cv::Scalar::all(3)));
+        writePng(m_in / "B_1.png", cv::Mat(16, 16, CV_16UC3, cv::Scalar::all(257 * 16)));
+        import(ImportKind::Photos, {m_in});
+        const Dataset dataset = readDataset(m_out);
+        QVERIFY(readPhotograph(dataset, FabricId("F01"), 0).at<cv::Vec3b>(3, 3) == cv::Vec3b::all(3));
+        QVERIFY(readPhotograph(dataset, FabricId("F02"), 0).at<cv::Vec3b>(3, 3) == cv::Vec3b::all(16));
+    }
+
     void anExistingDatasetIsAddedTo()
     {
         writePng(m_in / "Wool_1.png", speckled(20, 24, CV_8UC3));

@@ -90,6 +90,20 @@ std::string tribometerText()
     return text + "\r\nAll steps completed\r\n";
 }
 
+std::string withDecimalCommas(std::string text)
+{
+    std::replace(text.begin(), text.end(), '.', ',');
+    return text;
+}
+
+std::string labviewWithoutTimes()
+{
+    std::string text = "LabVIEW Measurement\t\r\nSeparator\tTab\r\nX_Columns\tNo\r\n***End_of_Header***\t\r\nChannels\t3\r\n";
+    text += "Y_Unit_Label\tmN\tmN\tmN\r\nDelta_X\t0.01\t0.01\t0.01\r\n***End_of_Header***\r\nX_Value\tfx\tfy\tfz\tComment\r\n";
+    for (int i = 0; i < 60; ++i) text += "\t300\t400\t-" + std::to_string(1000 + 10 * (i % 7)) + "\r\n";
+    return text;
+}
+
 std::string slideText()
 {
     std::string text = "timestamp, proximity1, channel1, channel2\n";
@@ -121,12 +135,22 @@ private Q_SLOTS:
                      readFrictionCsv),
             importer("tribometer", "a.txt", tribometerText(), readTribometer),
             importer("labview", "a.txt", labviewText(), readLabview),
+            importer("tribometer with decimal commas", "a.txt", withDecimalCommas(tribometerText()), readTribometer),
+            importer("labview without times", "a.txt", labviewWithoutTimes(), readLabview),
             importer("slide", "a_F1_V-20mmps_0.csv", slideText(), readSlide),
             {"record of a data set", "set/F01/friction/000.csv", stroke,
              [](const fs::path& folder) {
                  const auto record = readFriction(readDataset(folder / "set"), FabricId("F01"), 0);
                  requireFinite(record.values, "a record");
                  requireFinite(signals::frictionTrace(record, "000.csv").values, "its trace");
+             }},
+            {"speed beside a record", "set/F01/friction/000.json",
+             R"({"schema":"vis2hap.friction-import/1","from":"a.txt","speed_mm_per_s":20.5,"warnings":[]})",
+             [](const fs::path& folder) {
+                 const auto trace =
+                     signals::frictionTrace(readFriction(readDataset(folder / "set"), FabricId("F01"), 0), "000.csv");
+                 if (!(trace.mmPerSample > 0)) throw std::runtime_error("a trace has no length");
+                 requireFinite({trace.mmPerSample}, "the spacing of a trace");
              }},
             {"samples.csv", "set/samples.csv", read(m_path / "set/samples.csv"),
              [](const fs::path& folder) { readSamplePlaces(readDataset(folder / "set")); }},

@@ -1,10 +1,13 @@
 // Columns, rows and units of friction recordings: what each name and unit means, and what is refused with its line, so that no
 // row is lost and no data set becomes unreadable.
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "rendering/fabrics/dataset_check.h"
 #include "rendering/fabrics/recordings/import.h"
 #include "rendering/fabrics/recordings/import_stage.h"
+#include "rendering/signals/friction_trace.h"
 #include "tests/rendering/fabric_files.h"
 
 using namespace fabric_files;
@@ -168,6 +171,184 @@ private Q_SLOTS:
         std::string text = labviewFile("0\t3\t4\t-10\r\n0.5\t3\t4\t-10\r\n1\t6\t8\t-10\r\n");
         text.replace(text.find("fx_N"), 4, "f\xC3\xA4_N");
         QCOMPARE(valuesOf(ImportKind::Labview, "Z_1.lvm", "\xEF\xBB\xBF" + text), (std::vector<double>{0.3, 0.3, 0.6}));
+    }
+
+    /// Forces of 1005 mN were once taken for 1005 N.
+    void theUnitOfALabviewColumnStandsInItsHeader_data()
+    {
+        QTest::addColumn<QString>("units");
+        QTest::addColumn<QString>("names");
+        QTest::addColumn<QString>("option");
+        QTest::addColumn<double>("coefficient");  // of (300, 400, -1000) in the units of each column; 0: refused
+        QTest::addColumn<QString>("said");
+        QTest::newRow("one unit") << "mN\tmN\tmN"
+                                  << "fx\tfy\tfz"
+                                  << "" << 0.5 << "";
+        QTest::newRow("two units") << "mN\tmN\tgf"
+                                   << "fx\tfy\tfz"
+                                   << "" << 0.05 / 0.980665 << "";
+        QTest::newRow("kilograms") << "N\tN\tkg"
+                                   << "fx\tfy\tfz"
+                                   << "" << 0.05 / 0.980665 << "the normal force is 9807 N";
+        QTest::newRow("the name of the column comes first") << "V\tV\tN"
+                                                            << "fx_mN\tfy_mN\tfz_mN"
+                                                            << "" << 0.5 << "";
+        QTest::newRow("no unit of this column") << "mN\tmN\t"
+                                                << "fx\tfy\tfz_mN"
+                                                << "" << 0.5 << "";
+        QTest::newRow("volts") << "mN\tmN\tVolts"
+                               << "fx\tfy\tfz"
+                               << "" << 0.0 << "the unit \"Volts\" of the column \"fz\" is unknown";
+        QTest::newRow("pounds") << "lbf\tlbf\tlbf"
+                                << "fx\tfy\tfz"
+                                << "" << 0.0 << "state the unit with --force-unit";
+        QTest::newRow("a default that the user corrects") << "Volts\tVolts\tVolts"
+                                                          << "fx\tfy\tfz"
+                                                          << "mN" << 0.5 << "";
+        QTest::newRow("a unit that the user corrects") << "N\tN\tN"
+                                                       << "fx\tfy\tfz"
+                                                       << "mN" << 0.5 << "";
+        QTest::newRow("times for each force") << "mN\t\tmN\t\tN"
+                                              << "fx\tX_Value\tfy\tX_Value\tfz_mN"
+                                              << "" << 0.5 << "";
+        QTest::newRow("times for each force, units without gaps") << "V\tmN\tmN"
+                                                                  << "\tX_Value\tfx\tX_Value\tfy\tfz_mN"
+                                                                  << "" << 0.5 << "";
+    }
+    void theUnitOfALabviewColumnStandsInItsHeader()
+    {
+        QFETCH(const QString, units);
+        QFETCH(const QString, names);
+        QFETCH(const QString, option);
+        QFETCH(const double, coefficient);
+        QFETCH(const QString, said);
+        m_options.forceUnit = option.toStdString();
+        std::string rows;
+        for (const char* time : {"0", "0.5", "1"}) {
+            rows += time;
+            for (const QString& name : names.split('\t'))
+                rows += name.startsWith("fx")   ? "\t300"
+                        : name.startsWith("fy") ? "\t400"
+                        : name.startsWith("fz") ? "\t-1000"
+                                                : "\t" + std::string(time);
+            rows += "\r\n";
+        }
+        const std::string text =
+            "LabVIEW Measurement\t\r\nX_Columns\tOne\r\n***End_of_Header***\t\r\nChannels\t3\r\nY_Unit_Label\t" +
+            units.toStdString() + "\t\r\nDelta_X\t0.5\t0.5\t0.5\r\n***End_of_Header***\r\nX_Value\t" + names.toStdString() +
+            "\tComment\r\n" + rows;
+        const std::string refusal = refusalOf([&] { importedAs(ImportKind::Labview, "Z_1.lvm", text); });
+        QVERIFY2(contains(refusal, said.toStdString()), refusal.c_str());
+        QCOMPARE(refusal.empty(), said.isEmpty());
+        if (!said.isEmpty()) return;
+        for (const double value : lastValues()) QVERIFY2(std::abs(value - coefficient) < 1e-9, std::to_string(value).c_str());
+        const std::string csv = read(m_out / "F01/friction/000.csv");
+        QVERIFY2(contains(csv, units == "mN\tmN\tgf" ? "\n0,9.80665,0.5\n" : "\n0,1,0.5\n"), csv.c_str());
+    }
+
+    void labviewRowsWithoutTimesTakeTheStepOfTheHeader()
+    {
+        const std::vector<double> expected{0.5, 0.5, 1};
+        const auto withoutTimes = [](const std::string& rows) {
+            std::string text = labviewFile(rows);
+            return text.insert(text.find("Channels"), "X_Columns\tNo\r\n");
+        };
+        const std::string rows = "\t3\t4\t-10\r\n\t3\t4\t-10\r\n\t6\t8\t-10\r\n";
+        QCOMPARE(valuesOf(ImportKind::Labview, "Z_1.lvm", withoutTimes(rows)), expected);
+        QCOMPARE(readDataset(m_out).friction.sampleRateHz, 2.0);
+        // Some programs write the times nevertheless.
+        const std::string timed = "0\t3\t4\t-10\r\n.25\t3\t4\t-10\r\n.5\t6\t8\t-10\r\n";
+        QCOMPARE(valuesOf(ImportKind::Labview, "Z_1.lvm", withoutTimes(timed)), expected);
+        QCOMPARE(readFriction(readDataset(m_out), FabricId("F01"), 1).sampleRateHz, 4.0);
+        const auto refusal = [&](const std::string& text) {
+            return refusalOf([&] { importedAs(ImportKind::Labview, "Z_1.lvm", text); });
+        };
+        QVERIFY(contains(refusal(withoutTimes(rows + "3\t3\t4\t-10\r\n")), "line 10, column X_Value"));
+        QVERIFY(contains(refusal(withoutTimes(rows + "\t\r\n" + rows)), "line 11: a row of numbers stands after the end"));
+        for (const char* step : {"Delta_X\t0\r", "Delta_X\t0.5\t0.1\r", "Delta_X\t\r"}) {
+            std::string text = withoutTimes(rows);
+            text.replace(text.find("Delta_X"), std::string("Delta_X\t0.5\r").size(), step);
+            QVERIFY2(contains(refusal(text), "has neither times nor one step between its rows"), step);
+        }
+    }
+
+    /// As the instrument writes under a German locale.
+    void aTribometerMayWriteDecimalCommas()
+    {
+        const std::string rows = "0,5\t0,3\t800,25\t0,2\t10,5\r\n1\t0,3\t800,25\t0,2\t10,5\r\n1,5\t0,3\t800,25\t0,4\t10,5\r\n";
+        QCOMPARE(valuesOf(ImportKind::Tribometer, "Z_1.txt", tribometerFile(rows)), (std::vector<double>{0.3, 0.3, 0.3}));
+        QCOMPARE(readDataset(m_out).friction.sampleRateHz, 2.0);
+        QCOMPARE(readDataset(m_out).friction.speedMmPerS, 10.5);
+        m_options.normal = ForceAxis{"pin load"};
+        const std::string line = importedAs(ImportKind::Tribometer, "Z_1.txt", tribometerFile(rows));
+        QVERIFY2(contains(line, "read with decimal commas"), line.c_str());
+        QVERIFY(contains(read(m_out / "F01/friction/001.csv"), "\n0,0.80025,0.2\n"));
+        m_options.normal.reset();
+        const auto refusal = [&](const std::string& text) {
+            return refusalOf([&] { importedAs(ImportKind::Tribometer, "Z_1.txt", tribometerFile(text)); });
+        };
+        // Thousands, both signs for decimals, and thousands beside decimal commas.
+        QVERIFY(contains(refusal("1,000\t0\r\n2,000\t0\r\n"), "\"1,000\" is not a time"));
+        QVERIFY(contains(refusal("0,5\t0.3\r\n1,0\t0.3\r\n"), "\"0,5\" is not a time"));
+        QVERIFY(contains(refusal("0,5\t1.234,5\r\n1,0\t0,3\r\n"), "\"1.234,5\" is not a number"));
+        QVERIFY(contains(refusal("0,5\t0,3\r\nstopped\r\n1,0\t0,3\r\n"), "line 5: a row of numbers stands after the end"));
+        // A comma in a column that nobody reads is no decimal comma.
+        QCOMPARE(valuesOf(ImportKind::Tribometer, "Z_1.txt", tribometerFile("0.5\t0.3\t1,234\r\n1\t0.3\t0,5\r\n")),
+                 (std::vector<double>{0.3, 0.3}));
+    }
+
+    /// The steps of a profile once all got the speed of the first, and with it ridges at a wrong distance.
+    void eachStepOfAProfileKeepsItsSpeed()
+    {
+        std::string text;
+        for (const char* speed : {"5", "20", ""}) {
+            std::string rows;
+            for (int i = 0; i < 60; ++i)
+                rows += std::to_string(i * 0.01) + "\t" + std::to_string(0.4 + 0.1 * (i % 10 < 5)) + "\t\t\t" + speed + "\r\n";
+            text += tribometerFile(rows) + "\r\n";
+        }
+        const std::string first = importedAs(ImportKind::Tribometer, "Z_1.txt", text);
+        const Dataset dataset = readDataset(m_out);
+        QCOMPARE(dataset.friction.speedMmPerS, 5.0);
+        for (const auto& [index, speed] : {std::pair(0, 5.0), std::pair(1, 20.0), std::pair(2, 5.0)}) {
+            const FrictionRecord record = readFriction(dataset, FabricId("F01"), index);
+            QCOMPARE(record.speedMmPerS, speed);
+            QVERIFY(std::abs(signals::frictionTrace(record, "").mmPerSample - speed / 100) < 1e-6);
+        }
+        QVERIFY(contains(read(m_out / "F01/friction/001.json"), "\"speed_mm_per_s\": 20.0"));
+        QVERIFY(!contains(read(m_out / "F01/friction/002.json"), "speed_mm_per_s"));
+    }
+
+    void theSpeedBesideARecordIsChecked_data()
+    {
+        QTest::addColumn<QString>("json");
+        QTest::addColumn<double>("speed");  // 0: refused
+        const QString report = "{\"schema\": \"vis2hap.friction-import/1\", \"speed_mm_per_s\": %1}";
+        QTest::newRow("a number") << report.arg("20.5") << 20.5;
+        QTest::newRow("null") << report.arg("null") << 5.0;
+        QTest::newRow("an older report") << "{\"schema\": \"vis2hap.friction-import/1\"}" << 5.0;
+        QTest::newRow("a file of somebody else") << "{\"speed_mm_per_s\": 20}" << 5.0;
+        QTest::newRow("a list") << "[20]" << 5.0;
+        for (const char* wrong : {"0", "-20", "1e9", "1e400", "\"20\"", "true", "[20]"})
+            QTest::newRow(wrong) << report.arg(wrong) << 0.0;
+        QTest::newRow("no JSON") << "{\"schema" << 0.0;
+    }
+    void theSpeedBesideARecordIsChecked()
+    {
+        QFETCH(const QString, json);
+        QFETCH(const double, speed);
+        importedAs(ImportKind::FrictionCsv, "Z_1.csv", "t,mu\n0,0.3\n0.1,0.3\n");
+        const Dataset dataset = readDataset(m_out);
+        const std::string before = hashOf(dataset);
+        write(m_out / "F01/friction/000.json", json.toStdString());
+        if (speed > 0) {
+            QCOMPARE(readFriction(dataset, FabricId("F01"), 0).speedMmPerS, speed);
+            QCOMPARE(hashOf(dataset) == before, speed == 5);  // Data sets of earlier versions keep their hashes.
+            return;
+        }
+        const std::string refusal = refusalOf([&] { readFriction(dataset, FabricId("F01"), 0); });
+        QVERIFY2(contains(refusal, "F01/friction/000.json"), refusal.c_str());
+        QVERIFY(!faultsOfDataset(m_out).empty());
     }
 
     /// Each line and each cell takes 16 bytes beside the text.

@@ -66,6 +66,21 @@ std::string pngOf(cv::Size size, int bits, PngColours colours, const QByteArray&
         .toStdString();
 }
 
+/// Two grey pixels, 10 and 200, side by side and uncompressed.
+std::string greyTiff(quint32 kind, quint32 orientation)
+{
+    constexpr quint32 shortest = 3, longest = 4, pixels = 10 + 10 * 12 + 4;
+    const quint32 entries[][3] = {{256, longest, 2},     {257, longest, 1},      {258, shortest, 8},           {259, shortest, 1},
+                                  {262, shortest, kind}, {273, longest, pixels}, {274, shortest, orientation}, {277, shortest, 1},
+                                  {278, longest, 1},     {279, longest, 2}};
+    QByteArray tiff("II*\0\x08\0\0\0\x0a\0", 10);
+    for (const auto& [tag, type, value] : entries) {
+        const quint32 words[] = {tag | type << 16, 1, value};
+        tiff += QByteArray(reinterpret_cast<const char*>(words), sizeof words);
+    }
+    return (tiff + QByteArray(4, '\0') + "\x0a\xc8").toStdString();
+}
+
 /// Most memory that this process has held, MB.
 double mostMemoryMb()
 {
@@ -225,6 +240,33 @@ private Q_SLOTS:
         QVERIFY(even.size() == cv::Size(side, side) && cv::countNonZero(even == 7) == side * side);
         write(file, tiff.replace(10 + 3 * 12 + 8, 2, "\x01\0", 2).toStdString());  // calls itself uncompressed
         QVERIFY(contains(refusalOf([&] { readTiff(file); }), "truncated"));
+    }
+
+    /// Read as they stand, negatives exchanged high and low friction, and pictures lay on their side.
+    void tiffMarksThatChangeThePictureAreRefused_data()
+    {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<int>("orientation");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("0 is white") << 0 << 1 << "save it as BlackIsZero, or convert it to PNG";
+        QTest::newRow("other colours") << 8 << 1 << "neither grey nor RGB";
+        QTest::newRow("on its side") << 1 << 6 << "upright";
+        QTest::newRow("mirrored") << 1 << 4 << "upright";
+    }
+    void tiffMarksThatChangeThePictureAreRefused()
+    {
+        QFETCH(const int, kind);
+        QFETCH(const int, orientation);
+        QFETCH(const QString, words);
+        const fs::path file = pathOf(m_folder) / "marked.tif";
+        using Reader = cv::Mat (*)(const fs::path&);
+        for (const Reader reader : {Reader(readImage), Reader(readColourTiff)}) {
+            write(file, greyTiff(1, 1));
+            QCOMPARE(int(reader(file).at<uchar>(0, 1)), 200);
+            write(file, greyTiff(quint32(kind), quint32(orientation)));
+            const std::string refusal = refusalOf([&] { reader(file); });
+            QVERIFY2(contains(refusal, words.toStdString()) && contains(refusal, file.string()), refusal.c_str());
+        }
     }
 
     void npyComesBackBitForBit_data()

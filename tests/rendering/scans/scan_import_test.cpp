@@ -36,6 +36,7 @@ private Q_SLOTS:
         m_temporary = std::make_unique<QTemporaryDir>();
         m_in = pathOf(*m_temporary) / "scans";
         m_out = pathOf(*m_temporary) / "set";
+        m_patchPx = patchPx;
         m_known = unevenCloth(tileSize, tileMm, 7);
     }
 
@@ -175,6 +176,56 @@ private Q_SLOTS:
         const std::string refusal = refusalOf([&] { imported(tiles); });
         QVERIFY2(contains(refusal, words.toStdString()), refusal.c_str());
         QVERIFY(!fs::exists(m_out));
+    }
+
+    /// Measured normals lay beside the displacement, and networks were trained with guessed slopes.
+    void neededMapsThatAreNotReadAreRefused_data()
+    {
+        QTest::addColumn<QString>("unread");
+        QTest::addColumn<QString>("removed");
+        QTest::addColumn<QString>("role");
+        QTest::newRow("normals") << "weave/weave_nor_gl_4k.exr"
+                                 << ""
+                                 << "normals";
+        QTest::newRow("normals in a folder of their own") << "exr/weave_nor_gl_4k.exr"
+                                                          << ""
+                                                          << "normals";
+        QTest::newRow("colour") << "weave/weave_diff_4k.tga"
+                                << "weave_diff_1k.png"
+                                << "colour";
+        QTest::newRow("displacement") << "weave/weave_disp_4k.EXR"
+                                      << "weave_disp_1k.png"
+                                      << "displacement";
+    }
+    void neededMapsThatAreNotReadAreRefused()
+    {
+        QFETCH(const QString, unread);
+        QFETCH(const QString, removed);
+        QFETCH(const QString, role);
+        writePicture(m_in / "weave/weave_diff_1k.png", plainColour(tileSize));
+        writePicture(m_in / "weave/weave_disp_1k.png", displacementOf(m_known.heightMm, CV_16U));
+        if (!removed.isEmpty()) fs::remove(m_in / "weave" / removed.toStdString());
+        write(m_in / unread.toStdString(), "not read");
+        const std::string refusal = refusalOf([&] { imported({tileMm, {}}); });
+        for (const std::string& words :
+             {(m_in / unread.toStdString()).string() + ": is not read",
+              "\"weave\" has no other file with its " + role.toStdString(), std::string("convert it to")})
+            QVERIFY2(contains(refusal, words), refusal.c_str());
+        QVERIFY(!fs::exists(m_out));
+    }
+
+    void imagesThatAreLeftOutAreNamed()
+    {
+        writePolyHaven("weave");
+        for (const char* name : {"weave_disp_4k.exr", "weave_nor_gl_4k.tga"}) write(m_in / "weave" / name, "not read");
+        const auto lines = imported({tileMm, {}});
+        QVERIFY2(anyLine(lines, "1 image was left out", "displacement by name): weave_rough_1k.jpg"), lines.back().c_str());
+        QVERIFY2(
+            anyLine(lines, "2 images were left out", "convert to PNG what is needed): weave_disp_4k.exr, weave_nor_gl_4k.tga"),
+            lines.back().c_str());
+        fs::remove_all(m_in);
+        writeAmbient("Fabric023");
+        QVERIFY(!anyLine(imported({tileMm, {}}), "left out", ""));
     }
 
     void theSharedScansHaveTheirPublishedFigures()

@@ -280,6 +280,8 @@ private Q_SLOTS:
                                            << "same height everywhere";
         QTest::newRow("no image") << "text"
                                   << "weave_nor.png";
+        QTest::newRow("colour of 12 bits") << "deep"
+                                           << "4095 of 65535";
         QTest::newRow("tiny") << "tiny"
                               << "at least 64 px";
         QTest::newRow("strip") << "strip"
@@ -298,6 +300,7 @@ private Q_SLOTS:
         if (fault == "grey") writePicture(m_folder / "weave_nor.png", cv::Mat(128, 128, CV_8UC1, cv::Scalar(128)));
         if (fault == "shape") writePicture(m_folder / "weave_diff.png", plainColour({128, 96}));
         if (fault == "text") write(m_folder / "weave_nor.png", "this is no picture");
+        if (fault == "deep") writePicture(m_folder / "weave_diff.png", cv::Mat(128, 128, CV_16UC3, cv::Scalar::all(4095)));
         if (fault == "tiny") writePicture(m_folder / "weave_nor.png", normals(cv::Rect(0, 0, 40, 40)).clone());
         if (fault == "flat") files = scanOf(m_folder, colour, {}, cv::Mat(128, 128, CV_8UC1, cv::Scalar(9)));
         if (fault == "strip") writePicture(m_folder / "weave_nor.png", cv::Mat(64, 600'000, CV_8UC1, cv::Scalar(128)));

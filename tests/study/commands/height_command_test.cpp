@@ -24,6 +24,13 @@ json jsonIn(const QString& file)
     return json::parse(in.readAll().toStdString());
 }
 
+void writeJson(const QString& file, const json& content)
+{
+    QFile out(file);
+    if (!out.open(QIODevice::WriteOnly)) throw std::runtime_error(("not writable: " + file).toStdString());
+    out.write(content.dump().c_str());
+}
+
 double highest(const cv::Mat& image)
 {
     double top = 0;
@@ -119,6 +126,73 @@ private Q_SLOTS:
         QCOMPARE(ended.exitCode, 2);
         QVERIFY2(ended.err.contains("not of the calibrated sensor"), qPrintable(ended.err));
         QVERIFY2(!QDir(out).exists(), "nothing is left behind");
+    }
+
+    /// Frames of 320 x 240 px with the calibration of 3280 x 2464 px rendered without a word, 8 times too low.
+    void framesOfAnotherSensorThanTheCalibratedAreRefused_data()
+    {
+        QTest::addColumn<QString>("change");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("smaller frames") << "size"
+                                        << "it has 80 x 60 pixels, but the sensor has 160 x 120";
+        QTest::newRow("other light") << "light"
+                                     << "another sensor or other light";
+        QTest::newRow("other pitch") << "pitch"
+                                     << "mm per pixel, but";
+    }
+    void framesOfAnotherSensorThanTheCalibratedAreRefused()
+    {
+        QFETCH(const QString, change);
+        QFETCH(const QString, words);
+        const QString frames = m_folder.filePath("foreign-" + change), set = frames + "-set", images = frames + "-images";
+        QVERIFY(QDir().mkpath(frames + "/Felt") && QFile::copy(m_presses + "/press_5.png", frames + "/Felt/press_5.png"));
+        support::mustRun({"import", "gelsight", frames, "--calibration", m_sensor, "--out", set});
+        support::mustRun({"fabrics", "check", set});
+        for (const char* name : {"/tactile-reference.png", "/F01/tactile/000.png"}) {
+            const std::string file = (set + name).toStdString();
+            const cv::Mat frame = rendering::readPng(file);
+            if (change == "size") rendering::writePng(file, frame(cv::Rect(0, 0, 80, 60)).clone());
+            if (change == "light") rendering::writePng(file, frame * 0.6);
+        }
+        auto dataset = jsonIn(set + "/dataset.json");
+        if (change == "pitch") dataset["tactile"]["mm_per_pixel"] = 1.0;
+        writeJson(set + "/dataset.json", dataset);
+
+        const auto checked = support::runProgram({"fabrics", "check", set});
+        QCOMPARE(checked.exitCode, 1);
+        QVERIFY2(checked.out.contains(words) && checked.out.contains(": 1 fault\n"), qPrintable(checked.out));
+        const auto rendered = support::runProgram({"render", set, "--condition", "h", "--out", images});
+        QCOMPARE(rendered.exitCode, 2);
+        QVERIFY2(rendered.err.contains(words), qPrintable(rendered.err));
+        QVERIFY(!QFile::exists(images + "/F01/h.png"));
+    }
+
+    /// A colour picture ended as an unexpected failure, and left a calibration behind; micrometres calibrated without a word.
+    void surfacesThatAreNoHeightsInMillimetresAreRefused_data()
+    {
+        QTest::addColumn<QString>("surface");
+        QTest::addColumn<QString>("words");
+        cv::Mat waves(120, 160, CV_32FC1), integers;
+        for (int i = 0; i < 120; ++i)
+            for (int j = 0; j < 160; ++j) waves.at<float>(i, j) = 100 * std::sin(0.4F * j + 0.3F * i);  // um, if read rightly
+        waves.convertTo(integers, CV_16U, 1, 100);
+        rendering::writePng(m_folder.filePath("micrometres.png").toStdString(), integers);
+        rendering::writeTiff(m_folder.filePath("micrometres.tiff").toStdString(), waves);
+        QTest::newRow("colour picture") << m_presses + "/press_2.png"
+                                        << "is a picture, and no map of heights in mm";
+        QTest::newRow("integers") << m_folder.filePath("micrometres.png") << "is a picture, and no map of heights in mm";
+        QTest::newRow("micrometres") << m_folder.filePath("micrometres.tiff") << "steeper than 10 mm per mm";
+    }
+    void surfacesThatAreNoHeightsInMillimetresAreRefused()
+    {
+        QFETCH(const QString, surface);
+        QFETCH(const QString, words);
+        const QString out = m_folder.filePath("surface.json");
+        const auto ended = support::runProgram({"calibrate", m_presses + "/press_1.png", "--surface", surface, "--background",
+                                                m_presses + "/background.png", "--mm-per-pixel", "0.125", "--out", out});
+        QCOMPARE(ended.exitCode, 2);
+        QVERIFY2(ended.err.contains(words) && ended.messages().size() == 1, qPrintable(ended.err));
+        QVERIFY(!QFile::exists(out));
     }
 
     void gradientsComeBackAsTheSurfaceTheyAreOf()

@@ -14,6 +14,7 @@
 #include "tests/rendering/refusal.h"
 #include "tests/rendering/shared_data.h"
 #include "tests/rendering/simulated_presses.h"
+#include "tests/support/colour_tiff.h"
 
 using namespace rendering::signals;
 
@@ -114,6 +115,19 @@ private Q_SLOTS:
         const auto read = rendering::readBallPresses(place, 2.0, 0.125);
         QCOMPARE(read.presses.size(), std::size_t(1));
         QCOMPARE(read.presses.front().name, std::string("frame01.png"));
+    }
+
+    /// `import gelsight` read them, and `calibrate` and `height` refused their three channels.
+    void pressesMayBeColourTiffs()
+    {
+        const QTemporaryDir folder;
+        const std::filesystem::path place = folder.path().toStdString();
+        for (const char* name : {"background.tif", "frame01.TIFF"})
+            std::ofstream(place / name, std::ios::binary) << tests::support::tiffOfOneColour(2, 1);
+        const auto read = rendering::readBallPresses(place, 2.0, 0.125);
+        QCOMPARE(read.presses.size(), std::size_t(1));
+        QVERIFY(read.presses.front().frame.at<cv::Vec3b>(3, 3) == cv::Vec3b(200, 100, 50));
+        QCOMPARE(read.background.type(), int(CV_8UC3));
     }
 
     void tooFewPressesAreRefused()

@@ -199,6 +199,12 @@ private Q_SLOTS:
         qInfo("%.2f um of Sq %.1f um", 1000 * score.heightErrorMm, 1000 * score.knownSqMm);
         QVERIFY(score.heightErrorMm < 0.1 * score.knownSqMm);
         QVERIFY(refusalOf([&] { calibrationFrom(surface, 10, 10); }).contains("rows 10 to 10"));
+        const KnownSurfaceFrame inMicrometres{surface.frame, {}, cv::Mat(1000 * height), surface.pitch};
+        QVERIFY(refusalOf([&] { calibrationFrom(inMicrometres, 0, rows / 2); }).contains("steeper than 10 mm per mm"));
+        cv::Mat integers;
+        height.convertTo(integers, CV_16U, 1000);
+        const KnownSurfaceFrame ofIntegers{surface.frame, {}, integers, surface.pitch};
+        QVERIFY(refusalOf([&] { calibrationFrom(ofIntegers, 0, rows / 2); }).contains("1 channels of 16 bits"));
         QVERIFY(refusalOf([&] { slopesFromFrame(lamps[0], {}, calibration); }).contains("1 channel"));
     }
 };

@@ -35,7 +35,8 @@ struct AccuracyBySpeed {
     std::vector<ParticipantSpeed> participants;     ///< those with enough timed choices
     std::size_t conditionBins = 0;                  ///< bins of each participant's times under one condition: 4 or 2
     std::vector<std::vector<SpeedBin>> conditions;  ///< [condition][bin]; empty where a condition has none
-    stats::WithinTrend trend;  ///< share correct for a doubling of the response time, at equal condition and fabric
+    /// Share correct for a doubling of the response time, at equal condition, instruction and fabric.
+    stats::WithinTrend trend;
 };
 
 /// A participant needs two timed choices a bin. With fewer than 8 choices under a condition that condition has two bins.

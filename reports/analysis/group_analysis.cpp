@@ -1,8 +1,10 @@
 #include "reports/analysis/group_analysis.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
+#include "reports/cells/common_units.h"
 #include "stats/kernels/decimal_grid.h"
 #include "stats/tests/multiplicity.h"
 #include "stats/tests/one_way_anova.h"
@@ -51,6 +53,15 @@ GroupTest testOfGroups(const Samples& samples)
     return test;
 }
 
+/// What a test of groups takes: of each participant in a group, the means over the fabrics that were answered in every group.
+struct SharedFabrics {
+    std::vector<std::vector<double>> means;  // [participant x condition]; empty without such a fabric
+    std::vector<std::string> leftOut;        // answered, but not in every group
+    bool areNone = false;                    // every fabric is left out
+
+    std::string why() const { return areNone ? "no fabric was answered in every group" : ""; }
+};
+
 class GroupReader {
 public:
     GroupReader(const StudyData& data, const AnswerCells& cells, const std::vector<std::string>& groups)
@@ -74,17 +85,24 @@ public:
 
     GroupedQuestion question(const std::string& id) const
     {
-        GroupedQuestion grouped{id, std::vector<std::vector<stats::Value>>(m_groups.size()), overall(id), {}};
+        // A participant without some condition would carry the difference of conditions into that of groups.
+        GroupedQuestion grouped{
+            id,
+            std::vector<std::vector<stats::Value>>(m_groups.size()),
+            {},
+            testOn(sharedFabrics(id, m_data.conditions), [](const auto& means) { return stats::meanOf(means); }),
+            {}};
         for (const std::string& condition : m_data.conditions) {
-            const Samples samples = sampled([&](const std::string& one) { return m_cells.participantMean(id, condition, one); });
-            for (std::size_t g = 0; g < samples.size(); ++g) grouped.means[g].push_back(stats::meanOf(samples[g]));
+            const SharedFabrics shared = sharedFabrics(id, {condition});
+            const Samples samples = sampled(shared, [](const auto& means) { return stats::Value(means[0]); });
+            for (std::size_t g = 0; g < samples.size(); ++g)
+                grouped.means[g].push_back(shared.areNone ? stats::Value::undefined(shared.why()) : stats::meanOf(samples[g]));
+            grouped.fabricsLeftOut.push_back(shared.leftOut);
         }
         std::vector<stats::Value> p;
         for (const auto& [a, b] : contrasts()) {
-            grouped.contrasts.push_back({a, b, testOfGroups(sampled([&](const std::string& one) -> stats::Value {
-                                             const std::vector<double> both = m_cells.commonMeans(id, {a, b}, one);
-                                             return both.empty() ? stats::Value() : stats::Value(both[0] - both[1]);
-                                         }))});
+            grouped.contrasts.push_back(
+                {a, b, testOn(sharedFabrics(id, {a, b}), [](const auto& means) { return stats::Value(means[0] - means[1]); })});
             p.push_back(grouped.contrasts.back().test.p);
         }
         const std::vector<stats::Value> holm = stats::adjusted(p, stats::Adjustment::Holm);
@@ -93,24 +111,56 @@ public:
     }
 
 private:
+    /// A group without any answer to the question is in no test, and takes no fabric from the others.
+    SharedFabrics sharedFabrics(const std::string& id, const std::vector<std::string>& conditions) const
+    {
+        const CommonUnits units(m_cells, id, conditions);
+        std::vector<std::vector<CommonUnits::FabricMeans>> own(m_place.size());
+        std::map<std::string, std::set<std::size_t>> groupsOf;  // by fabric
+        std::set<std::size_t> answering;
+        for (std::size_t i = 0; i < m_place.size(); ++i) {
+            if (m_place[i] >= m_groups.size()) continue;
+            own[i] = units.fabrics(m_cells.participants()[i]);
+            for (const CommonUnits::FabricMeans& one : own[i]) {
+                groupsOf[one.fabric].insert(m_place[i]);
+                answering.insert(m_place[i]);
+            }
+        }
+        SharedFabrics shared;
+        for (const std::string& fabric : m_data.fabrics)
+            if (const auto found = groupsOf.find(fabric); found != groupsOf.end() && found->second.size() < answering.size())
+                shared.leftOut.push_back(fabric);
+        shared.areNone = !groupsOf.empty() && shared.leftOut.size() == groupsOf.size();
+        for (std::vector<CommonUnits::FabricMeans>& ofParticipant : own) {
+            std::erase_if(ofParticipant,
+                          [&](const CommonUnits::FabricMeans& one) { return groupsOf.at(one.fabric).size() < answering.size(); });
+            shared.means.push_back(meansOverFabrics(ofParticipant));
+        }
+        return shared;
+    }
+
+    /// The values of the participants with means, by group.
     template <class ValueOf>
-    Samples sampled(const ValueOf& valueOf) const
+    Samples sampled(const SharedFabrics& shared, const ValueOf& valueOf) const
     {
         Samples samples(m_groups.size());
         for (std::size_t i = 0; i < m_place.size(); ++i)
-            if (m_place[i] < samples.size())
-                if (const stats::Value value = valueOf(m_cells.participants()[i]); value.exists())
-                    samples[m_place[i]].push_back(*value);
+            if (!shared.means[i].empty())
+                if (const stats::Value value = valueOf(shared.means[i]); value.exists()) samples[m_place[i]].push_back(*value);
         return samples;
     }
 
-    GroupTest overall(const std::string& id) const
+    template <class ValueOf>
+    GroupTest testOn(const SharedFabrics& shared, const ValueOf& valueOf) const
     {
-        return testOfGroups(sampled([&](const std::string& one) {
-            // A participant without some condition would carry the difference of conditions into that of groups.
-            const std::vector<double> means = m_cells.commonMeans(id, m_data.conditions, one);
-            return means.empty() ? stats::Value() : stats::meanOf(means);
-        }));
+        GroupTest test = testOfGroups(sampled(shared, valueOf));
+        test.fabricsLeftOut = shared.leftOut;
+        if (!shared.areNone) return test;
+        const stats::Value none = stats::Value::undefined(shared.why());
+        for (stats::Value& mean : test.means) mean = none;
+        test.difference = none;
+        test.ci95 = {none, none};
+        return refusedGroupTest(std::move(test), shared.why());
     }
 
     std::vector<std::pair<std::string, std::string>> contrasts() const
@@ -133,6 +183,21 @@ private:
 };
 
 }  // namespace
+
+std::vector<std::string> fabricsNotInEveryGroup(const StudyData& data, const GroupAnalysis& groups)
+{
+    std::set<std::string> names;
+    const auto add = [&](const std::vector<std::string>& fabrics) { names.insert(fabrics.begin(), fabrics.end()); };
+    for (const GroupedQuestion& question : groups.questions) {
+        add(question.overall.fabricsLeftOut);
+        for (const auto& ofCondition : question.fabricsLeftOut) add(ofCondition);
+        for (const GroupContrast& contrast : question.contrasts) add(contrast.test.fabricsLeftOut);
+    }
+    std::vector<std::string> fabrics;
+    for (const std::string& fabric : data.fabrics)
+        if (names.contains(fabric)) fabrics.push_back(fabric);
+    return fabrics;
+}
 
 GroupAnalysis analyseGroups(const StudyData& data, const AnswerCells& cells)
 {

@@ -1,4 +1,5 @@
-// Groups of participants (one factor between them): their means, and whether groups differ. For these fabrics only.
+// Groups of participants (one factor between them): their means, and whether groups differ. For these fabrics only: those that
+// every group answered, so that a fabric which one group lacks does not look like a difference of groups.
 #pragma once
 
 #include <string>
@@ -22,6 +23,7 @@ struct GroupTest {
     stats::Value df2;
     stats::Value p;
     stats::Value pHolm;  ///< corrected over the contrasts of the question; as p for the test of the overall means
+    std::vector<std::string> fabricsLeftOut;  ///< answered, but not in every group; in the order of the study
 };
 
 /// How a contrast of conditions differs between the groups (group x condition).
@@ -33,9 +35,10 @@ struct GroupContrast {
 
 struct GroupedQuestion {
     std::string question;
-    std::vector<std::vector<stats::Value>> means;  ///< [group x condition] mean of the participants' means
-    GroupTest overall;                             ///< on the means over all conditions of the complete participants
-    std::vector<GroupContrast> contrasts;          ///< planned contrasts, else all pairs of at most mostGroupPairs
+    std::vector<std::vector<stats::Value>> means;          ///< [group x condition] mean of the participants' means
+    std::vector<std::vector<std::string>> fabricsLeftOut;  ///< by condition, of these means; answered, but not in every group
+    GroupTest overall;                                     ///< on the means over all conditions of the complete participants
+    std::vector<GroupContrast> contrasts;                  ///< planned contrasts, else all pairs of at most mostGroupPairs
 };
 
 inline constexpr std::size_t mostGroupPairs = 36;
@@ -45,6 +48,9 @@ struct GroupAnalysis {
     std::vector<std::size_t> participants;   ///< by group
     std::vector<GroupedQuestion> questions;  ///< questions with numbers; empty where there are no groups
 };
+
+/// The fabrics that some comparison of a question leaves out, in the order of the study.
+std::vector<std::string> fabricsNotInEveryGroup(const StudyData& data, const GroupAnalysis& groups);
 
 /// The groups come from StudyData::groupOf. A participant without a group belongs to none.
 GroupAnalysis analyseGroups(const StudyData& data, const AnswerCells& cells);

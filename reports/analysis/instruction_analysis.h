@@ -1,6 +1,6 @@
 // Speed and accuracy of a choice question under each instruction of its blocks: to be fast, to be accurate, a deadline. The
-// instruction is a factor within participants: everybody answers every condition x fabric under each. Everything here holds for
-// new participants and these fabrics.
+// instruction is a factor within participants. Two instructions are compared on the conditions and fabrics that a participant
+// answered under both; on all choices where nobody did. Everything here holds for new participants and these fabrics.
 #pragma once
 
 #include <cstddef>
@@ -35,10 +35,13 @@ struct InstructionContrast {
 };
 
 struct InstructionAnalysis {
-    std::vector<InstructedSpeed> instructions;   ///< in the order of the question; empty: none were given
+    std::vector<InstructedSpeed> instructions;  ///< in the order of the question; empty: none were given
+    bool isComplete = false;  ///< everybody with an answer answered every condition x fabric under each instruction
     std::vector<InstructionContrast> contrasts;  ///< all pairs; Holm's correction over the contrasts of a measure
-    stats::TwoWayAnova shares;                   ///< share correct of participants: condition, instruction, interaction
-    stats::TwoWayAnova logSeconds;               ///< ... mean logarithm of the response time
+    /// Share correct of participants: condition, instruction, interaction. Over the fabrics that a participant answered under
+    /// every condition and instruction.
+    stats::TwoWayAnova shares;
+    stats::TwoWayAnova logSeconds;  ///< ... mean logarithm of the response time
 };
 
 /// Empty where the answers name no instruction.

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "reports/cells/common_units.h"
 #include "reports/cells/response_time.h"
 #include "stats/kernels/decimal_grid.h"
 #include "stats/tests/multiplicity.h"
@@ -17,6 +18,15 @@ std::map<std::string, std::size_t> placesOf(const std::vector<std::string>& name
     std::map<std::string, std::size_t> places;
     for (const std::string& name : names) places.emplace(name, places.size());
     return places;
+}
+
+/// Places of the instructions of a question's answers, in the order of their names. An answer without one has an empty name.
+std::map<std::string, std::size_t> instructionPlaces(const AnswerCells& cells, const std::string& question)
+{
+    std::set<std::string> names;
+    for (const std::string& participant : cells.participants())
+        for (const StudyResponse* response : cells.ofParticipant(question, participant)) names.insert(response->instruction);
+    return placesOf({names.begin(), names.end()});
 }
 
 std::optional<double> tensOfTrials(const StudyResponse& response)
@@ -88,17 +98,7 @@ stats::Value meanWithout(double slope, const std::vector<const StudyResponse*>& 
     return stats::meanOf(values);
 }
 
-/// The answers with a number and a trial to fabrics that `others` have such an answer to.
-std::vector<const StudyResponse*> onFabricsOf(const std::vector<const StudyResponse*>& others,
-                                              std::vector<const StudyResponse*> responses)
-{
-    std::set<std::string> fabrics;
-    for (const StudyResponse* response : others)
-        if (numberOfAnswer(*response) && response->trial) fabrics.insert(response->fabric);
-    std::erase_if(responses, [&](const StudyResponse* response) { return !fabrics.contains(response->fabric); });
-    return responses;
-}
-
+/// On the answers with a number and a trial that both conditions share (common_units.h).
 ContrastWithoutTrend contrastWithoutTrendOf(const AnswerCells& cells, const std::string& question, const QuestionClaims& claims,
                                             const stats::WithinTrend& trend)
 {
@@ -113,11 +113,14 @@ ContrastWithoutTrend contrastWithoutTrendOf(const AnswerCells& cells, const std:
     contrast.primary = chosen->primary;
     if (!chosen->primary) contrast.pickedFrom = contrastsToPickFrom(claims);
     std::vector<double> plainA, plainB, adjustedA, adjustedB;
+    const CommonUnits units(cells, question, {contrast.a, contrast.b});
     for (std::size_t k = 0; k < trend.slopes.size(); ++k) {
         if (!trend.slopes[k].exists()) continue;
         const std::string& participant = cells.participants()[k];
-        const auto ofA = cells.of(question, contrast.a, participant), ofB = cells.of(question, contrast.b, participant);
-        const auto a = onFabricsOf(ofB, ofA), b = onFabricsOf(ofA, ofB);
+        const auto common = units.answers(participant, [](const StudyResponse& response) {
+            return numberOfAnswer(response).has_value() && response.trial.has_value();
+        });
+        const auto &a = common[0], &b = common[1];
         if (!meanWithout(0, a).exists() || !meanWithout(0, b).exists()) continue;
         plainA.push_back(*meanWithout(0, a));
         plainB.push_back(*meanWithout(0, b));
@@ -138,16 +141,34 @@ std::optional<double> numberOfAnswer(const StudyResponse& response)
     return numbers.empty() ? std::nullopt : std::optional(numbers.front());
 }
 
+bool isInstructed(const StudyData& data)
+{
+    return std::ranges::any_of(data.responses, [](const StudyResponse& response) { return !response.instruction.empty(); });
+}
+
+bool isInstructed(const StudyData& data, const std::string& question)
+{
+    return std::ranges::any_of(data.responses, [&](const StudyResponse& response) {
+        return response.question == question && !response.instruction.empty();
+    });
+}
+
+std::string heldEqual(bool isInstructed) { return isInstructed ? "condition, instruction and fabric" : "condition and fabric"; }
+
 stats::WithinTrend trendOf(const StudyData& data, const AnswerCells& cells, const std::string& question,
                            const AnswerNumber& covariate, const AnswerNumber& value)
 {
     const auto conditions = placesOf(data.conditions), fabrics = placesOf(data.fabrics);
+    const auto instructions = instructionPlaces(cells, question);
+    const auto placeOf = [&](const StudyResponse& response) {
+        return instructions.at(response.instruction) * conditions.size() + conditions.at(response.condition);
+    };
     std::vector<std::vector<stats::TrendRow>> participants;
     for (const std::string& participant : cells.participants()) {
         std::vector<stats::TrendRow>& rows = participants.emplace_back();
         for (const StudyResponse* response : cells.ofParticipant(question, participant)) {
             const std::optional<double> x = covariate(*response), y = value(*response);
-            if (x && y) rows.push_back({conditions.at(response->condition), fabrics.at(response->fabric), *x, *y});
+            if (x && y) rows.push_back({placeOf(*response), fabrics.at(response->fabric), *x, *y});
         }
     }
     return stats::withinTrend(participants);

@@ -21,8 +21,16 @@ using AnswerNumber = std::function<std::optional<double>(const StudyResponse&)>;
 /// A rating, or 1 for a right and 0 for a wrong choice.
 std::optional<double> numberOfAnswer(const StudyResponse& response);
 
-/// The trend of `value` with `covariate` over the answers that have both, with effects of condition and fabric. Participants
-/// stand in the order of AnswerCells::participants().
+/// Whether any analysed answer, or any to this question, was given under an instruction, such as to be fast.
+bool isInstructed(const StudyData& data);
+bool isInstructed(const StudyData& data, const std::string& question);
+
+/// What trends hold equal: "condition and fabric", and the instruction where there is one.
+std::string heldEqual(bool isInstructed);
+
+/// The trend of `value` with `covariate` over the answers that have both, with effects of condition and fabric. Each condition
+/// under each instruction has an effect of its own: a block of fast answers before a block of accurate ones is no learning.
+/// Participants stand in the order of AnswerCells::participants().
 stats::WithinTrend trendOf(const StudyData& data, const AnswerCells& cells, const std::string& question,
                            const AnswerNumber& covariate, const AnswerNumber& value);
 
@@ -37,7 +45,7 @@ enum class OrderEffectKind {
 
 struct OrderEffect {
     OrderEffectKind kind = OrderEffectKind::Trend;
-    stats::WithinTrend trend;  ///< at equal condition and fabric; its test has the interval, for these fabrics
+    stats::WithinTrend trend;  ///< at equal condition, instruction and fabric; its test has the interval, for these fabrics
     stats::Value pHolm;        ///< after Holm's correction over all order effects of the study
 };
 

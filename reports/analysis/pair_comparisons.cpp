@@ -24,7 +24,7 @@ std::string verdictOf(stats::EquivalenceTest test, const stats::Value& pHolm)
     return test.verdict();
 }
 
-PairedMeansOf meansIn(const AnswerCells& cells, const std::string& question, FabricsOfMeans over)
+PairedMeansOf meansIn(const AnswerCells& cells, const std::string& question, AnswersOfMeans over)
 {
     return
         [&cells, &question, over](const std::string& a, const std::string& b) { return cells.pairedMeans(question, a, b, over); };
@@ -33,13 +33,13 @@ PairedMeansOf meansIn(const AnswerCells& cells, const std::string& question, Fab
 }  // namespace
 
 std::vector<PairComparison> comparePairs(const StudyData& data, const AnswerCells& cells, const std::string& question,
-                                         FabricsOfMeans over)
+                                         AnswersOfMeans over)
 {
     return comparePairs(data, meansIn(cells, question, over));
 }
 
 std::vector<PairEquivalence> testEquivalence(const StudyData& data, const AnswerCells& cells, const std::string& question,
-                                             const std::vector<PairComparison>& comparisons, FabricsOfMeans over)
+                                             const std::vector<PairComparison>& comparisons, AnswersOfMeans over)
 {
     return testEquivalence(data, meansIn(cells, question, over), comparisons);
 }

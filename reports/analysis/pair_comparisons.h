@@ -18,7 +18,7 @@ struct ConditionPair {
     bool planned = false;  ///< a contrast of the protocol
 };
 
-/// Paired t test of the participants' means over the fabrics that they answered under both conditions.
+/// Paired t test of the participants' means over the fabrics, and repetitions, that they answered under both conditions.
 struct PairComparison {
     ConditionPair pair;
     stats::TTest test;
@@ -36,12 +36,12 @@ struct PairEquivalence {
 
 /// All pairs of the conditions, in their order; none where comparesAllPairs() is false.
 std::vector<PairComparison> comparePairs(const StudyData& data, const AnswerCells& cells, const std::string& question,
-                                         FabricsOfMeans over = FabricsOfMeans::Common);
+                                         AnswersOfMeans over = AnswersOfMeans::Common);
 
 /// The same pairs in the same order; `comparisons` are those of the question.
 std::vector<PairEquivalence> testEquivalence(const StudyData& data, const AnswerCells& cells, const std::string& question,
                                              const std::vector<PairComparison>& comparisons,
-                                             FabricsOfMeans over = FabricsOfMeans::Common);
+                                             AnswersOfMeans over = AnswersOfMeans::Common);
 
 /// The means of the participants who have one under both conditions.
 using PairedMeansOf = std::function<AnswerCells::PairedMeans(const std::string& a, const std::string& b)>;

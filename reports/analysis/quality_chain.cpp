@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "protocols/condition.h"
+#include "reports/text/plain_words.h"
 
 namespace reports {
 namespace {
@@ -31,6 +32,22 @@ bool inOrderOfPaper(const RenderingPrice& a, const RenderingPrice& b)
 }
 
 }  // namespace
+
+std::string answerIntervalsText(const QualityChain& chain)
+{
+    std::vector<std::string> overParticipants;
+    if (std::ranges::any_of(chain.questions, [](const ChainQuestion& one) { return !one.isChoice; }))
+        overParticipants.emplace_back("mean ratings");
+    if (std::ranges::any_of(chain.rows, [](const ChainRow& one) { return one.bitsPerSecond.exists(); }))
+        overParticipants.emplace_back("bits per second");
+    std::string text;
+    if (std::ranges::any_of(chain.questions, &ChainQuestion::isChoice))
+        text = "Intervals of shares correct take the trials as independent (Wilson), which they are not";
+    if (!overParticipants.empty())
+        text += (text.empty() ? "" : ". ") + ("Intervals of " + listed(overParticipants)) +
+                " are over participants, for these fabrics";
+    return text;
+}
 
 QualityChain qualityChain(const StudyAnalysis& analysis)
 {

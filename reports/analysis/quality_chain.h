@@ -38,6 +38,9 @@ struct QualityChain {
     std::vector<ChainRow> rows;  ///< in the order of the paper; of one condition the usual quality, fast, balanced, accurate
 };
 
+/// What the intervals of the answers count as samples, as sentences without the last full stop; empty without questions.
+std::string answerIntervalsText(const QualityChain& chain);
+
 /// No rows where no condition carries a quality. `analysis`: of an unblinded study.
 QualityChain qualityChain(const StudyAnalysis& analysis);
 

@@ -1,7 +1,9 @@
 #include "reports/analysis/quality_flags.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -15,11 +17,15 @@
 namespace reports {
 namespace {
 
+/// Share of one rating from which a participant is flagged, by question; above 1 on a scale of 1 or 2 steps.
+using SameRatingLimits = std::map<std::string, double>;
+
 /// One participant's answers under examination.
 struct Examination {
     const StudyData& data;
     const AnswerCells& cells;
     const QualityRules& rules;
+    const SameRatingLimits& sameRating;
     const std::string& participant;
     std::vector<QualityFlag>& flags;
 
@@ -72,15 +78,52 @@ void flagFast(const Examination& one)
                                         protocols::shortest(one.rules.tooFastSeconds) + " s of the touch");
 }
 
+/// Different numbers in all answers to a question; no more than `enough` are counted.
+std::size_t differentRatings(const StudyData& data, const std::string& question, double enough)
+{
+    std::set<double> different;
+    for (const auto* responses : {&data.responses, &data.catchResponses, &data.mismatchedResponses, &data.repeatedResponses})
+        for (const StudyResponse& response : *responses) {
+            if (response.question != question) continue;
+            if (const auto* rated = std::get_if<RatedAnswer>(&response.content)) different.insert(rated->rating);
+            if (static_cast<double>(different.size()) >= enough) return different.size();
+        }
+    return different.size();
+}
+
+/// Numbers that participants could give. A file without a protocol states no steps: there the numbers that all participants
+/// together gave count.
+std::size_t stepsOf(const StudyData& data, const QuestionInfo& question, double enough)
+{
+    const bool isStated = data.plannedDesign &&
+                          std::ranges::find(data.plannedDesign->questions, question.id) != data.plannedDesign->questions.end();
+    if (!isStated) return differentRatings(data, question.id, enough);
+    const protocols::RatingScale& scale = std::get<protocols::Rating>(question.kind).scale;
+    return static_cast<std::size_t>((scale.max.value - scale.min.value) / std::max(scale.step.value, 1)) + 1;
+}
+
+SameRatingLimits sameRatingLimits(const StudyData& data, const QualityRules& rules)
+{
+    SameRatingLimits limits;
+    for (const QuestionInfo& question : data.questions) {
+        if (!std::holds_alternative<protocols::Rating>(question.kind)) continue;
+        const std::size_t steps = stepsOf(data, question, rules.sameRatingSteps / rules.sameRatingShare);
+        limits[question.id] =
+            std::max(rules.sameRatingShare, rules.sameRatingSteps / static_cast<double>(std::max<std::size_t>(steps, 1)));
+    }
+    return limits;
+}
+
 void flagStraightLining(const Examination& one)
 {
     for (const QuestionInfo& question : one.data.questions) {
         const std::vector<double> ratings = valuesOf(one.answers(question));
-        if (!isRating(question) || ratings.size() < one.rules.fewestAnswers) continue;
+        const auto limit = one.sameRating.find(question.id);
+        if (limit == one.sameRating.end() || ratings.size() < one.rules.fewestAnswers) continue;
         std::map<double, std::size_t> counts;
         for (const double rating : ratings) ++counts[rating];
         const auto [favourite, times] = favouriteOf(counts);
-        if (isAtLeast(times, one.rules.sameRatingShare, ratings.size()))
+        if (isAtLeast(times, limit->second, ratings.size()))
             one.flag(FlagKind::StraightLining, question.id + ": " + std::to_string(times) + " of " +
                                                    std::to_string(ratings.size()) + " ratings are " +
                                                    protocols::shortest(favourite));
@@ -192,6 +235,16 @@ void flagRatedHigh(const Examination& one, const std::vector<StudyResponse>& low
         one.flag(kind, counted(ratings, "rating") + " of " + what + " have at least the mean of the renderings' ratings");
 }
 
+/// "60 % on 5 steps, 75 % on 4 steps and 100 % on 3 steps".
+std::string shortScalesText(const QualityRules& rules)
+{
+    std::vector<std::string> limits;
+    for (int steps = static_cast<int>(std::ceil(rules.sameRatingSteps / rules.sameRatingShare)) - 1;
+         steps >= rules.sameRatingSteps; --steps)
+        limits.push_back(percentText(rules.sameRatingSteps / steps, 1) + " on " + std::to_string(steps) + " steps");
+    return listed(limits);
+}
+
 }  // namespace
 
 std::string nameOf(FlagKind kind)
@@ -220,8 +273,9 @@ std::string nameOf(FlagKind kind)
 std::vector<QualityFlag> qualityFlags(const StudyData& data, const AnswerCells& cells, const QualityRules& rules)
 {
     std::vector<QualityFlag> flags;
+    const SameRatingLimits sameRating = sameRatingLimits(data, rules);
     for (const std::string& participant : data.participants) {
-        const Examination one{data, cells, rules, participant, flags};
+        const Examination one{data, cells, rules, sameRating, participant, flags};
         flagMissing(one);
         flagFast(one);
         flagStraightLining(one);
@@ -253,7 +307,9 @@ std::vector<std::string> ruleSentences(const QualityRules& rules)
         "missing_answers: the participant gave fewer answers than the design asks for.",
         "too_fast: more than " + percentOf(rules.tooFastShare) + " of the timed choices and ratings came within " +
             protocols::shortest(rules.tooFastSeconds) + " s of the first touch.",
-        "straight_lining: at least " + percentOf(rules.sameRatingShare) + " of the ratings of one question are the same number.",
+        "straight_lining: at least " + percentOf(rules.sameRatingShare) +
+            " of the ratings of one question are the same number. Short scales need more: " + shortScalesText(rules) +
+            ". Scales of fewer steps flag nobody. Without a protocol, the numbers that all participants gave count as the steps.",
         "same_across_questions: at least " + percentOf(rules.sameAcrossShare) +
             " of the presentations got the same number for every rating question.",
         "Both flags on equal ratings have a known weakness: a participant who feels no difference also gives such ratings.",

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
+#include "reports/cells/common_units.h"
 #include "reports/data/design_limits.h"
 #include "stats/kernels/decimal_grid.h"
 
@@ -36,14 +38,41 @@ std::vector<ContrastPair> familyOf(const StudyData& data)
 
 std::vector<stats::Value> meansByFabric(const AnswerCube& cube, const ContrastPair& contrast)
 {
+    const stats::CrossedTable table = cube.differences(contrast.first, contrast.second);
     std::vector<std::vector<double>> differences(cube.fabrics());
-    for (std::size_t p = 0; p < cube.participants(); ++p)
-        for (std::size_t f = 0; f < cube.fabrics(); ++f)
-            if (const double one = cube.at(contrast.first, p, f) - cube.at(contrast.second, p, f); !std::isnan(one))
-                differences[f].push_back(one);
+    for (std::size_t cell = 0; cell < table.values.size(); ++cell)
+        if (!std::isnan(table.values[cell])) differences[cell % cube.fabrics()].push_back(table.values[cell]);
     std::vector<stats::Value> means;
     for (const std::vector<double>& ofFabric : differences) means.push_back(stats::meanOf(ofFabric));
     return means;
+}
+
+std::map<std::string, std::size_t> fabricPlacesOf(const StudyData& data)
+{
+    std::map<std::string, std::size_t> places;
+    for (const std::string& fabric : data.fabrics) places.emplace(fabric, places.size());
+    return places;
+}
+
+/// Each contrast takes the repetitions that were answered under both of its conditions.
+void compareCommonUnits(AnswerCube& cube, const StudyData& data, const AnswerCells& cells, const std::string& question,
+                        const std::vector<ContrastPair>& contrasts)
+{
+    if (cells.mostAnswers(question) < 2) return;
+    const auto places = fabricPlacesOf(data);
+    const std::size_t count = cube.participants() * cube.fabrics();
+    const std::vector<double> none(count, std::numeric_limits<double>::quiet_NaN());
+    for (const auto& [a, b] : contrasts) {
+        const CommonUnits units(cells, question, {data.conditions[a], data.conditions[b]});
+        stats::CrossedTable ofA{cube.participants(), cube.fabrics(), none}, ofB = ofA;
+        for (std::size_t p = 0; p < cube.participants(); ++p)
+            for (const CommonUnits::FabricMeans& fabric : units.fabrics(cells.participants()[p])) {
+                const std::size_t cell = p * cube.fabrics() + places.at(fabric.fabric);
+                if (fabric.means[0].exists()) ofA.values[cell] = *fabric.means[0];
+                if (fabric.means[1].exists()) ofB.values[cell] = *fabric.means[1];
+            }
+        cube.setComparable(a, b, std::move(ofA), std::move(ofB));
+    }
 }
 
 /// The claims of one family for one generalisation, with each fabric and each participant left out in turn.
@@ -114,8 +143,7 @@ stats::FTest testOf(const stats::RepeatedMeasuresAnova& anova)
 stats::AnswerCube answerCube(const StudyData& data, const AnswerCells& cells, const std::string& question,
                              stats::AnswerValues kind)
 {
-    std::map<std::string, std::size_t> fabrics;
-    for (const std::string& fabric : data.fabrics) fabrics.emplace(fabric, fabrics.size());
+    const auto fabrics = fabricPlacesOf(data);
     AnswerCube cube(kind, data.conditions.size(), cells.participants().size(), fabrics.size());
     for (std::size_t c = 0; c < data.conditions.size(); ++c)
         for (const AnswerCells::CellMean& cell : cells.cellMeans(question, data.conditions[c]))
@@ -129,9 +157,10 @@ QuestionClaims claimsOf(const StudyData& data, const AnswerCells& cells, const s
 {
     QuestionClaims claims;
     if (!alternatives) claims.bounds = data.equivalenceBounds;
-    const AnswerCube cube =
+    AnswerCube cube =
         answerCube(data, cells, question, alternatives ? stats::AnswerValues::Choices : stats::AnswerValues::Ratings);
     const std::vector<ContrastPair> contrasts = familyOf(data);
+    compareCommonUnits(cube, data, cells, question, contrasts);
     const Family family(data, cells, cube, contrasts, claims.bounds, depth);
     const std::vector<ContrastFinding> these = family.findings(Generalisation::TheseFabrics),
                                        alike = family.findings(Generalisation::FabricsLikeThese);

@@ -65,7 +65,8 @@ QuestionClaims claimsOf(const StudyData& data, const AnswerCells& cells, const s
                         std::optional<int> alternatives, const stats::RepeatedMeasuresAnova& anova,
                         const stats::RatingModel& model, Depth depth);
 
-/// The means of the cells of a question, by condition, participant and fabric of the study.
+/// The means of the cells of a question, by condition, participant and fabric of the study. They are those of all answers of a
+/// cell, also where repetitions are missing.
 stats::AnswerCube answerCube(const StudyData& data, const AnswerCells& cells, const std::string& question,
                              stats::AnswerValues kind);
 

@@ -63,14 +63,14 @@ std::vector<ParticipantMeans> meansOfParticipants(const StudyData& data, const A
 
 std::optional<AnsweredFabricTests> testsOverAnswered(const StudyData& data, const AnswerCells& cells, const std::string& question)
 {
-    if (!cells.haveUnequalFabrics(question)) return std::nullopt;
-    const AnswerCells::CompleteBlocks blocks = cells.completeBlocks(question, FabricsOfMeans::Answered);
+    if (!cells.haveUnequalAnswers(question)) return std::nullopt;
+    const AnswerCells::CompleteBlocks blocks = cells.completeBlocks(question, AnswersOfMeans::All);
     AnsweredFabricTests tests;
     tests.completeParticipants = blocks.participants;
     tests.anova = stats::repeatedMeasuresAnova(blocks.table);
     tests.friedman = stats::friedmanTest(blocks.table);
-    tests.comparisons = comparePairs(data, cells, question, FabricsOfMeans::Answered);
-    tests.equivalences = testEquivalence(data, cells, question, tests.comparisons, FabricsOfMeans::Answered);
+    tests.comparisons = comparePairs(data, cells, question, AnswersOfMeans::All);
+    tests.equivalences = testEquivalence(data, cells, question, tests.comparisons, AnswersOfMeans::All);
     return tests;
 }
 

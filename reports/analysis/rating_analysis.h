@@ -36,8 +36,8 @@ struct ParticipantMeans {
     std::vector<stats::Value> means;  ///< by condition
 };
 
-/// Tests of means over all fabrics that each participant answered under a condition: the definition of the reference numbers
-/// behind statistics.json. Where answers are missing, these tests confuse fabrics with conditions.
+/// Tests of means over all answers of each participant under a condition: the definition of the reference numbers behind
+/// statistics.json. Where answers are missing, these tests confuse fabrics and repetitions with conditions.
 struct AnsweredFabricTests {
     std::vector<std::string> completeParticipants;
     stats::RepeatedMeasuresAnova anova;

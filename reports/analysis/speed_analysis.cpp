@@ -1,6 +1,8 @@
 #include "reports/analysis/speed_analysis.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <utility>
 
 #include "reports/cells/response_time.h"
@@ -59,14 +61,27 @@ std::vector<SpeedContrast> contrastsOf(const QuestionClaims& claims)
     return contrasts;
 }
 
-void testContrasts(std::vector<SpeedContrast>& contrasts, const StudyData& data,
-                   const std::vector<stats::ConditionSpeedCells>& conditions, const std::vector<ValuesByParticipant>& scores,
-                   int alternatives)
+bool isTimed(const StudyResponse& response) { return responseTimeOf(response).has_value(); }
+
+bool hasLogTime(const StudyResponse& response) { return logTimeOf(response).has_value(); }
+
+stats::Value meanLogTime(const std::vector<const StudyResponse*>& responses)
 {
-    std::vector<stats::ContrastPair> pairs;
+    std::vector<double> logs;
+    for (const StudyResponse* response : responses)
+        if (const std::optional<double> log = logTimeOf(*response)) logs.push_back(*log);
+    return stats::meanOf(logs);
+}
+
+void testContrasts(std::vector<SpeedContrast>& contrasts, const StudyData& data, const AnswerCells& cells,
+                   const std::string& question, const std::vector<stats::ConditionSpeedCells>& conditions,
+                   const std::vector<ValuesByParticipant>& scores, int alternatives)
+{
+    std::vector<stats::SpeedPair> pairs;
     for (const SpeedContrast& contrast : contrasts)
-        pairs.emplace_back(placeIn(data.conditions, contrast.a), placeIn(data.conditions, contrast.b));
-    auto tests = stats::speedContrasts(conditions, scores, pairs, alternatives);
+        pairs.push_back(comparedSpeed(cells, CommonUnits(cells, question, {contrast.a, contrast.b}), conditions, scores,
+                                      {placeIn(data.conditions, contrast.a), placeIn(data.conditions, contrast.b)}));
+    auto tests = stats::speedContrasts(pairs, alternatives);
     for (std::size_t i = 0; i < contrasts.size(); ++i) contrasts[i].tests = std::move(tests[i]);
 }
 
@@ -101,6 +116,23 @@ ParticipantsSpeed speedOverConditions(const AnswerCells& cells, const std::strin
     ParticipantsSpeed speed;
     for (const std::string& participant : cells.participants()) addParticipant(speed, cells.ofParticipant(question, participant));
     return speed;
+}
+
+stats::SpeedPair comparedSpeed(const AnswerCells& cells, const CommonUnits& units,
+                               const std::vector<stats::ConditionSpeedCells>& conditions,
+                               const std::vector<ValuesByParticipant>& scores, const stats::ContrastPair& contrast)
+{
+    std::array<stats::ConditionSpeedCells, 2> compared;
+    for (const std::string& participant : cells.participants()) {
+        const AnswersByCondition timed = units.pairedAnswers(participant, isTimed);
+        // A time that is not positive has no logarithm, and takes its partner with it.
+        const AnswersByCondition withLog = units.pairedAnswers(participant, hasLogTime);
+        for (std::size_t side = 0; side < compared.size(); ++side) {
+            compared[side].push_back(stats::speedCell(valuesOf(timed[side]), responseTimesOf(timed[side])));
+            compared[side].back().logSeconds = meanLogTime(withLog[side]);
+        }
+    }
+    return stats::speedPair(conditions, scores, contrast, std::move(compared[0]), std::move(compared[1]));
 }
 
 ConditionSpeed conditionSpeedOf(const std::vector<const StudyResponse*>& responses, const ParticipantsSpeed& under,
@@ -150,7 +182,7 @@ SpeedAnalysis analyseSpeed(const StudyData& data, const AnswerCells& cells, cons
                                 std::to_string(mostSpeedContrasts) + " are tested: plan some in the protocol";
     else {
         analysis.contrasts = contrastsOf(claims);
-        testContrasts(analysis.contrasts, data, conditions, scores, alternatives);
+        testContrasts(analysis.contrasts, data, cells, question, conditions, scores, alternatives);
     }
     return analysis;
 }

@@ -7,6 +7,7 @@
 
 #include "reports/analysis/question_claims.h"
 #include "reports/cells/answer_cells.h"
+#include "reports/cells/common_units.h"
 #include "stats/claims/speed_contrasts.h"
 #include "stats/kernels/value.h"
 
@@ -38,6 +39,13 @@ ParticipantsSpeed speedOverConditions(const AnswerCells& cells, const std::strin
 /// `scores`: the balanced integration score of each participant, standardised together with those of other conditions.
 ConditionSpeed conditionSpeedOf(const std::vector<const StudyResponse*>& responses, const ParticipantsSpeed& under,
                                 const std::vector<stats::Value>& scores, int alternatives);
+
+/// Two conditions as the tests compare them: on the choices with a time that each participant made under both, about the same
+/// fabrics and in the same repetitions. Shares and times are those of the same choices. `conditions` and `scores`: the cells of
+/// all conditions; `contrast`: the places of those that the units compare.
+stats::SpeedPair comparedSpeed(const AnswerCells& cells, const CommonUnits& units,
+                               const std::vector<stats::ConditionSpeedCells>& conditions,
+                               const std::vector<std::vector<stats::Value>>& scores, const stats::ContrastPair& contrast);
 
 struct SpeedContrast {
     std::string a;

@@ -4,10 +4,10 @@
 #include <array>
 #include <map>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 #include "protocols/files/errors.h"
+#include "reports/cells/common_units.h"
 #include "stats/kernels/decimal_grid.h"
 
 namespace reports {
@@ -53,6 +53,27 @@ std::optional<double> numberOf(const AnswerContent& content)
                       content);
 }
 
+/// None where whole cells are compared.
+std::optional<CommonUnits> unitsOfMeans(const AnswerCells& cells, const std::string& question,
+                                        const std::vector<std::string>& conditions, AnswersOfMeans over)
+{
+    if (over == AnswersOfMeans::All || cells.mostAnswers(question) < 2) return std::nullopt;
+    return CommonUnits(cells, question, conditions);
+}
+
+bool haveUnequalRepetitions(const AnswerCells& cells, const std::string& question, const std::vector<std::string>& conditions)
+{
+    for (std::size_t a = 0; a < conditions.size(); ++a)
+        for (std::size_t b = a + 1; b < conditions.size(); ++b) {
+            const CommonUnits units(cells, question, {conditions[a], conditions[b]});
+            for (const std::string& participant : cells.participants())
+                if (cells.participantMean(question, conditions[a], participant).exists() &&
+                    cells.participantMean(question, conditions[b], participant).exists() && units.leavesOutAnswers(participant))
+                    return true;
+        }
+    return false;
+}
+
 }  // namespace
 
 AnswerCells::AnswerCells(const StudyData& data)
@@ -95,6 +116,13 @@ AnswerCells::AnswerCells(const StudyData& data)
         if (!isSameCell(a, b)) return std::pair(a.run, a.fabric) < std::pair(b.run, b.fabric);
         return a.response->repetition < b.response->repetition;
     });
+    m_mostAnswers.assign(data.questions.size(), 0);
+    std::size_t inCell = 0;
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+        inCell = i > 0 && isSameCell(sorted[i - 1], sorted[i]) ? inCell + 1 : 1;
+        std::size_t& most = m_mostAnswers[sorted[i].run / (data.conditions.size() * m_participants.size())];
+        most = std::max(most, inCell);
+    }
     for (std::size_t i = 1; i < sorted.size(); ++i)
         if (isSameCell(sorted[i - 1], sorted[i]) && sorted[i - 1].response->repetition == sorted[i].response->repetition)
             throw protocols::workFailed(
@@ -200,7 +228,7 @@ bool AnswerCells::haveSameFabrics(std::size_t run, std::size_t other) const
     return std::ranges::equal(fabricsIn(run), fabricsIn(other), {}, &FabricMean::fabric, &FabricMean::fabric);
 }
 
-std::vector<double> AnswerCells::meansOfRuns(std::span<const std::size_t> runs, FabricsOfMeans over) const
+std::vector<double> AnswerCells::meansOfRuns(std::span<const std::size_t> runs, AnswersOfMeans over) const
 {
     std::vector<double> means;
     for (const std::size_t run : runs) {
@@ -208,7 +236,7 @@ std::vector<double> AnswerCells::meansOfRuns(std::span<const std::size_t> runs, 
         means.push_back(*m_means[run]);
     }
     const auto isLikeFirst = [&](std::size_t run) { return haveSameFabrics(run, runs.front()); };
-    if (over == FabricsOfMeans::Answered || std::ranges::all_of(runs, isLikeFirst)) return means;
+    if (over == AnswersOfMeans::All || std::ranges::all_of(runs, isLikeFirst)) return means;
     std::map<std::size_t, std::size_t> answered;
     for (const std::size_t run : runs)
         for (const FabricMean& cell : fabricsIn(run)) ++answered[cell.fabric];
@@ -222,17 +250,9 @@ std::vector<double> AnswerCells::meansOfRuns(std::span<const std::size_t> runs, 
     return means;
 }
 
-std::vector<double> AnswerCells::commonMeans(const std::string& question, const std::vector<std::string>& conditions,
-                                             const std::string& participant) const
+bool AnswerCells::haveUnequalAnswers(const std::string& question) const
 {
-    std::vector<std::size_t> runs;
-    for (const std::string& condition : conditions)
-        runs.push_back(firstRun(question, condition) + m_participantPlaces.at(participant));
-    return meansOfRuns(runs, FabricsOfMeans::Common);
-}
-
-bool AnswerCells::haveUnequalFabrics(const std::string& question) const
-{
+    if (mostAnswers(question) > 1) return haveUnequalRepetitions(*this, question, m_data.conditions);
     for (std::size_t i = 0; i < m_participants.size(); ++i) {
         std::optional<std::size_t> first;
         for (const std::string& condition : m_data.conditions) {
@@ -245,14 +265,15 @@ bool AnswerCells::haveUnequalFabrics(const std::string& question) const
     return false;
 }
 
-AnswerCells::CompleteBlocks AnswerCells::completeBlocks(const std::string& question, FabricsOfMeans over) const
+AnswerCells::CompleteBlocks AnswerCells::completeBlocks(const std::string& question, AnswersOfMeans over) const
 {
+    const std::optional<CommonUnits> units = unitsOfMeans(*this, question, m_data.conditions, over);
     CompleteBlocks blocks;
     std::vector<std::vector<double>> rows;
     std::vector<std::size_t> runs(m_data.conditions.size());
     for (std::size_t i = 0; i < m_participants.size(); ++i) {
         for (std::size_t c = 0; c < runs.size(); ++c) runs[c] = firstRun(question, m_data.conditions[c]) + i;
-        std::vector<double> row = meansOfRuns(runs, over);
+        std::vector<double> row = units ? units->means(m_participants[i]) : meansOfRuns(runs, over);
         if (!row.empty()) {
             blocks.participants.push_back(m_participants[i]);
             rows.push_back(std::move(row));
@@ -265,35 +286,30 @@ AnswerCells::CompleteBlocks AnswerCells::completeBlocks(const std::string& quest
 
 stats::BlockTable AnswerCells::completeSuccesses(const std::string& question) const
 {
-    // Names of sessions may differ between conditions, so repetitions are counted.
-    std::map<std::tuple<std::string, std::string, std::size_t>, std::vector<double>> rows;
-    for (const std::string& condition : m_data.conditions) {
-        const StudyResponse* last = nullptr;
-        std::size_t repetition = 0;
-        for (const StudyResponse* response : of(question, condition)) {
-            const bool isRepeated =
-                last != nullptr && last->participant == response->participant && last->fabric == response->fabric;
-            repetition = isRepeated ? repetition + 1 : 0;
-            last = response;
-            if (const auto number = numberOf(response->content))
-                rows[{response->participant, response->fabric, repetition}].push_back(*number);
+    const CommonUnits units(*this, question, m_data.conditions);
+    std::vector<std::vector<double>> complete;
+    for (const std::string& participant : m_participants) {
+        const AnswersByCondition answers = units.pairedAnswers(participant);
+        for (std::size_t i = 0; !answers.empty() && i < answers.front().size(); ++i) {
+            std::vector<double>& row = complete.emplace_back();
+            for (const auto& ofCondition : answers)
+                if (const auto number = numberOf(ofCondition[i]->content)) row.push_back(*number);
         }
     }
-    std::vector<std::vector<double>> complete;
-    for (auto& [place, row] : rows)
-        if (row.size() == m_data.conditions.size()) complete.push_back(std::move(row));
     stats::BlockTable table = stats::blockTableOf(complete).table;
     table.conditions = m_data.conditions.size();
     return table;
 }
 
 AnswerCells::PairedMeans AnswerCells::pairedMeans(const std::string& question, const std::string& a, const std::string& b,
-                                                  FabricsOfMeans over) const
+                                                  AnswersOfMeans over) const
 {
+    const std::optional<CommonUnits> units = unitsOfMeans(*this, question, {a, b}, over);
     PairedMeans means;
     const std::size_t firstOfA = firstRun(question, a), firstOfB = firstRun(question, b);
     for (std::size_t i = 0; i < m_participants.size(); ++i) {
-        const std::vector<double> both = meansOfRuns(std::array{firstOfA + i, firstOfB + i}, over);
+        const std::vector<double> both =
+            units ? units->means(m_participants[i]) : meansOfRuns(std::array{firstOfA + i, firstOfB + i}, over);
         if (both.empty()) continue;
         means.a.push_back(both[0]);
         means.b.push_back(both[1]);

@@ -1,7 +1,8 @@
 // The answers of a study sorted into question x condition x participant x fabric, and the unit of every test between
 // conditions: the participant's mean over fabrics. Repeated answers of a cell are averaged first, so that a fabric that was
-// touched more often does not weigh more. Conditions are compared on the fabrics that the participant answered under all of them,
-// so that a missing answer does not turn a difference of fabrics into one of conditions.
+// touched more often does not weigh more. Conditions are compared on the answers that the participant gave under all of them: on
+// the same fabrics, and in the same repetitions (see common_units.h). So a missing answer does not turn a difference of fabrics
+// or of repetitions into one of conditions.
 #pragma once
 
 #include <cstddef>
@@ -16,10 +17,10 @@
 
 namespace reports {
 
-/// The fabrics of a participant's means where answers are missing.
-enum class FabricsOfMeans {
-    Common,    ///< those answered under every condition that is compared
-    Answered,  ///< all that are answered under a condition: conditions may then differ by their fabrics
+/// The answers in a participant's means, where some are missing.
+enum class AnswersOfMeans {
+    Common,  ///< those in units that have an answer under every condition that is compared (see common_units.h)
+    All,     ///< all that were given under a condition: conditions may then differ by their fabrics and repetitions
 };
 
 /// Keeps a reference to the data, which must outlive it.
@@ -58,22 +59,21 @@ public:
     /// Means of all participants who have one, in the order of participants().
     std::vector<double> participantMeans(const std::string& question, const std::string& condition) const;
 
-    /// The participant's means under these conditions, over the fabrics that have an answer under every one of them. Empty where
-    /// there is no such fabric.
-    std::vector<double> commonMeans(const std::string& question, const std::vector<std::string>& conditions,
-                                    const std::string& participant) const;
+    /// Most answers to a question by one participant x fabric x condition: those of a full cell.
+    std::size_t mostAnswers(const std::string& question) const { return m_mostAnswers[m_questionPlaces.at(question)]; }
 
-    /// Whether a participant answered other fabrics under one condition than under another.
-    bool haveUnequalFabrics(const std::string& question) const;
+    /// Whether a participant answered under two conditions, but not the same fabrics and repetitions.
+    bool haveUnequalAnswers(const std::string& question) const;
 
     /// Participants with a mean in every condition, and their means [participants x conditions].
     struct CompleteBlocks {
         std::vector<std::string> participants;
         stats::BlockTable table;
     };
-    CompleteBlocks completeBlocks(const std::string& question, FabricsOfMeans over = FabricsOfMeans::Common) const;
+    CompleteBlocks completeBlocks(const std::string& question, AnswersOfMeans over = AnswersOfMeans::Common) const;
 
-    /// Blocks of participant x fabric x repetition that are answered in every condition: 1 correct, 0 wrong.
+    /// Blocks of participant x fabric x repetition that are answered in every condition: 1 correct, 0 wrong. Repetitions without
+    /// common names are counted.
     stats::BlockTable completeSuccesses(const std::string& question) const;
 
     /// Means of the participants who have them under both conditions.
@@ -82,7 +82,7 @@ public:
         std::vector<double> b;
     };
     PairedMeans pairedMeans(const std::string& question, const std::string& a, const std::string& b,
-                            FabricsOfMeans over = FabricsOfMeans::Common) const;
+                            AnswersOfMeans over = AnswersOfMeans::Common) const;
 
     /// Number of answers to a question.
     std::size_t answered(const std::string& question) const;
@@ -103,8 +103,8 @@ private:
     };
     std::span<const FabricMean> fabricsIn(std::size_t run) const;
     bool haveSameFabrics(std::size_t run, std::size_t other) const;
-    /// Means of runs of one participant; empty where one is missing.
-    std::vector<double> meansOfRuns(std::span<const std::size_t> runs, FabricsOfMeans over) const;
+    /// Means of runs of one participant; empty where one is missing. Common means take whole cells.
+    std::vector<double> meansOfRuns(std::span<const std::size_t> runs, AnswersOfMeans over) const;
 
     const StudyData& m_data;
     std::vector<std::string> m_participants;
@@ -114,6 +114,7 @@ private:
     std::vector<stats::Value> m_means;            ///< by run
     std::vector<FabricMean> m_cells;              ///< sorted like the answers
     std::vector<std::size_t> m_cellStarts;        ///< first cell of each run, and their end
+    std::vector<std::size_t> m_mostAnswers;       ///< by question, in one participant x fabric x condition
 };
 
 /// The number of an answer: a rating, or 1 for a right and 0 for a wrong choice. Words have none and are left out.

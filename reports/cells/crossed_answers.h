@@ -9,10 +9,12 @@
 
 namespace reports {
 
-/// Every answer with a number, in the order of conditions, participants and fabrics.
+/// Every answer with a number, in the order of conditions, participants and fabrics. Where a cell has several answers and some
+/// are missing: those in repetitions that the participant answered, for the fabric, under every condition that has answers there.
+/// No model has the repetition or the instruction as a term, so their differences would look like those of conditions.
 stats::CrossedStudy crossedAnswers(const StudyData& data, const AnswerCells& cells, const std::string& question);
 
-/// The same with one value for each cell, the mean of its repetitions.
+/// The same with one value for each cell, the mean of these repetitions.
 stats::CrossedStudy crossedCells(const StudyData& data, const AnswerCells& cells, const std::string& question);
 
 }  // namespace reports

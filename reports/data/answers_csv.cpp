@@ -19,6 +19,13 @@
 namespace reports {
 namespace {
 
+/// A twentieth of the scale either way: 0.5 on the paper's scale from 0 to 10.
+std::pair<double, double> usualBoundsOn(const protocols::RatingScale& scale)
+{
+    const double bound = (scale.max.inScaleUnits() - scale.min.inScaleUnits()) / 20;
+    return {-bound, bound};
+}
+
 /// Under this name JSON files give the reasons of missing numbers.
 constexpr const char* reservedName = "why";
 
@@ -85,6 +92,7 @@ private:
             m_data.equivalenceBounds = *m_options.equivalenceBounds;
             m_data.boundsStated = true;
         }
+        if (m_options.scale && !m_data.boundsStated) m_data.equivalenceBounds = usualBoundsOn(*m_options.scale);
         if (!m_options.planned.empty()) m_data.planned = m_options.planned;
     }
 
@@ -110,6 +118,20 @@ private:
                 if (std::ranges::find(m_data.conditions, name) == m_data.conditions.end())
                     fail("the planned contrast names \"" + name + "\", which is no condition of the answers", m_where,
                          listed(m_data.conditions));
+        requireDifferentContrasts();
+    }
+
+    /// A contrast that comes twice would count twice in Holm's correction; one of a condition with itself is 0.
+    void requireDifferentContrasts() const
+    {
+        std::set<std::pair<std::string, std::string>> seen;
+        for (const auto& [a, b] : m_options.planned) {
+            const std::string named = "the planned contrast \"" + a + "," + b + "\" ";
+            if (a == b) fail(named + "compares a condition with itself", m_where, "two conditions", "correct this --planned");
+            if (!seen.insert(std::minmax(a, b)).second)
+                fail(named + "repeats an earlier one", m_where, "each pair of conditions once, in one order",
+                     "leave out one of the two --planned");
+        }
     }
 
     void writeNotes() const

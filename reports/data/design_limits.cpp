@@ -10,6 +10,11 @@ std::size_t pairCount(const StudyData& data) { return data.conditions.size() * (
 
 bool comparesAllPairs(const StudyData& data) { return data.everyPair || pairCount(data) <= mostUsualPairs; }
 
+bool canSpeakForOtherFabrics(const StudyData& data)
+{
+    return answeringParticipants(data) >= fewestParticipants && data.fabrics.size() >= fewestFabrics;
+}
+
 std::vector<std::string> designLimits(const StudyData& data, Depth depth)
 {
     std::vector<std::string> limits;
@@ -17,8 +22,10 @@ std::vector<std::string> designLimits(const StudyData& data, Depth depth)
         limits.push_back(
             "A participant answered up to " + std::to_string(data.answersPerCell) +
             " times to one fabric under one condition. Every test between conditions takes the mean of these answers "
-            "as one value. Counts, exact tests of trials and the logistic and ordinal models take each answer. Their "
-            "standard errors are too small, because these models have no random effect of the single cell.");
+            "as one value. Where some are missing, comparisons take the repetitions and instructions that the participant "
+            "answered under each of the conditions compared. Counts, exact tests of trials and the logistic and ordinal models "
+            "take each answer. Their standard errors are too small, because these models have no random effect of the single "
+            "cell.");
     std::set<std::string> groups;
     for (const auto& [participant, group] : data.groupOf) groups.insert(group);
     if (groups.size() > 1)

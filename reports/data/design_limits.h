@@ -18,6 +18,13 @@ std::size_t pairCount(const StudyData& data);
 /// Whether all pairs of conditions are compared.
 bool comparesAllPairs(const StudyData& data);
 
+/// Fewer of either say too little of how differences vary: without any, claims for fabrics like these are then made far more
+/// often than their level. `report --resimulate` counts them.
+inline constexpr std::size_t fewestParticipants = 5, fewestFabrics = 5;
+
+/// Whether both are enough for claims for fabrics like these.
+bool canSpeakForOtherFabrics(const StudyData& data);
+
 /// Sentences for the page and for statistics.json; none for a complete study of the paper's design.
 std::vector<std::string> designLimits(const StudyData& data, Depth depth);
 

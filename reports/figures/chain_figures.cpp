@@ -236,14 +236,16 @@ std::vector<Figure> chainFigures(const StudyAnalysis& analysis, FigureWidth widt
     const QualityChain chain = qualityChain(analysis);
     if (chain.rows.empty()) return {};
     const std::vector<ChainPanel> panels = panelsOf(chain);
+    const std::string intervals = answerIntervalsText(chain);
     Figure figure{
         .name = "chain",
         .caption = stampedCaption(
             analysis.data,
             "Speed against accuracy, from milliseconds to people. Upper panels, over fabrics: median time of the signals "
             "of one image; error of the signal and difference under a simulated finger, both from the accurate rendering "
-            "of the same condition. Other panels: participants' answers, for these fabrics. Whiskers: 95 % intervals. "
-            "Dashed line: chance. A missing point has its reason in the table."),
+            "of the same condition. Other panels: participants' answers. Whiskers: 95 % intervals" +
+                (intervals.empty() ? "" : ". " + intervals) +
+                ". Dashed line: chance. A missing point has its reason in the table."),
         .section = PageSection::Chain};
     figure.svg = ChainPlot(chain, panels, "Speed against accuracy, from milliseconds to people", figure.caption, width).drawn();
     return {std::move(figure)};

@@ -22,6 +22,7 @@ Json groupTestRow(const std::vector<std::string>& groups, const GroupTest& test)
     putP(row, "p", test.p);
     putP(row, "p_adjusted", test.pHolm);
     row["generalises_to"] = "these_fabrics";
+    if (!test.fabricsLeftOut.empty()) row["fabrics_left_out"] = test.fabricsLeftOut;
     putReasonsLast(row);
     return row;
 }
@@ -41,6 +42,9 @@ nlohmann::ordered_json groupsJson(const StudyAnalysis& analysis)
                 put(means, analysis.data.conditions[c], question.means[g][c]);
             row["means"][groups.groups[g]] = std::move(means);
         }
+        for (std::size_t c = 0; c < analysis.data.conditions.size(); ++c)
+            if (!question.fabricsLeftOut[c].empty())
+                row["means_fabrics_left_out"][analysis.data.conditions[c]] = question.fabricsLeftOut[c];
         row["overall"] = groupTestRow(groups.groups, question.overall);
         row["contrasts"] = Json::array();
         for (const GroupContrast& contrast : question.contrasts) {

@@ -5,6 +5,7 @@
 
 #include "protocols/files/markup_text.h"
 #include "reports/analysis/claim_words.h"
+#include "reports/data/design_limits.h"
 #include "reports/page/plan_section.h"
 #include "reports/text/condition_label.h"
 #include "reports/text/number_text.h"
@@ -152,10 +153,14 @@ std::string familySentence(const std::string& id, const QuestionClaims& claims)
 /// Says so where the numbers of participants and fabrics cannot carry a result for others.
 std::string smallStudySentence(const StudyData& data)
 {
-    if (answeringParticipants(data) == 1) return "With 1 participant this study cannot show what holds for others.";
-    constexpr std::size_t enoughFabrics = 5;
-    const std::size_t fabrics = data.fabrics.size();
-    if (fabrics >= enoughFabrics || data.conditions.size() < 2) return {};
+    const std::size_t participants = answeringParticipants(data), fabrics = data.fabrics.size();
+    if (participants == 1) return "With 1 participant this study cannot show what holds for others.";
+    if (canSpeakForOtherFabrics(data) || data.conditions.size() < 2) return {};
+    if (fabrics >= fewestFabrics)
+        return "With " + counted(participants, "participant") +
+               " the claims for fabrics like these are not reliable: without any difference, such small studies claim one far "
+               "too "
+               "often. Read the claims for these fabrics, or measure the rate: --resimulate.";
     return "With " + counted(fabrics, "fabric") +
            " this study can hardly show what holds for fabrics like these: their variation is known from too few.";
 }

@@ -63,6 +63,33 @@ bool anyPlanned(const StudyAnalysis& analysis)
     });
 }
 
+/// What was left out in turn. A quick report says elsewhere that it leaves out nothing.
+std::string leftOutSentence(const StudyAnalysis& analysis)
+{
+    bool withoutFabrics = false, withoutParticipants = false;
+    std::size_t largestFamily = 0;
+    for (const QuestionAnalysis& question : analysis.questions)
+        if (const QuestionClaims* claims = claimsOf(question)) {
+            largestFamily = std::max(largestFamily, claims->contrasts.size() / 2);  // each stands there twice
+            for (const ContrastFinding& finding : claims->contrasts) {
+                withoutFabrics = withoutFabrics || !finding.withoutFabric.empty();
+                withoutParticipants = withoutParticipants || !finding.withoutParticipant.empty();
+            }
+        }
+    if (withoutFabrics && withoutParticipants)
+        return " Each family is analysed again without each fabric and without each participant.";
+    std::string text;
+    if (withoutFabrics) text += " Each family is analysed again without each fabric.";
+    if (withoutParticipants) text += " Each family is analysed again without each participant.";
+    if (analysis.depth == Depth::Quick) return text;
+    if (largestFamily > mostContrastsLeftOut)
+        return " A family of more than " + std::to_string(mostContrastsLeftOut) +
+               " contrasts is not analysed again without single fabrics or participants.";
+    if (withoutFabrics && analysis.data.participants.size() > mostLeftOut)
+        text += " With more than " + std::to_string(mostLeftOut) + " participants, none of them is left out in turn.";
+    return text;
+}
+
 std::string claimsParagraph(const StudyAnalysis& analysis, bool hasChoices)
 {
     std::string text =
@@ -88,8 +115,8 @@ std::string claimsParagraph(const StudyAnalysis& analysis, bool hasChoices)
     return text +
            " Holm's correction is taken within the family: once for the differences, once for the equivalences, separately for "
            "each generalisation. The verdict is &ldquo;different&rdquo; or &ldquo;equivalent&rdquo; if the corrected p is below "
-           ".05. It is &ldquo;different, within the bounds&rdquo; if both are, and &ldquo;not decided&rdquo; if neither is. Each "
-           "family is analysed again without each fabric and without each participant.";
+           ".05. It is &ldquo;different, within the bounds&rdquo; if both are, and &ldquo;not decided&rdquo; if neither is." +
+           leftOutSentence(analysis);
 }
 
 std::string unitParagraph()
@@ -144,6 +171,18 @@ std::string hitsSentences(const ChoiceQuestions& questions)
            halves;
 }
 
+/// What d' is where it follows from the share correct. Empty where every question asks for same or different.
+std::string shareSentences(const ChoiceQuestions& questions)
+{
+    std::vector<std::string> ids;
+    for (const auto& question : questions)
+        if (ruleOfDPrime(question.findings) == DPrimeRule::OfShare) ids.push_back(protocols::escapedMarkup(question.id()));
+    if (ids.empty()) return "";
+    return std::string(" d\u2032") + (ids.size() == questions.size() ? "" : " of " + listed(ids)) +
+           " belongs to the mean share. The ends of its interval are the d\u2032 of the ends of the interval of the share: 0 at "
+           "or below chance, unbounded at 1.";
+}
+
 /// "10", or "Q1: 10 and Q5: 9" where not all participants answered every question.
 std::string peopleText(const StudyData& data, const ChoiceQuestions& questions)
 {
@@ -165,10 +204,8 @@ std::string matchesParagraph(const StudyData& data, const ChoiceQuestions& quest
            "corrected "
            "over the conditions. Its interval is drawn in the figure. The table of matches has it for both generalisations. The "
            "exact binomial test and "
-           "Wilson's interval beside it count the trials as independent, which they are not; they describe. d\u2032 belongs to "
-           "the "
-           "mean share. The ends of its interval are the d\u2032 of the ends of the interval of the share: 0 at or below chance, "
-           "unbounded at 1. The CSV file also has the two-sided t test of the participants' shares against " +
+           "Wilson's interval beside it count the trials as independent, which they are not; they describe." +
+           shareSentences(questions) + " The CSV file also has the two-sided t test of the participants' shares against " +
            chanceText(questions) + ". Choices have no equivalence test, because the protocol states no bounds for them." +
            hitsSentences(questions);
 }
@@ -201,7 +238,8 @@ std::string equivalenceParagraph(const StudyData& data)
            "&ldquo;the averages are close&rdquo;, which reverses the meaning of the test. Likeness is tested here by two "
            "one-sided tests. " +
            (data.boundsStated ? planSource(data) + " states their bounds: " + bounds + "." + laterBoundsSentence(data)
-                              : "Their bounds are the default of this program, " + bounds + ": no protocol stated any.") +
+                              : "Their bounds are the default of this program, a twentieth of the scale either way, " + bounds +
+                                    ": no protocol stated any.") +
            " Both tests must reject at 5 %. Without a correction they do so exactly when the 90 % interval lies inside the "
            "bounds. A "
            "difference can be real and too small to matter. The tables of all pairs carry verdicts of an older form: the first "
@@ -248,10 +286,10 @@ std::string measuredSizesParagraph()
            "anti-conservative. Tests that treat the fabrics as fixed say nothing about other fabrics.";
 }
 
-std::string speedParagraph(const ChoiceQuestions& questions, TimesTaken times)
+std::string speedParagraph(const ChoiceQuestions& questions, const StudyData& data)
 {
     return "<b>Speed and accuracy</b> are those of " + protocols::escapedMarkup(questions.front().id()) + ". " +
-           responseTimeSentence(times) +
+           responseTimeSentence(data.times) +
            " Bits per second are the information of one choice "
            "among m = " +
            std::to_string(questions.front().findings.alternatives) +
@@ -263,21 +301,37 @@ std::string speedParagraph(const ChoiceQuestions& questions, TimesTaken times)
            "second is that of a ratio (MOVER): the limits of the share correct and of the mean "
            "time are Student's t over participants. The interval of the score is Student's t over the participants' scores. "
            "Conditions are compared by paired t tests over participants: of jackknife pseudo-values of bits per second, of the "
-           "scores, and of the mean logarithms of the time. Holm's correction covers the contrasts of a measure. These results "
+           "scores, and of the mean logarithms of the time. They take the choices with a time about fabrics that the participant "
+           "timed under both. Holm's correction covers the contrasts of a measure. These results "
            "hold for new participants and these fabrics. The share correct by response time uses quarters of each participant's "
-           "own times. Slow conditions may also be hard ones, so its trend is that at equal condition and fabric.";
+           "own times. Slow conditions may also be hard ones, so its trend is that at equal " +
+           heldEqual(isInstructed(data, questions.front().id())) + ".";
 }
 
-bool isInstructed(const ChoiceQuestions& questions)
+bool haveInstructions(const ChoiceQuestions& questions)
 {
     return std::ranges::any_of(questions,
                                [](const auto& question) { return !question.findings.instructions.instructions.empty(); });
 }
 
-std::string instructionParagraph()
+/// Who answered what under each instruction.
+std::string instructedAnswersSentence(const ChoiceQuestions& questions)
+{
+    const bool areComplete = std::ranges::all_of(questions, [](const auto& question) {
+        return question.findings.instructions.instructions.empty() || question.findings.instructions.isComplete;
+    });
+    if (areComplete) return ": everybody answered every condition and fabric under each of them. ";
+    return ". Not everybody answered every condition and fabric under each of them. Where a fabric was answered under several "
+           "instructions, two conditions are compared under those that both have. Two instructions are compared on the "
+           "conditions "
+           "and fabrics answered under both, where there are any. ";
+}
+
+std::string instructionParagraph(const ChoiceQuestions& questions)
 {
     return "<b>Instructions.</b> Blocks asked the participants to be fast or accurate, or to answer before a deadline. The "
-           "instruction is a factor within participants: everybody answered every condition and fabric under each of them. "
+           "instruction is a factor within participants" +
+           instructedAnswersSentence(questions) +
            "Tests between conditions take the mean over the instructions. Measures by instruction take all conditions together. "
            "Their balanced integration scores are standardised over all participant &times; instruction cells; those by "
            "condition over all participant &times; condition &times; instruction cells. Instructions are compared by paired t "
@@ -306,10 +360,12 @@ std::string latencyParagraph()
            "late a time is that a key of the operator stamps. No time of this report was corrected by them.";
 }
 
-std::string orderParagraph()
+std::string orderParagraph(const StudyData& data)
 {
     return "<b>Order, learning and fatigue.</b> For each participant, least squares give the change of the answers over the "
-           "trials, with effects of condition and fabric. The same is done for the logarithm of the response time, and for later "
+           "trials, with effects of " +
+           std::string(isInstructed(data) ? "each condition under each instruction, and of fabric" : "condition and fabric") +
+           ". The same is done for the logarithm of the response time, and for later "
            "sittings against the first. The mean of the participants' slopes is tested by Student's t, for these fabrics. "
            "Where the running orders balance the conditions over the trials, a change over trials adds noise and no bias. "
            "As a check, one contrast of each question is also shown without each participant's own trend: the primary one, or "
@@ -362,11 +418,11 @@ std::vector<std::string> methodParagraphs(const StudyAnalysis& analysis)
     if (hasRatings) paragraphs.push_back(equivalenceParagraph(analysis.data));
     if (hasChoices || hasRatings) paragraphs.push_back(omnibusParagraph(hasChoices, hasRatings));
     if (hasChoices || hasRatings) paragraphs.push_back(measuredSizesParagraph());
-    if (hasChoices) paragraphs.push_back(speedParagraph(choices, analysis.data.times));
-    if (isInstructed(choices)) paragraphs.push_back(instructionParagraph());
+    if (hasChoices) paragraphs.push_back(speedParagraph(choices, analysis.data));
+    if (haveInstructions(choices)) paragraphs.push_back(instructionParagraph(choices));
     if (!analysis.touch.empty()) paragraphs.push_back(touchParagraph());
     if (!analysis.data.operatorTaps.empty()) paragraphs.push_back(latencyParagraph());
-    if (!analysis.order.questions.empty()) paragraphs.push_back(orderParagraph());
+    if (!analysis.order.questions.empty()) paragraphs.push_back(orderParagraph(analysis.data));
     if (std::string anchors = anchorsMethod(analysis); !anchors.empty()) paragraphs.push_back(std::move(anchors));
     if (hasWords) paragraphs.push_back(wordsParagraph());
     paragraphs.push_back(participantsParagraph(analysis.data));

@@ -70,9 +70,9 @@ std::string questionTexts(const StudyAnalysis& analysis)
 
 std::string claimsLead(const StudyData& data)
 {
-    const std::string bounds =
-        data.boundsStated ? planSource(data) + " states the bounds of equivalence."
-                          : "No protocol came with the answers: the bounds of equivalence are the default of this program.";
+    const std::string bounds = data.boundsStated ? planSource(data) + " states the bounds of equivalence."
+                                                 : "No protocol came with the answers: the bounds of equivalence are the default "
+                                                   "of this program, a twentieth of the scale.";
     return paragraph(
         "Each contrast has two rows. &ldquo;These fabrics&rdquo; asks what other participants would show on the same fabrics. "
         "&ldquo;Fabrics like these&rdquo; asks what other participants would show on other fabrics of this kind; it is the "
@@ -126,12 +126,11 @@ std::string speedLead(const StudyAnalysis& analysis)
     for (const auto& question : questionsWith<ChoiceAnalysis>(analysis)) {
         const stats::TTest& test = question.findings.accuracyBySpeed.trend.test;
         if (!test.why.empty()) continue;
-        text +=
-            paragraph(protocols::escapedMarkup(question.id()) +
-                      ": when a response takes twice as long, the share correct changes by " + typeset(fixed(*test.estimate, 2)) +
-                      " (95 % interval [" + typeset(fixed(*test.ci.low, 2)) + ", " + typeset(fixed(*test.ci.high, 2)) +
-                      "]), at equal condition and fabric. This holds for these fabrics. It is no proof that more time helps: "
-                      "hard choices also take longer.");
+        text += paragraph(
+            protocols::escapedMarkup(question.id()) + ": when a response takes twice as long, the share correct changes by " +
+            typeset(fixed(*test.estimate, 2)) + " (95 % interval [" + typeset(fixed(*test.ci.low, 2)) + ", " +
+            typeset(fixed(*test.ci.high, 2)) + "]), at equal " + heldEqual(isInstructed(analysis.data, question.id())) +
+            ". This holds for these fabrics. It is no proof that more time helps: hard choices also take longer.");
     }
     return text;
 }
@@ -189,6 +188,18 @@ std::string flagRules(const StudyAnalysis& analysis)
     return folded("Rules of the flags", bulletList(rules));
 }
 
+/// Empty where every group answered every fabric.
+std::string leftOutOfGroups(const StudyAnalysis& analysis)
+{
+    const std::vector<std::string> fabrics = fabricsNotInEveryGroup(analysis.data, analysis.groups);
+    if (fabrics.empty()) return {};
+    std::vector<std::string> names;
+    for (const std::string& fabric : fabrics) names.push_back(protocols::escapedMarkup(fabric));
+    return paragraph("Not every group answered " + listed(names) +
+                     ". A comparison of groups leaves out a fabric that some group did not answer, so that a difference of "
+                     "fabrics does not look like one of groups. The tables name these fabrics.");
+}
+
 }  // namespace
 
 std::string sectionLead(PageSection section, const StudyAnalysis& analysis)
@@ -218,10 +229,10 @@ std::string sectionLead(PageSection section, const StudyAnalysis& analysis)
             return effectsLead(analysis);
         case PageSection::Groups:
             return paragraph(
-                "The groups are compared on the participants' means, for these fabrics only: by Welch's t test (two groups; F is "
-                "t squared) or one-way analysis of variance (more). Nobody was assigned to a group by this program, so a "
-                "difference "
-                "need not come from what the groups are named after.");
+                       "The groups are compared on the participants' means, for these fabrics only: by Welch's t test (two "
+                       "groups; F is t squared) or one-way analysis of variance (more). Nobody was assigned to a group by this "
+                       "program, so a difference need not come from what the groups are named after.") +
+                   leftOutOfGroups(analysis);
         case PageSection::Speed:
             return instructionLead(analysis) + speedLead(analysis);
         case PageSection::Chain:

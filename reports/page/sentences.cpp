@@ -181,6 +181,26 @@ QuestionSentences sentencesOf(const StudyAnalysis& analysis, const QuestionAnaly
     return all;
 }
 
+/// Whether a test of all conditions for these fabrics is printed. Its degrees of freedom are corrected ones.
+bool hasCorrectedF(const StudyAnalysis& analysis)
+{
+    return std::ranges::any_of(analysis.questions, [](const QuestionAnalysis& question) {
+        const QuestionClaims* claims = claimsOf(question);
+        return claims != nullptr && std::ranges::any_of(claims->omnibus, [](const OmnibusFinding& finding) {
+                   return finding.generalisation == Generalisation::TheseFabrics && finding.test.why.empty();
+               });
+    });
+}
+
+std::string degreesSentences(const StudyAnalysis& analysis)
+{
+    const std::string satterthwaite = "Degrees of freedom with a decimal are Satterthwaite\u2019s";
+    if (!hasCorrectedF(analysis)) return satterthwaite + ".";
+    return satterthwaite +
+           " in <i>t</i> tests, and in <i>F</i> tests for fabrics like these. <i>F</i> tests for these fabrics have degrees of "
+           "freedom after Greenhouse and Geisser\u2019s correction.";
+}
+
 std::string listOf(const std::string& heading, const std::vector<std::string>& sentences)
 {
     if (sentences.empty()) return {};
@@ -211,8 +231,8 @@ std::string sentencesLead(const StudyAnalysis& analysis)
     return paragraph(
                "Sentences to paste, in APA form. p values of conditions and contrasts carry Holm\u2019s correction within their "
                "family; tests against chance are one-sided; intervals are not corrected. <i>d<sub>z</sub></i> is the mean "
-               "difference of the participants in standard deviations of these differences. Degrees of freedom with a decimal "
-               "are Satterthwaite\u2019s.") +
+               "difference of the participants in standard deviations of these differences. " +
+               degreesSentences(analysis)) +
            html;
 }
 

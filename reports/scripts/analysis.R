@@ -30,6 +30,7 @@ for (name in c("low", "high", "value")) expected[[name]] <- as.numeric(expected[
 for (name in c("a", "b")) expected[[name]][is.na(expected[[name]])] <- ""
 answers$value <- as.numeric(ifelse(is.na(answers$correct), answers$rating, answers$correct))
 answers <- answers[!is.na(answers$value), ]
+for (name in c("repetition", "instruction")) answers[[name]][is.na(answers[[name]])] <- ""
 conditions <- unique(expected$a[expected$section %in% c("matches", "ratings")])
 choices <- unique(expected$question[expected$section == "matches"])
 
@@ -46,6 +47,53 @@ cellsOf <- function(question) once(paste("cells", question), {
   own <- answers[answers$question == question, ]
   tapply(own$value, list(own$participant, own$fabric, factor(own$condition, conditions)), mean)
 })
+# Answers in a full cell.
+mostOf <- function(question) once(paste("most", question), {
+  own <- answers[answers$question == question, ]
+  max(table(paste(own$participant, own$fabric, own$condition, sep = "\r")))
+})
+# What matches the answers of cells with several: the name of the repetition, else the instruction, else nothing.
+marks <- list(function(x) paste(x$repetition, x$instruction, sep = "\r"), function(x) x$instruction, function(x) rep("", nrow(x)))
+# The answers that each participant gave, about each fabric, under all of these conditions, or under all that have answers there.
+# Names of repetitions may be mere row numbers, or those of sessions that belong to one condition. They count where the conditions
+# share them: they meet, and full cells of one participant and fabric have the same. Instructions only have to be the same.
+commonAnswers <- function(question, conditions, needsAll)
+  once(paste(c("common", needsAll, question, conditions), collapse = "\r"), {
+    own <- answers[answers$question == question & answers$condition %in% conditions, ]
+    own$place <- paste(own$participant, own$fabric, sep = "\r")
+    own$cell <- paste(own$place, own$condition, sep = "\r")
+    met <- function(by) ave(match(own$condition, conditions), by, FUN = function(x) length(unique(x)))
+    needed <- if (needsAll) length(conditions) else met(own$place)
+    isFull <- ave(own$value, own$cell, FUN = length) == mostOf(question)
+    for (k in if (mostOf(question) < 2) 3 else 1:3) {
+      own$label <- marks[[k]](own)
+      isCommon <- met(paste(own$place, own$label, sep = "\r")) == needed
+      labels <- tapply(own$label[isFull], own$cell[isFull], function(x) paste(sort(x), collapse = "\n"))
+      isSame <- tapply(labels, own$place[match(names(labels), own$cell)], function(x) length(unique(x)) == 1)
+      if (k == 3 || (all(isSame) && (k == 2 || any(isCommon & met(own$place) > 1)))) break
+    }
+    own[isCommon, ]
+  })
+# Their means, [participant, fabric, condition]. Labels with unequally many answers under the conditions count equally.
+commonCells <- function(question, conditions, needsAll = TRUE) {
+  whole <- cellsOf(question)
+  if (mostOf(question) < 2) return(whole[, , conditions, drop = FALSE])
+  own <- commonAnswers(question, conditions, needsAll)
+  labels <- c(tapply(own$label, own$cell, function(x) paste(sort(x), collapse = "\n")))[own$cell]
+  isEven <- ave(match(labels, labels), own$place, FUN = function(x) length(unique(x))) == 1
+  weight <- ifelse(isEven, 1, 1 / ave(own$value, own$cell, own$label, FUN = length))
+  place <- list(factor(own$participant, dimnames(whole)[[1]]), factor(own$fabric, dimnames(whole)[[2]]),
+                factor(own$condition, conditions))
+  tapply(weight * own$value, place, sum) / tapply(weight, place, sum)
+}
+# Whether two conditions are compared on other means than those of their cells.
+isOther <- function(question, a, b) {
+  both <- commonCells(question, c(a, b))
+  whole <- cellsOf(question)[, , c(a, b), drop = FALSE]
+  isThere <- !is.na(under(whole, a) - under(whole, b))
+  own <- rep(isThere, 2)
+  anyNA(both[own]) || any(abs(both[own] - whole[own]) > 1e-12 * abs(whole[own]))
+}
 under <- function(cells, condition) cells[, , condition, drop = FALSE]
 participantMeans <- function(x) if (length(x) > 0) apply(x, 1, mean, na.rm = TRUE) else numeric()
 meansOf <- function(question, condition) participantMeans(under(cellsOf(question), condition))
@@ -71,10 +119,11 @@ ratings <- function(question, condition) {
   interval <- testOf(means)$conf.int
   list(n = length(value), mean = mean(value), sd = sd(value), ci95_low = interval[1], ci95_high = interval[2])
 }
-# Each participant's means over the fabrics that have an answer under both conditions.
+# Each participant's means over the fabrics, and repetitions, that have an answer under both conditions.
 differences <- function(question, a, b) {
-  first <- under(cellsOf(question), a)
-  second <- under(cellsOf(question), b)
+  both <- commonCells(question, c(a, b))
+  first <- under(both, a)
+  second <- under(both, b)
   first[is.na(second)] <- NA
   second[is.na(first)] <- NA
   without(participantMeans(first) - participantMeans(second))
@@ -169,7 +218,7 @@ rowsOf <- function(cells) {
   droplevels(rows[!is.na(rows$y), ])
 }
 answersOf <- function(question) {
-  own <- answers[answers$question == question, ]
+  own <- commonAnswers(question, conditions, FALSE)
   droplevels(data.frame(y = own$value, participant = factor(own$participant), fabric = factor(own$fabric),
                         condition = factor(own$condition, conditions)))
 }
@@ -310,10 +359,11 @@ twoSided <- function(mean) if (!is.null(mean$se)) 2 * pt(-abs(mean$estimate / me
 oneSided <- function(mean, mu, isLess)
   if (!is.null(mean$se)) pt((mean$estimate - mu) / mean$se, mean$df, lower.tail = isLess)
 
-linearOf <- function(question) once(paste("linear", question), linear(rowsOf(cellsOf(question)), crossedGroups))
+modelCells <- function(question) commonCells(question, conditions, needsAll = FALSE)
+linearOf <- function(question) once(paste("linear", question), linear(rowsOf(modelCells(question)), crossedGroups))
 linearModel <- function(question) {
   fitted <- linearOf(question)
-  n <- list(n = sum(!is.na(cellsOf(question))))
+  n <- list(n = sum(!is.na(modelCells(question))))
   if (is.null(fitted)) return(n)
   n <- c(n, fitted$named, list(sd_residual = sigma(fitted$model)))
   if (length(fitted$conditions) < 2) return(n)
@@ -358,7 +408,9 @@ mostDegrees <- function(x) {
 isLimited <- function(question) once(paste("limited", question), {
   cells <- present(cellsOf(question))
   formula <- y ~ condition * (participant + fabric)
-  anyNA(cells) || any(dim(cells) < 2) || hasNoVariation(rowsOf(cells), formula) ||
+  claims <- unique(expected[expected$section == "claims_fabrics_like_these" & expected$question == question, c("a", "b")])
+  anyNA(cells) || any(unlist(mapply(isOther, question, claims$a, claims$b))) || any(dim(cells) < 2) ||
+    hasNoVariation(rowsOf(cells), formula) ||
     any(anova(lm(formula, rowsOf(cells)))[c("condition:participant", "condition:fabric"), "Pr(>F)"] < 0.05)
 })
 # Mean of `x` by the model of `rows`.
@@ -373,13 +425,13 @@ likeThese <- function(x, rows, weights, groups, limited) {
 }
 # The difference of two conditions, or the share correct under one.
 claim <- function(question, a, b, low, high, ofThese) {
-  cells <- cellsOf(question)
   isShare <- b == ""
+  cells <- if (isShare) cellsOf(question) else commonCells(question, c(a, b))
   whole <- if (isShare) under(cells, a) else under(cells, a) - under(cells, b)
   x <- present(whole)
   # Ratings without gaps: the model of both conditions, whose sums show the residual, too. Where the ratings of one are all equal,
-  # sums and differences are the same numbers.
-  both <- if (!question %in% choices && !anyNA(x)) present(cells[, , c(b, a), drop = FALSE], whole)
+  # sums and differences are the same numbers. Where repetitions are left out, the sums differ with them.
+  both <- if (!question %in% choices && !anyNA(x) && !isOther(question, a, b)) present(cells[, , c(b, a), drop = FALSE], whole)
   if (!is.null(both) && (areEqual(both[, , 1]) || areEqual(both[, , 2]))) both <- NULL
   mean <- if (ofThese) ofTheseFabrics(x)
           else if (is.null(both)) likeThese(x, rowsOf(x), 1, plainGroups, isShare || isLimited(question))
@@ -469,7 +521,7 @@ ordinalOf <- function(question, unit) once(paste("ordinal", question), {
 })
 # Numbers of a whole model; log odds of `a` minus those of the reference; without a reference, log odds of `a`.
 laplace <- function(question, a, reference, fitted) {
-  n <- list(n = sum(answers$question == question))
+  n <- list(n = nrow(answersOf(question)))
   if (is.null(fitted)) return(n)
   if (a == "") {
     model <- fitted$full$model

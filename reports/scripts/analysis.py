@@ -29,12 +29,13 @@ def rows_of(name):
 
 
 values = defaultdict(list)  # [question, condition]: every answer
-cells = defaultdict(lambda: defaultdict(list))  # [question, condition, participant][fabric]
+cells = defaultdict(lambda: defaultdict(list))  # [question, condition, participant][fabric]: number, repetition, instruction
 for row in rows_of("answers.csv"):
     text = row["correct"] or row["rating"]
     if text:
         values[row["question"], row["condition"]].append(float(text))
-        cells[row["question"], row["condition"], row["participant"]][row["fabric"]].append(float(text))
+        answer = float(text), row["repetition"], row["instruction"]
+        cells[row["question"], row["condition"], row["participant"]][row["fabric"]].append(answer)
 participants = sorted({participant for _, _, participant in cells})
 
 
@@ -47,14 +48,63 @@ def sd(numbers):
     return math.sqrt(math.fsum((x - centre) ** 2 for x in numbers) / (len(numbers) - 1)) if len(numbers) > 1 else math.nan
 
 
+def numbers_of(answers):
+    return [number for number, _, _ in answers]
+
+
+most = defaultdict(int)  # answers of a full cell, by question
+for (of_question, _, _), of_fabrics in cells.items():
+    most[of_question] = max(most[of_question], *map(len, of_fabrics.values()))
+
+
+def are_shared(question, a, b, mark, have_met):
+    """Whether two conditions share such marks: they meet, and full cells of one participant and fabric have the same."""
+    for p in participants:
+        first, second = (cells.get((question, condition, p), {}) for condition in (a, b))
+        for fabric in first.keys() & second.keys():
+            own, others = (sorted(map(mark, of_cell[fabric])) for of_cell in (first, second))
+            if len(own) == len(others) == most[question] and own != others:
+                return False
+            have_met = have_met or not set(own).isdisjoint(others)
+    return have_met
+
+
+marks = {}
+
+
+def mark_of(question, a, b):
+    """What matches the answers of two conditions where cells have several: the name of the repetition, else the instruction, else
+    nothing. Names may be mere row numbers, or those of sessions that belong to one condition."""
+    key = question, *sorted((a, b))
+    if key not in marks:
+        by_name, by_instruction = (lambda answer: answer[1:]), (lambda answer: answer[2])
+        marks[key] = (lambda answer: "") if most[question] < 2 else \
+            by_name if are_shared(question, a, b, by_name, False) else \
+            by_instruction if are_shared(question, a, b, by_instruction, True) else (lambda answer: "")
+    return marks[key]
+
+
+def common_mean(own, others, mark):
+    """Mean of a cell's answers whose marks the other condition has, too. Marks with unequally many answers count equally."""
+    shared = {mark(answer) for answer in own} & {mark(answer) for answer in others}
+    own, others = ([answer for answer in answers if mark(answer) in shared] for answers in (own, others))
+    if sorted(map(mark, own)) == sorted(map(mark, others)):
+        return mean(numbers_of(own))
+    return mean([mean(numbers_of([answer for answer in own if mark(answer) == one])) for one in shared])
+
+
 def means_of(question, condition, other=None):
     """Mean of each participant who answered, over fabrics; repetitions of a fabric are averaged first. With another condition:
-    over the fabrics that the participant answered under both."""
+    over the fabrics, and repetitions, that the participant answered under both."""
     means = {}
     for p in participants:
         fabrics = cells.get((question, condition, p), {})
-        common = fabrics if other is None else cells.get((question, other, p), {})
-        own = [mean(numbers) for fabric, numbers in fabrics.items() if fabric in common]
+        if other is None:
+            own = [mean(numbers_of(answers)) for answers in fabrics.values()]
+        else:
+            mark, common = mark_of(question, condition, other), cells.get((question, other, p), {})
+            own = [common_mean(answers, common[fabric], mark) for fabric, answers in fabrics.items() if fabric in common]
+        own = [number for number in own if not math.isnan(number)]
         if own:
             means[p] = mean(own)
     return means

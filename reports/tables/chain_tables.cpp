@@ -52,9 +52,11 @@ std::string answerHeading(const ChainQuestion& question)
 /// The chain from one end to the other; what lies between is in priceTable().
 Table peopleTable(const QualityChain& chain)
 {
+    const std::string intervals = answerIntervalsText(chain);
     Table table{"chain",
                 "Speed against accuracy, from milliseconds to people: time and error of each rendering, its difference under a "
-                "simulated finger, and the participants' answers; answers for these fabrics",
+                "simulated finger, and the participants' answers" +
+                    (intervals.empty() ? "" : ". " + intervals),
                 {"condition", "quality"},
                 {}};
     constexpr PriceMeasure shown[] = {PriceMeasure::Milliseconds, PriceMeasure::ReliefError, PriceMeasure::FrictionError,

@@ -51,10 +51,21 @@ Table matchesTable(const StudyAnalysis& analysis, const ChoiceQuestion& question
     return table;
 }
 
+/// "number of participants who matched each rendering with its fabric". Several answers of one participant count one by one, and
+/// the right word of a pair may be "different".
+std::string countedByFabric(const StudyAnalysis& analysis, const ChoiceQuestion& question)
+{
+    const bool isOnce = answersPerCellOf(analysis.data, question.analysis.question) <= 1;
+    if (ruleOfDPrime(question.findings) == DPrimeRule::OfHits)
+        return isOnce ? "number of participants who gave the right answer to each rendering"
+                      : "number of right answers to each rendering";
+    return std::string("number of ") + (isOnce ? "participants who" : "answers that") + " matched each rendering with its fabric";
+}
+
 Table matchesByFabricTable(const StudyAnalysis& analysis, const ChoiceQuestion& question)
 {
     Table table{lowerCase(question.id()) + "_matches_by_fabric",
-                question.id() + ": number of participants who matched each rendering with its fabric",
+                question.id() + ": " + countedByFabric(analysis, question),
                 {"condition"},
                 {}};
     for (const std::string& fabric : analysis.data.fabrics) table.columns.emplace_back(fabric);

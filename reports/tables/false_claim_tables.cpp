@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/data/design_limits.h"
 #include "reports/formats/table_cells.h"
 #include "stats/power/measured_claims.h"
 
@@ -68,6 +69,7 @@ Table ownTable(const StudyAnalysis& analysis)
         "to the residual SD of the simulated ratings)",
         {"question", "SD participants", "SD fabrics", "one contrast %", "any of all pairs %"},
         {}};
+    if (!canSpeakForOtherFabrics(analysis.data)) return table;
     for (const FalseClaimFinding& finding : analysis.falseClaims)
         table.rows.push_back({textCell(finding.question), numberCell(finding.participantSd, 2), numberCell(finding.fabricSd, 2),
                               numberCell(100 * finding.one, 1), numberCell(100 * finding.any, 1)});

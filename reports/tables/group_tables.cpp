@@ -1,5 +1,7 @@
 #include "reports/tables/group_tables.h"
 
+#include <algorithm>
+
 #include "reports/formats/table_cells.h"
 #include "reports/text/condition_label.h"
 #include "reports/text/plain_words.h"
@@ -7,18 +9,40 @@
 namespace reports {
 namespace {
 
+constexpr const char* leftOutColumn = "fabrics left out";
+
+TableCell leftOutCell(const std::vector<std::string>& fabrics)
+{
+    return fabrics.empty() ? blankCell() : textCell(listed(fabrics));
+}
+
+/// Takes the column of fabrics out where every group answered every fabric.
+void dropLeftOutColumn(Table& table, const StudyAnalysis& analysis)
+{
+    if (!fabricsNotInEveryGroup(analysis.data, analysis.groups).empty()) {
+        table.caption += ". A fabric that some group did not answer is left out";
+        return;
+    }
+    const auto column = std::ranges::find(table.columns, leftOutColumn, &TableColumn::name) - table.columns.begin();
+    table.columns.erase(table.columns.begin() + column);
+    for (auto& row : table.rows) row.erase(row.begin() + column);
+}
+
 Table groupMeansTable(const StudyAnalysis& analysis)
 {
     const GroupAnalysis& groups = analysis.groups;
     Table table{"group_means", "Groups of participants: means of the participants' means", {"question", "condition"}, {}};
     for (std::size_t g = 0; g < groups.groups.size(); ++g)
         table.columns.emplace_back("group " + groups.groups[g] + " (" + counted(groups.participants[g], "participant") + ")");
+    table.columns.emplace_back(leftOutColumn);
     for (const GroupedQuestion& question : groups.questions)
         for (std::size_t c = 0; c < analysis.data.conditions.size(); ++c) {
             table.rows.push_back({textCell(question.question), conditionCell(analysis.data.conditions[c])});
             for (std::size_t g = 0; g < groups.groups.size(); ++g)
                 table.rows.back().push_back(numberCell(question.means[g][c], 2));
+            table.rows.back().push_back(leftOutCell(question.fabricsLeftOut[c]));
         }
+    dropLeftOutColumn(table, analysis);
     return table;
 }
 
@@ -27,11 +51,12 @@ void addGroupRow(Table& table, const std::string& question, TableCell a, TableCe
     table.rows.push_back({textCell(question), std::move(a), std::move(b), numberCell(test.difference, 2),
                           numberCell(test.ci95.low, 2), numberCell(test.ci95.high, 2), intervalCell(test.ci95, 2),
                           numberCell(test.f, 2), numberCell(test.df1, 0), numberCell(test.df2, 1), pCell(test.p),
-                          pCell(test.pHolm)});
+                          pCell(test.pHolm), leftOutCell(test.fabricsLeftOut)});
 }
 
-Table groupTestsTable(const GroupAnalysis& groups)
+Table groupTestsTable(const StudyAnalysis& analysis)
 {
+    const GroupAnalysis& groups = analysis.groups;
     const std::string first =
         groups.groups.size() == 2 ? "difference " + groups.groups[0] + " \u2212 " + groups.groups[1] : "difference";
     Table table{"group_tests",
@@ -48,13 +73,15 @@ Table groupTestsTable(const GroupAnalysis& groups)
                  "df1",
                  "df2",
                  {"p", ColumnUse::InCsv},
-                 "p corrected"},
+                 "p corrected",
+                 leftOutColumn},
                 {}};
     for (const GroupedQuestion& question : groups.questions) {
         addGroupRow(table, question.question, textCell("all conditions"), textCell(""), question.overall);
         for (const GroupContrast& contrast : question.contrasts)
             addGroupRow(table, question.question, conditionCell(contrast.a), conditionCell(contrast.b), contrast.test);
     }
+    dropLeftOutColumn(table, analysis);
     return table;
 }
 
@@ -64,7 +91,7 @@ std::vector<ReportTable> groupTables(const StudyAnalysis& analysis)
 {
     if (analysis.groups.questions.empty()) return {};
     return {{.table = groupMeansTable(analysis), .section = PageSection::Groups},
-            {.table = groupTestsTable(analysis.groups), .section = PageSection::Groups}};
+            {.table = groupTestsTable(analysis), .section = PageSection::Groups}};
 }
 
 }  // namespace reports

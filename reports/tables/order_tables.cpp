@@ -32,8 +32,8 @@ const QuestionAnalysis& questionOf(const StudyAnalysis& analysis, const std::str
 Table effectsTable(const StudyAnalysis& analysis)
 {
     Table table{"order_effects",
-                "Changes over trials and sittings within participants, at equal condition and fabric; for these fabrics. "
-                "p corrected: Holm over all rows",
+                "Changes over trials and sittings within participants, at equal " + heldEqual(isInstructed(analysis.data)) +
+                    "; for these fabrics. p corrected: Holm over all rows",
                 {"question",
                  "change",
                  "participants",

@@ -103,16 +103,20 @@ double AnswerCube::at(std::size_t condition, std::size_t participant, std::size_
 AnswerCube AnswerCube::withoutParticipant(std::size_t participant) const
 {
     AnswerCube rest = *this;
-    for (std::size_t c = 0; c < m_conditions; ++c)
-        for (std::size_t f = 0; f < m_fabrics; ++f) rest.at(c, participant, f) = missing;
+    for (std::size_t f = 0; f < m_fabrics; ++f) {
+        for (std::size_t c = 0; c < m_conditions; ++c) rest.at(c, participant, f) = missing;
+        for (auto& [pair, table] : rest.m_comparable) table.values[participant * m_fabrics + f] = missing;
+    }
     return rest;
 }
 
 AnswerCube AnswerCube::withoutFabric(std::size_t fabric) const
 {
     AnswerCube rest = *this;
-    for (std::size_t c = 0; c < m_conditions; ++c)
-        for (std::size_t p = 0; p < m_participants; ++p) rest.at(c, p, fabric) = missing;
+    for (std::size_t p = 0; p < m_participants; ++p) {
+        for (std::size_t c = 0; c < m_conditions; ++c) rest.at(c, p, fabric) = missing;
+        for (auto& [pair, table] : rest.m_comparable) table.values[p * m_fabrics + fabric] = missing;
+    }
     return rest;
 }
 
@@ -130,16 +134,41 @@ CrossedTable AnswerCube::tableUnder(std::size_t condition) const
     return {m_participants, m_fabrics, {first, first + static_cast<std::ptrdiff_t>(m_participants * m_fabrics)}};
 }
 
+void AnswerCube::setComparable(std::size_t a, std::size_t b, CrossedTable ofA, CrossedTable ofB)
+{
+    assert(ofA.values.size() == m_participants * m_fabrics && ofB.values.size() == ofA.values.size());
+    const CrossedTable cellsOfA = tableUnder(a), cellsOfB = tableUnder(b);
+    bool areCells = true;
+    for (std::size_t cell = 0; cell < ofA.values.size() && areCells; ++cell) {
+        if (std::isnan(cellsOfA.values[cell]) || std::isnan(cellsOfB.values[cell])) continue;
+        areCells = ofA.values[cell] == cellsOfA.values[cell] && ofB.values[cell] == cellsOfB.values[cell];
+    }
+    m_comparable.erase({a, b});
+    m_comparable.erase({b, a});
+    if (areCells) return;
+    m_comparable[{a, b}] = std::move(ofA);
+    m_comparable[{b, a}] = std::move(ofB);
+}
+
+CrossedTable AnswerCube::comparable(std::size_t condition, std::size_t other) const
+{
+    const auto found = m_comparable.find({condition, other});
+    return found == m_comparable.end() ? tableUnder(condition) : found->second;
+}
+
 CrossedTable AnswerCube::differences(std::size_t a, std::size_t b) const
 {
-    CrossedTable table = tableUnder(a);
-    const double* const other = m_values.data() + b * table.values.size();
+    CrossedTable table = comparable(a, b);
+    const auto found = m_comparable.find({b, a});
+    const double* const other =
+        found == m_comparable.end() ? m_values.data() + b * table.values.size() : found->second.values.data();
     for (std::size_t cell = 0; cell < table.values.size(); ++cell) table.values[cell] -= other[cell];
     return table;
 }
 
 Degrees degreesOf(const AnswerCube& answers)
 {
+    if (answers.comparesOtherMeans()) return Degrees::Limited;
     const CompleteCells cells = completeCells(answers);
     const std::size_t conditions = answers.conditions(), participants = cells.participants.size(), fabrics = cells.fabrics.size();
     if (conditions < 2 || participants < 2 || fabrics < 2) return Degrees::Limited;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "stats/claims/crossed_mean.h"
@@ -14,7 +16,8 @@ enum class AnswerValues {
     Choices,  ///< 1: right; 0: wrong
 };
 
-/// Answers of participants x fabrics under each condition; NaN is missing. A share of right choices is a mean of 1 and 0.
+/// Answers of participants x fabrics under each condition; NaN is missing. A share of right choices is a mean of 1 and 0. A cell
+/// may be the mean of several answers. Where some of them are missing, two conditions are compared on other means.
 class AnswerCube {
 public:
     AnswerCube(AnswerValues kind, std::size_t conditions, std::size_t participants, std::size_t fabrics);
@@ -32,6 +35,15 @@ public:
     /// The answers under a condition.
     CrossedTable tableUnder(std::size_t condition) const;
     CrossedValues valuesUnder(std::size_t condition) const;
+
+    /// From now on a and b are compared on these means, which are of the answers that each cell has under both; NaN: of none.
+    /// Nothing is kept where they are the means of the cells. A change of a cell does not change them.
+    void setComparable(std::size_t a, std::size_t b, CrossedTable ofA, CrossedTable ofB);
+    /// Whether some pair of conditions is compared on other means than those of the cells; whether this one is.
+    bool comparesOtherMeans() const { return !m_comparable.empty(); }
+    bool comparesOtherMeans(std::size_t a, std::size_t b) const { return m_comparable.contains({a, b}); }
+    /// The answers under `condition` that are compared with those under `other`.
+    CrossedTable comparable(std::size_t condition, std::size_t other) const;
     /// Differences a - b of the participant x fabric cells that have both.
     CrossedTable differences(std::size_t a, std::size_t b) const;
 
@@ -39,6 +51,7 @@ private:
     AnswerValues m_kind;
     std::size_t m_conditions, m_participants, m_fabrics;
     std::vector<double> m_values;
+    std::map<std::pair<std::size_t, std::size_t>, CrossedTable> m_comparable;  ///< by condition and the one beside it
 };
 
 /// Whether the degrees of freedom of a contrast are limited where its own differences seem not to vary. Seven fabrics say little

@@ -42,7 +42,9 @@ using ContrastPair = std::pair<std::size_t, std::size_t>;
 using Bounds = std::pair<double, double>;  ///< low < high, unit of the answers
 
 /// Difference a - b. Ratings: differenceOfRatings(). Choices: crossedMean() of the differences; the variance of a choice follows
-/// its mean, so the sums say nothing about the residual of the differences. `degrees`: degreesOf() the answers.
+/// its mean, so the sums say nothing about the residual of the differences. Ratings are treated so, too, where the pair is
+/// compared on some of the answers of a cell: the sums then differ with the repetitions that are left. `degrees`: degreesOf() the
+/// answers.
 CrossedMean differenceOf(const AnswerCube& answers, const ContrastPair& contrast, Generalisation generalisation, Degrees degrees,
                          StudentQuantiles& quantiles);
 

@@ -1,7 +1,9 @@
 #include "stats/claims/speed_contrasts.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "stats/kernels/decimal_grid.h"
 #include "stats/tests/multiplicity.h"
@@ -45,6 +47,13 @@ ValuesByParticipant logTimes(const ConditionSpeedCells& cells)
     return times;
 }
 
+bool haveAllChoices(const ConditionSpeedCells& some, const ConditionSpeedCells& whole)
+{
+    return std::ranges::equal(some, whole, [](const SpeedCell& one, const SpeedCell& other) {
+        return one.choices.choices == other.choices.choices && one.choices.timed == other.choices.timed;
+    });
+}
+
 }  // namespace
 
 SpeedCell speedCell(std::span<const double> correct, std::span<const double> seconds)
@@ -77,23 +86,39 @@ std::vector<std::vector<Value>> scoresOf(std::span<const ConditionSpeedCells> co
     return result;
 }
 
-std::vector<SpeedContrastTests> speedContrasts(std::span<const ConditionSpeedCells> conditions,
-                                               std::span<const std::vector<Value>> scores,
-                                               std::span<const ContrastPair> contrasts, int alternatives)
+SpeedPair speedPair(std::span<const ConditionSpeedCells> conditions, std::span<const std::vector<Value>> scores,
+                    const ContrastPair& contrast, ConditionSpeedCells a, ConditionSpeedCells b)
 {
-    std::vector<ValuesByParticipant> rates, times;
-    for (const ConditionSpeedCells& cells : conditions) {
-        rates.push_back(pseudoRates(cells, alternatives));
-        times.push_back(logTimes(cells));
-    }
+    const ConditionSpeedCells &wholeA = conditions[contrast.first], &wholeB = conditions[contrast.second];
+    assert(a.size() == wholeA.size() && b.size() == wholeB.size());
+    if (haveAllChoices(a, wholeA) && haveAllChoices(b, wholeB))
+        return {std::move(a), std::move(b), scores[contrast.first], scores[contrast.second]};
+    std::vector<ConditionSpeedCells> compared(conditions.begin(), conditions.end());
+    compared[contrast.first] = a;
+    compared[contrast.second] = b;
+    auto own = scoresOf(compared);
+    return {std::move(a), std::move(b), std::move(own[contrast.first]), std::move(own[contrast.second])};
+}
+
+std::vector<SpeedContrastTests> speedContrasts(std::span<const SpeedPair> pairs, int alternatives)
+{
     std::vector<SpeedContrastTests> tests;
-    for (const auto& [a, b] : contrasts)
-        tests.push_back(
-            {speedDifference(rates[a], rates[b]), speedDifference(scores[a], scores[b]), speedDifference(times[a], times[b])});
+    for (const SpeedPair& pair : pairs)
+        tests.push_back({speedDifference(pseudoRates(pair.a, alternatives), pseudoRates(pair.b, alternatives)),
+                         speedDifference(pair.scoresOfA, pair.scoresOfB), speedDifference(logTimes(pair.a), logTimes(pair.b))});
     adjustMeasure(tests, &SpeedContrastTests::bitsPerSecond);
     adjustMeasure(tests, &SpeedContrastTests::score);
     adjustMeasure(tests, &SpeedContrastTests::logSeconds);
     return tests;
+}
+
+std::vector<SpeedContrastTests> speedContrasts(std::span<const ConditionSpeedCells> conditions,
+                                               std::span<const std::vector<Value>> scores,
+                                               std::span<const ContrastPair> contrasts, int alternatives)
+{
+    std::vector<SpeedPair> pairs;
+    for (const auto& [a, b] : contrasts) pairs.push_back({conditions[a], conditions[b], scores[a], scores[b]});
+    return speedContrasts(pairs, alternatives);
 }
 
 }  // namespace stats

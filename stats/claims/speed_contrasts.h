@@ -44,7 +44,21 @@ struct SpeedContrastTests {
     SpeedDifference logSeconds;     ///< of the participants' mean logarithms of the time; exp is a ratio of times
 };
 
-/// One row for each contrast, in their order. `scores`: scoresOf(conditions); `alternatives`: m >= 2.
+/// Two conditions that are compared, on choices that both have. A participant without such choices has empty cells.
+struct SpeedPair {
+    ConditionSpeedCells a, b;
+    std::vector<Value> scoresOfA, scoresOfB;  ///< balanced integration scores
+};
+
+/// The pair with these cells, in the order of the conditions' participants. The scores are standardised over all cells, where a
+/// and b replace those of the contrast. `scores`: scoresOf(conditions), which are the same numbers if no choice is left out.
+SpeedPair speedPair(std::span<const ConditionSpeedCells> conditions, std::span<const std::vector<Value>> scores,
+                    const ContrastPair& contrast, ConditionSpeedCells a, ConditionSpeedCells b);
+
+/// One row for each pair, in their order. `alternatives`: m >= 2.
+std::vector<SpeedContrastTests> speedContrasts(std::span<const SpeedPair> pairs, int alternatives);
+
+/// The same for contrasts that are compared on all choices. `scores`: scoresOf(conditions).
 std::vector<SpeedContrastTests> speedContrasts(std::span<const ConditionSpeedCells> conditions,
                                                std::span<const std::vector<Value>> scores,
                                                std::span<const ContrastPair> contrasts, int alternatives);

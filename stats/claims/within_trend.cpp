@@ -85,12 +85,12 @@ Value adjustedSlope(std::span<const TrendRow> unsorted)
     }
     const std::vector<std::vector<double>> directions = fabricDirections(rows);
     if (rows.size() < conditions.size() + directions.size() + 1 + fewestFreeAnswers)
-        return Value::undefined("too few answers for a slope beside the effects of condition and fabric");
+        return Value::undefined("too few answers for a slope beside the other effects");
     const double whole = sumOfSquares(x);
     centreWithinConditions(rows, x);
     for (const std::vector<double>& direction : directions) removeFrom(x, direction);
     const double left = dot(x, x);
-    if (!(left > leastShare * whole)) return Value::undefined("it does not vary beside condition and fabric");
+    if (!(left > leastShare * whole)) return Value::undefined("it does not vary beside the other effects");
     const double size = std::sqrt(dot(y, y));
     // The mean may be large beside the differences, and x is orthogonal to it only up to rounding.
     centreWithinConditions(rows, y);

@@ -295,6 +295,57 @@ private Q_SLOTS:
             protocols::Error);
     }
 
+    /// Bounds of half a point would cover the whole of a scale from 0 to 1.
+    void usualBoundsAreATwentiethOfTheScale()
+    {
+        QTemporaryDir folder;
+        const auto file = written(folder, "participant,fabric,condition,rating\nS1,F1,a,1\nS1,F1,b,0\n");
+        reports::AnswersCsvOptions options;
+        QCOMPARE(reports::readAnswersCsv(file, options).equivalenceBounds, std::pair(-0.5, 0.5));
+        options.scale.emplace().max = protocols::Tenths{10};
+        QCOMPARE(reports::readAnswersCsv(file, options).equivalenceBounds, std::pair(-0.05, 0.05));
+        options.equivalenceBounds = {-0.1, 0.2};
+        QCOMPARE(reports::readAnswersCsv(file, options).equivalenceBounds, std::pair(-0.1, 0.2));
+    }
+
+    /// As in a protocol, each pair of conditions comes once. Twice it would count twice in Holm's correction.
+    void plannedContrastsAreDifferentPairs_data()
+    {
+        QTest::addColumn<QString>("first");
+        QTest::addColumn<QString>("second");
+        QTest::addColumn<QString>("fault");
+        QTest::newRow("two pairs") << "a,b"
+                                   << "a,c"
+                                   << "";
+        QTest::newRow("twice") << "a,b"
+                               << "a,b"
+                               << "the planned contrast \"a,b\" repeats an earlier one";
+        QTest::newRow("turned") << "a,b"
+                                << "b,a"
+                                << "the planned contrast \"b,a\" repeats an earlier one";
+        QTest::newRow("with itself") << "a,b"
+                                     << "c,c"
+                                     << "the planned contrast \"c,c\" compares a condition with itself";
+    }
+    void plannedContrastsAreDifferentPairs()
+    {
+        QFETCH(QString, first);
+        QFETCH(QString, second);
+        QFETCH(QString, fault);
+        QTemporaryDir folder;
+        reports::AnswersCsvOptions options;
+        for (const QString& pair : {first, second})
+            options.planned.emplace_back(pair.section(',', 0, 0).toStdString(), pair.section(',', 1, 1).toStdString());
+        const auto file = written(folder, "participant,fabric,condition,Q2\nP1,F1,a,5\nP1,F1,b,6\nP1,F1,c,4\n");
+        try {
+            QCOMPARE(reports::readAnswersCsv(file, options).planned.size(), std::size_t(2));
+            QVERIFY2(fault.isEmpty(), "the contrasts were accepted");
+        } catch (const protocols::Error& error) {
+            QVERIFY2(!fault.isEmpty() && QString(error.what()).contains(fault), error.what());
+            QVERIFY(error.exitCode() == protocols::ExitCode::BadInput);
+        }
+    }
+
     /// A wrong --map makes a question of every row. The wide table would then have the square of the rows as cells.
     /// Its wide table would have no column at all.
     void aHeaderOfQuestionsAloneIsNoTableOfAnswers()

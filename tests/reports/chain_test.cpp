@@ -107,6 +107,31 @@ private Q_SLOTS:
         QVERIFY(!svg.contains("nan") && !svg.contains("inf\""));
     }
 
+    /// The interval of a share is Wilson's over the trials, those of ratings and bits are over participants.
+    void captionsSayWhatTheIntervalsHoldFor()
+    {
+        StudyData data = studyOfQualities();
+        const auto captionsOf = [](const StudyData& study) {
+            const auto analysis = reports::analyse(study, {.depth = reports::Depth::Quick});
+            return QStringList{QString::fromStdString(chainTables(analysis)[0].table.caption),
+                               QString::fromStdString(chainFigures(analysis, reports::FigureWidth::TwoColumns)[0].caption)};
+        };
+        const QString shares = "Intervals of shares correct take the trials as independent (Wilson), which they are not";
+        for (const QString& caption : captionsOf(data)) {
+            QVERIFY2(caption.contains(shares +
+                                      ". Intervals of mean ratings and bits per second are over participants, for these fabrics"),
+                     qPrintable(caption));
+            QVERIFY2(!caption.contains("answers for these fabrics") && !caption.contains("answers, for these fabrics"),
+                     qPrintable(caption));
+        }
+        std::erase_if(data.questions, [](const auto& question) { return question.id == "Q1"; });
+        std::erase_if(data.responses, [](const auto& response) { return response.question == "Q1"; });
+        for (const QString& caption : captionsOf(data))
+            QVERIFY2(caption.contains("Intervals of mean ratings are over participants, for these fabrics") &&
+                         !caption.contains("Wilson"),
+                     qPrintable(caption));
+    }
+
     void hostileNumbersStillDraw()
     {
         StudyData data = studyOfQualities();

@@ -142,6 +142,38 @@ private Q_SLOTS:
             QVERIFY2(page.find(part) != std::string::npos, part);
     }
 
+    /// P1 answered twice about each fabric under each condition: more answers match than there are participants.
+    void tablesSayWhetherParticipantsOrAnswersAreCounted()
+    {
+        const auto captionOf = [](const StudyData& data) {
+            for (const auto& one : reports::reportTables(reports::analyse(data, {.depth = Depth::Quick})))
+                if (one.table.name == "q1_matches_by_fabric") return one.table.caption;
+            return std::string();
+        };
+        QCOMPARE(captionOf(designs()), std::string("Q1: number of answers that matched each rendering with its fabric"));
+        QCOMPARE(captionOf(builders::paperSized()),
+                 std::string("Q1: number of participants who matched each rendering with its fabric"));
+    }
+
+    /// F for these fabrics has degrees of freedom after Greenhouse and Geisser; one participant has no such test.
+    void sentencesSayWhoseDegreesOfFreedomTheyHave()
+    {
+        const std::string corrected = "<i>F</i> tests for these fabrics have degrees of freedom after Greenhouse and Geisser";
+        const auto pageOf = [](const StudyData& data) {
+            return reports::reportPage(reports::analyse(data, {.depth = Depth::Quick}), {}, {});
+        };
+        const std::string whole = pageOf(builders::paperSized());
+        QVERIFY(whole.find("are Satterthwaite\u2019s in <i>t</i> tests, and in <i>F</i> tests for fabrics like these.") !=
+                std::string::npos);
+        QVERIFY(whole.find(corrected) != std::string::npos);
+        StudyData data = builders::paperSized();
+        data.participants.resize(1);
+        std::erase_if(data.responses, [](const auto& response) { return response.participant != "P01"; });
+        const std::string one = pageOf(data);
+        QVERIFY(one.find("Degrees of freedom with a decimal are Satterthwaite\u2019s.") != std::string::npos);
+        QVERIFY(one.find(corrected) == std::string::npos);
+    }
+
     void groupsOfABlindedStudyAreLeftOut()
     {
         StudyData data = designs();
@@ -211,6 +243,39 @@ private Q_SLOTS:
         QVERIFY(reports::resultsJson(quick)["without_flagged"].is_null());
         QVERIFY(reports::reportPage(quick, {}, {}).find("This is a quick report") != std::string::npos);
         QVERIFY(reports::reportPage(whole, {}, {}).find("This is a quick report") == std::string::npos);
+    }
+
+    void methodsSayWhatWasLeftOutInTurn_data()
+    {
+        QTest::addColumn<int>("participants");
+        QTest::addColumn<int>("conditions");
+        QTest::addColumn<bool>("isQuick");
+        QTest::addColumn<QString>("said");
+        const QString each = "Each family is analysed again without each fabric", many = " A family of more than 100 contrasts";
+        QTest::newRow("usual") << 4 << 2 << false << each + " and without each participant.</p>";
+        QTest::newRow("quick") << 4 << 2 << true << "if neither is.</p>";
+        QTest::newRow("61 participants") << 61 << 2 << false
+                                         << each + ". With more than 60 participants, none of them is left out in turn.</p>";
+        QTest::newRow("120 contrasts") << 4 << 16 << false
+                                       << many + " is not analysed again without single fabrics or participants.</p>";
+    }
+    void methodsSayWhatWasLeftOutInTurn()
+    {
+        QFETCH(int, participants);
+        QFETCH(int, conditions);
+        QFETCH(bool, isQuick);
+        QFETCH(QString, said);
+        StudyData data =
+            builders::emptyStudy(participants, 3, manyConditions(conditions), {{"Q1", "Which?", builders::amongThree}});
+        data.everyPair = true;
+        int i = 0;
+        for (const std::string& participant : data.participants)
+            for (const std::string& fabric : data.fabrics)
+                for (const std::string& condition : data.conditions)
+                    data.responses.push_back(builders::right(participant, fabric, condition, "Q1", i++ * 37 % 101 < 60));
+        const auto analysis = reports::analyse(data, {.depth = isQuick ? Depth::Quick : Depth::Whole});
+        const QString page = QString::fromStdString(reports::reportPage(analysis, {}, {}));
+        QVERIFY2(page.contains(said), qPrintable(page.mid(page.indexOf("if neither is."), 200)));
     }
 
     void manyConditionsAreComparedByWish()

@@ -222,6 +222,8 @@ private Q_SLOTS:
         const std::string page = protocols::readWholeFile(path("report") / "index.html");
         QVERIFY(page.find("Chance is 1/2.") != std::string::npos);
         QVERIFY(page.find("two one-sided tests") == std::string::npos);
+        QVERIFY(page.find("mean share. The ends") == std::string::npos);  // d' is that of hits and false alarms
+        QVERIFY(page.find("Same: number of participants who gave the right answer to each rendering") != std::string::npos);
     }
 
     // Everybody says "same" readily: 54 of 60 times about each condition. python3, with z = NormalDist().inv_cdf:
@@ -295,9 +297,10 @@ private Q_SLOTS:
         QVERIFY(statistics["q1_per_condition"][0].contains("p_exact_greater_one_quarter"));
         QVERIFY(statistics["same_per_condition"][0].contains("p_exact_greater_one_half"));
         writeReport(analysis, path("report"));
-        QVERIFY(protocols::readWholeFile(path("report") / "index.html")
-                    .find("Chance is 1/m, where m is the number of answers to choose from: 4 for Q1 and 2 for Same.") !=
+        const std::string page = protocols::readWholeFile(path("report") / "index.html");
+        QVERIFY(page.find("Chance is 1/m, where m is the number of answers to choose from: 4 for Q1 and 2 for Same.") !=
                 std::string::npos);
+        QVERIFY(page.find("d\u2032 of Q1 belongs to the mean share. The ends") != std::string::npos);
         StudyData assumed = studyOf({{"Q1", "", protocols::ForcedChoice{3}}});
         assumed.questions[0].alternativesAssumed = true;
         writeReport(analyse(assumed), path("report"));

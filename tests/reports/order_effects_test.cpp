@@ -63,6 +63,48 @@ StudyData plantedStudy(const Planted& planted)
     return data;
 }
 
+/// 10 participants, 7 fabrics, 3 conditions, first all of them under "speed", then all under "accuracy": slower, more often right
+/// and rated higher. Within a block nothing changes over the trials or with the time.
+StudyData instructedBlocks()
+{
+    std::mt19937 bits(4);
+    std::normal_distribution<double> normal;
+    StudyData data = builders::emptyStudy(10, 7, {"A", "B", "C"},
+                                          {{"Q1", "Which?", builders::amongThree}, {"Q2", "How alike?", builders::onScale}});
+    data.answersPerCell = 2;
+    for (QuestionInfo& question : data.questions)
+        for (const char* id : {"speed", "accuracy"}) question.instructions.push_back({id});
+    for (const std::string& participant : data.participants)
+        for (const bool isFast : {true, false}) {
+            std::vector<int> order(21);
+            for (int i = 0; i < 21; ++i) order[static_cast<std::size_t>(i)] = i;
+            std::shuffle(order.begin(), order.end(), bits);
+            for (int i = 0; i < 21; ++i) {
+                const auto cell = static_cast<std::size_t>(order[static_cast<std::size_t>(i)]);
+                const std::string &fabric = data.fabrics[cell % 7], &condition = data.conditions[cell / 7];
+                StudyResponse match =
+                    builders::right(participant, fabric, condition, "Q1", normal(bits) < (isFast ? -0.25 : 1.3));
+                match.seconds = std::exp((isFast ? 0.7 : 1.8) + 0.2 * normal(bits));
+                StudyResponse rating =
+                    builders::rated(participant, fabric, condition, "Q2", (isFast ? 5 : 6.5) + 0.5 * normal(bits));
+                for (StudyResponse* response : {&match, &rating}) {
+                    response->trial = (isFast ? 1 : 22) + i;
+                    response->instruction = response->repetition = isFast ? "speed" : "accuracy";
+                    data.responses.push_back(*response);
+                }
+            }
+        }
+    return data;
+}
+
+/// The answers as if nobody had instructed the participants.
+StudyData withoutInstructions(StudyData data)
+{
+    for (QuestionInfo& question : data.questions) question.instructions.clear();
+    for (StudyResponse& response : data.responses) response.instruction.clear();
+    return data;
+}
+
 const OrderEffect& effectOf(const StudyAnalysis& analysis, std::size_t question, OrderEffectKind kind)
 {
     return analysis.order.questions.at(question).effects.at(static_cast<std::size_t>(kind));
@@ -122,6 +164,36 @@ private Q_SLOTS:
         const stats::TTest& jump = effectOf(analysis, 1, OrderEffectKind::LaterSittings).trend.test;
         QCOMPARE(jump.n, std::size_t(10));
         QVERIFY(*jump.ci.low > 0 && *jump.ci.low < 1 && *jump.ci.high > 1);
+    }
+
+    /// Fast and careless blocks before slow and careful ones are neither learning, nor a proof that slower answers are better.
+    void anInstructionIsNoTrend()
+    {
+        const auto trendsOf = [](const StudyAnalysis& analysis) {
+            return std::vector<stats::TTest>{effectOf(analysis, 0, OrderEffectKind::Trend).trend.test,
+                                             effectOf(analysis, 1, OrderEffectKind::Trend).trend.test,
+                                             effectOf(analysis, 0, OrderEffectKind::TimeTrend).trend.test,
+                                             questionsWith<ChoiceAnalysis>(analysis).front().findings.accuracyBySpeed.trend.test};
+        };
+        const StudyAnalysis instructed = analyse(instructedBlocks(), quick);
+        for (const stats::TTest& test : trendsOf(instructed)) {
+            QCOMPARE(test.n, std::size_t(10));
+            QVERIFY2(!excludesZero(test), qPrintable(QString::number(*test.estimate)));
+        }
+        const std::string page = pageOf(instructed);
+        for (const char* part :
+             {"]), at equal condition, instruction and fabric.",
+              "Changes over trials and sittings within participants, at equal condition, instruction and fabric",
+              "with effects of each condition under each instruction, and of fabric",
+              "so its trend is that at equal condition, instruction and fabric."})
+            QVERIFY2(page.find(part) != std::string::npos, part);
+        QVERIFY(page.find(" over 10 trials.") == std::string::npos);
+
+        const StudyAnalysis plain = analyse(withoutInstructions(instructedBlocks()), quick);
+        for (const stats::TTest& test : trendsOf(plain)) QVERIFY(excludesZero(test));
+        QVERIFY(pageOf(plain).find(" over 10 trials.") != std::string::npos);
+        QVERIFY(pageOf(plain).find("]), at equal condition and fabric.") != std::string::npos);
+        QVERIFY(pageOf(plain).find("with effects of condition and fabric.") != std::string::npos);
     }
 
     /// A contrast that the order favours shrinks by what the trend gave it.

@@ -2,6 +2,9 @@
 #include "reports/analysis/quality_flags.h"
 
 #include <QTest>
+#include <algorithm>
+#include <cmath>
+#include <random>
 
 #include "tests/reports/study_builder.h"
 
@@ -47,6 +50,26 @@ std::vector<double> different(std::size_t n)
     std::vector<double> ratings(n);
     for (std::size_t i = 0; i < n; ++i) ratings[i] = 0.1 * static_cast<double>(i + 1);
     return ratings;
+}
+
+protocols::AnswerKind scaleOfSteps(int steps)
+{
+    protocols::Rating rating;
+    rating.scale.min = rating.scale.step = protocols::Tenths{10};
+    rating.scale.max = protocols::Tenths{10 * steps};
+    return rating;
+}
+
+/// P01 gives `equal` of 20 ratings as 1, the others in turn; P02 gives the numbers 1 to `steps` in turn.
+StudyData onShortScale(int steps, int equal)
+{
+    StudyData data = builders::emptyStudy(2, 20, oneCondition, {{"Q2", "", scaleOfSteps(steps)}});
+    for (int i = 0; i < 20; ++i) {
+        const std::string& fabric = data.fabrics[static_cast<std::size_t>(i)];
+        data.responses.push_back(builders::rated("P01", fabric, "f", "Q2", i < equal ? 1 : 2 + i % (steps - 1)));
+        data.responses.push_back(builders::rated("P02", fabric, "f", "Q2", 1 + i % steps));
+    }
+    return data;
 }
 
 /// P01 gives ratings of 60 to 71 on a line from 0 to 100 (Q2), and of 4 to 6 on a scale from 1 to 7 (Q3).
@@ -137,6 +160,62 @@ private Q_SLOTS:
         std::vector<double> values = different(static_cast<std::size_t>(ratings));
         std::fill_n(values.begin(), equal, 9.5);
         QCOMPARE(flagged(ratingsOf(values)), flags);
+    }
+
+    // On short scales 3 divided by the number of steps, which the protocol states or the answers show.
+    void equalRatingsOnShortScales_data()
+    {
+        QTest::addColumn<int>("steps");
+        QTest::addColumn<int>("equal");
+        QTest::addColumn<bool>("isFlagged");
+        QTest::newRow("2 steps, all") << 2 << 20 << false;
+        QTest::newRow("3 steps, all but one") << 3 << 19 << false;
+        QTest::newRow("3 steps, all") << 3 << 20 << true;
+        QTest::newRow("4 steps, below 75 %") << 4 << 14 << false;
+        QTest::newRow("4 steps, 75 %") << 4 << 15 << true;
+        QTest::newRow("5 steps, below 60 %") << 5 << 11 << false;
+        QTest::newRow("5 steps, 60 %") << 5 << 12 << true;
+        QTest::newRow("6 steps, below 50 %") << 6 << 9 << false;
+        QTest::newRow("6 steps, 50 %") << 6 << 10 << true;
+    }
+    void equalRatingsOnShortScales()
+    {
+        QFETCH(int, steps);
+        QFETCH(int, equal);
+        QFETCH(bool, isFlagged);
+        StudyData data = onShortScale(steps, equal);
+        const QStringList flags =
+            isFlagged ? QStringList{QString("P01 straight_lining: Q2: %1 of 20 ratings are 1").arg(equal)} : QStringList();
+        QCOMPARE(flagged(data), flags);
+        data.plannedDesign.emplace().questions = {"Q2"};
+        QCOMPARE(flagged(data), flags);
+    }
+
+    /// The protocol has more numbers than the few that were given.
+    void theScaleOfTheProtocolCounts()
+    {
+        StudyData data = ratingsOf({1, 1, 1, 1, 1, 9, 9, 9, 9, 9});
+        QCOMPARE(flagged(data), QStringList());
+        data.plannedDesign.emplace().questions = {"Q2"};
+        QCOMPARE(flagged(data), QStringList{"P01 straight_lining: Q2: 5 of 10 ratings are 1"});
+    }
+
+    /// People rate around the middle of a short scale with an SD of a fifth of it. Half of 21 such ratings are one number in 81,
+    /// 32, 14 and 2 % of them.
+    void honestRatersAreSeldomFlagged()
+    {
+        constexpr int people = 500, fabrics = 21;
+        for (const int steps : {3, 4, 5, 7}) {
+            std::mt19937 bits(static_cast<unsigned>(steps));
+            std::normal_distribution<double> normal((steps + 1) / 2.0, 0.2 * steps);
+            StudyData data = builders::emptyStudy(people, fabrics, oneCondition, {{"Q2", "", scaleOfSteps(steps)}});
+            for (const std::string& participant : data.participants)
+                for (const std::string& fabric : data.fabrics)
+                    data.responses.push_back(builders::rated(participant, fabric, "f", "Q2",
+                                                             std::clamp(std::round(normal(bits)), 1.0, double(steps))));
+            const auto flags = flagged(data).size();
+            QVERIFY2(flags < 0.05 * people, qPrintable(QString("%1 steps: %2 flagged").arg(steps).arg(flags)));
+        }
     }
 
     // One number for all questions in at least 80 % of at least ten presentations.
@@ -320,6 +399,7 @@ private Q_SLOTS:
         };
         for (const char* text :
              {"more than 5 % of the timed choices and ratings came within 0.5 s", "at least 50 % of the ratings",
+              "60 % on 5 steps, 75 % on 4 steps and 100 % on 3 steps", "Scales of fewer steps flag nobody",
               "at least 80 % of the presentations", "at least 3 ratings of blank glass", "p times the number of slots below 0.01",
               "from 10 answers on"})
             QVERIFY2(says(text), text);

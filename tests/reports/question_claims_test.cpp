@@ -269,6 +269,28 @@ private Q_SLOTS:
         QVERIFY(pageOf(data).contains("With 1 fabric this study can hardly show what holds for fabrics like these"));
     }
 
+    void fewParticipantsCannotSpeakForOtherFabrics_data()
+    {
+        QTest::addColumn<int>("participants");
+        QTest::addColumn<bool>("isWarned");
+        QTest::newRow("2") << 2 << true;
+        QTest::newRow("4") << 4 << true;
+        QTest::newRow("5") << 5 << false;
+    }
+    void fewParticipantsCannotSpeakForOtherFabrics()
+    {
+        QFETCH(const int, participants);
+        QFETCH(const bool, isWarned);
+        const QString page = pageOf(builders::study(participants, 7, {"a", "b"},
+                                                    {[](int p, int f, int c) { return (p + f + c) % 2 == 0; },
+                                                     [](int p, int f, int c, int) { return 5 + 0.1 * noiseOf(p, f, c); }}));
+        const QString warning =
+            QString("With %1 participants the claims for fabrics like these are not reliable").arg(participants);
+        QCOMPARE(page.contains(warning), isWarned);
+        // The rates are those of studies of the paper's size.
+        QCOMPARE(page.contains("A study that varies like this one, without any true difference"), !isWarned);
+    }
+
     void conditionsWithoutAWrongAnswerAreNamed()
     {
         const StudyData data = builders::study(6, 4, {"a", "b"},

@@ -1,5 +1,6 @@
 // Other programs compute the main tables again: of a complete study, of one with missing answers, and of one whose answers are so
-// equal that tests do not exist, and of one with answers to anchors. A wrong number is found.
+// equal that tests do not exist, of one with answers to anchors, and of repetitions of which some are missing. A wrong number is
+// found.
 #include "reports/scripts/reproduction.h"
 
 #include <QProcess>
@@ -35,6 +36,29 @@ std::string studyCsv(bool isDegenerate)
                 csv += (p < 9 ? "=P0" : "=P") + std::to_string(p + 1) + ",F" + std::to_string(f + 1) + "," + conditions[c] + "," +
                        std::to_string(correct) + "," + std::to_string(rating) + "\n";
             }
+    return csv;
+}
+
+/// Eight participants, three fabrics and three conditions under two instructions; "sessions": in sessions of one condition each.
+/// A seventh of the answers is missing.
+std::string repeatedCsv(bool hasSessions)
+{
+    std::string csv = "participant,fabric,condition,session,instruction,Q1_correct,Q2\n";
+    const char* conditions[] = {"f", "h", "h&f"};
+    int place = 0;
+    for (int p = 0; p < 8; ++p)
+        for (int f = 0; f < 3; ++f)
+            for (int c = 0; c < 3; ++c)
+                for (int repetition = 0; repetition < 4; ++repetition) {
+                    if (++place * 37 % 101 % 7 == 0) continue;
+                    const bool isFast = repetition % 2 == 0;
+                    const int mixed = (7 * p + 5 * f + 3 * c * c + p * f + 4 * repetition) % 11;
+                    const int session = repetition / 2 + (hasSessions ? 2 * ((p + c) % 3) : 0);
+                    csv += "P" + std::to_string(p) + ",F" + std::to_string(f) + "," + conditions[c] + "," +
+                           std::to_string(session + 1) + (isFast ? ",speed," : ",accuracy,") +
+                           (mixed > (isFast ? 7 : 3) - c ? "1," : "0,") +
+                           std::to_string((isFast ? 2 : 5) + (mixed * 7 + 11 * c) % 40 / 10.0) + "\n";
+                }
     return csv;
 }
 
@@ -173,7 +197,7 @@ private Q_SLOTS:
         QTest::addColumn<QString>("program");
         QTest::addColumn<QString>("script");
         QTest::addColumn<QString>("study");
-        for (const char* study : {"clean", "missing", "degenerate", "anchors"}) {
+        for (const char* study : {"clean", "missing", "degenerate", "anchors", "repetitions", "sessions"}) {
             QTest::addRow("R, %s", study) << "Rscript"
                                           << "analysis.R" << study;
             QTest::addRow("Python, %s", study) << "python3"
@@ -191,7 +215,10 @@ private Q_SLOTS:
         fs::path answers = smallStudy();
         if (study != "missing") {
             answers = folder / "study.csv";
-            protocols::writeWholeFile(answers, study == "anchors" ? anchoredCsv() : studyCsv(study == "degenerate"));
+            const bool isRepeated = study == "repetitions" || study == "sessions";
+            protocols::writeWholeFile(answers, study == "anchors" ? anchoredCsv()
+                                               : isRepeated       ? repeatedCsv(study == "sessions")
+                                                                  : studyCsv(study == "degenerate"));
         }
         reports::writeReproduction(reports::analyse(reports::readAnswersCsv(answers), {.depth = reports::Depth::Quick}), folder);
         const auto [code, said] = ran(program, script, folder);
@@ -233,8 +260,9 @@ private Q_SLOTS:
             QVERIFY2(words.contains("differs: " + start.section(',', 0, 1).replace(',', ' ')), qPrintable(words));
     }
 
-    // Where optimisers stop at different places: ratings that are all equal, and so few answers that variances tie with zero,
-    // that groups reproduce every number, or that a separated condition leaves one condition.
+    // Repetitions of which some are missing. And where optimisers stop at different places: ratings that are all equal, and so
+    // few answers that variances tie with zero, that groups reproduce every number, or that a separated condition leaves one
+    // condition.
     void modelsOfExtremeStudiesAreComputedInR_data()
     {
         QTest::addColumn<QByteArray>("csv");
@@ -254,6 +282,8 @@ private Q_SLOTS:
             return csv;
         };
         QTest::newRow("equal ratings") << QByteArray::fromStdString(studyCsv(true));
+        QTest::newRow("repetitions with gaps") << QByteArray::fromStdString(repeatedCsv(false));
+        QTest::newRow("sessions of one condition with gaps") << QByteArray::fromStdString(repeatedCsv(true));
         // 100 and more: right; the rest is ten times the rating. -1: no answer.
         QTest::newRow("2 x 2 x 2, one condition always right") << few({172, 67, 150, 53, 136, 153, 154, 164}, 2, 2, 2);
         QTest::newRow("2 x 2 x 2, ties") << few({160, 50, 60, 150, 70, 150, 140, 60}, 2, 2, 2);

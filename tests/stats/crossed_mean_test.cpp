@@ -313,6 +313,53 @@ private Q_SLOTS:
         QCOMPARE(*meanOf(one).df, *ofDifferences(one).df);
     }
 
+    /// Conditions whose cells have unequal repetitions are compared on those that both have; no other contrast changes.
+    void pairsAreComparedOnTheMeansThatAreComparable()
+    {
+        AnswerCube cube(stats::AnswerValues::Ratings, 3, 4, 3);
+        for (std::size_t i = 0; i < 12; ++i)
+            for (const std::size_t c : {0U, 1U, 2U}) cube.at(c, i / 3, i % 3) = twelve[(i + 5 * c) % 12];
+        const AnswerCube whole = cube;
+        stats::CrossedTable ofA = cube.tableUnder(0), ofB = cube.tableUnder(1);
+        cube.setComparable(0, 1, ofA, ofB);
+        QVERIFY(!cube.comparesOtherMeans());  // they are the means of the cells
+        ofA.values[4] += 2;
+        ofB.values[7] = gap;
+        cube.setComparable(0, 1, ofA, ofB);
+        QVERIFY(cube.comparesOtherMeans(1, 0) && !cube.comparesOtherMeans(0, 2));
+        const auto differences = cube.differences(0, 1), reversed = cube.differences(1, 0);
+        QCOMPARE(differences.values[4], whole.differences(0, 1).values[4] + 2);
+        QCOMPARE(reversed.values[4], -differences.values[4]);
+        QVERIFY(std::isnan(differences.values[7]) && std::isnan(reversed.values[7]));
+        QVERIFY(std::isnan(cube.withoutFabric(1).differences(0, 1).values[4]));
+        QVERIFY(std::isnan(cube.withoutParticipant(1).differences(0, 1).values[4]));
+        QVERIFY(stats::degreesOf(cube) == stats::Degrees::Limited);
+        // The sums differ with the repetitions that are left, so the model is that of the differences.
+        ofB = cube.tableUnder(1);
+        cube.setComparable(0, 1, ofA, ofB);
+        stats::StudentQuantiles quantiles;
+        const auto mean = stats::differenceOf(cube, {0, 1}, Generalisation::FabricsLikeThese, stats::Degrees::Limited, quantiles);
+        const auto ofDifferences = stats::crossedMean(cube.differences(0, 1), Generalisation::FabricsLikeThese, quantiles);
+        QCOMPARE(*mean.se, *ofDifferences.se);
+        const auto other =
+            stats::differenceOf(cube, {0, 2}, Generalisation::FabricsLikeThese, stats::Degrees::Limited, quantiles);
+        QCOMPARE(*other.se,
+                 *stats::differenceOf(whole, {0, 2}, Generalisation::FabricsLikeThese, stats::Degrees::Limited, quantiles).se);
+    }
+
+    /// 4.3 - 3.3 and 2.3 - 1.3 differ in the last digit only: they have no variation to test.
+    void comparableMeansThatAreEqualButForRoundingHaveNoTest()
+    {
+        AnswerCube cube(stats::AnswerValues::Ratings, 2, 3, 2);
+        for (std::size_t i = 0; i < 6; ++i) cube.at(0, i / 2, i % 2) = cube.at(1, i / 2, i % 2) = 5;
+        stats::CrossedTable ofA{3, 2, {4.3, 2.3, 4.3, 2.3, 4.3, 2.3}}, ofB{3, 2, {3.3, 1.3, 3.3, 1.3, 3.3, 1.3}};
+        QVERIFY(4.3 - 3.3 != 2.3 - 1.3);
+        cube.setComparable(0, 1, ofA, ofB);
+        stats::StudentQuantiles quantiles;
+        for (const Generalisation generalisation : {Generalisation::TheseFabrics, Generalisation::FabricsLikeThese})
+            QVERIFY(!stats::differenceOf(cube, {0, 1}, generalisation, stats::Degrees::Limited, quantiles).why.empty());
+    }
+
     void degreesOfRatingsAreLimitedWhereNothingVaries()
     {
         // tests/stats/reference/two_conditions.R, seed 12: lmerTest's df is 17. The mean squares of the differences are 0.886

@@ -73,6 +73,33 @@ private Q_SLOTS:
         QVERIFY(std::fabs(*interval.high - 10.68827329537478) < 1e-11);
     }
 
+    /// Two conditions and three participants; of the second participant only the first choice of each is compared.
+    void pairsAreScoredAmongAllCells()
+    {
+        const auto cell = [](std::vector<double> correct, std::vector<double> seconds) {
+            return stats::speedCell(correct, seconds);
+        };
+        const stats::ConditionSpeedCells a{cell({1, 0}, {2, 3}), cell({1, 1}, {4, 20}), cell({0, 1}, {5, 6})},
+            b{cell({1, 1}, {3, 3}), cell({0}, {4}), cell({0, 0}, {6, 7})};
+        const std::vector<stats::ConditionSpeedCells> conditions{a, b};
+        const auto scores = stats::scoresOf(conditions);
+        const auto whole = stats::speedPair(conditions, scores, {0, 1}, a, b);
+        for (std::size_t k = 0; k < 3; ++k) QCOMPARE(*whole.scoresOfA[k], *scores[0][k]);
+        stats::ConditionSpeedCells some = a;
+        some[1] = cell({1}, {4});
+        const auto pair = stats::speedPair(conditions, scores, {0, 1}, some, b);
+        const auto expected = stats::scoresOf(std::vector<stats::ConditionSpeedCells>{some, b});
+        for (std::size_t k = 0; k < 3; ++k) {
+            QCOMPARE(*pair.scoresOfA[k], *expected[0][k]);
+            QCOMPARE(*pair.scoresOfB[k], *expected[1][k]);
+        }
+        const auto tests = stats::speedContrasts(std::vector{pair, whole}, 3);
+        QVERIFY(*tests[0].logSeconds.test.estimate < *tests[1].logSeconds.test.estimate);
+        const auto asBefore = stats::speedContrasts(conditions, scores, std::vector{stats::ContrastPair(0, 1)}, 3);
+        QCOMPARE(*tests[1].score.test.p, *asBefore[0].score.test.p);
+        QCOMPARE(*tests[1].bitsPerSecond.test.p, *asBefore[0].bitsPerSecond.test.p);
+    }
+
     void medianWithoutIntervalHasAReason()
     {
         using Times = std::vector<std::vector<double>>;

@@ -81,16 +81,15 @@ private Q_SLOTS:
 
     void undefinedSlopesHaveAReason()
     {
-        QCOMPARE(stats::adjustedSlope({}).why(),
-                 std::string("too few answers for a slope beside the effects of condition and fabric"));
+        QCOMPARE(stats::adjustedSlope({}).why(), std::string("too few answers for a slope beside the other effects"));
         std::vector<TrendRow> rows = rowsOf(0);
         for (TrendRow& row : rows) row.covariate = static_cast<double>(row.condition) - 2.0 * static_cast<double>(row.fabric);
-        QCOMPARE(stats::adjustedSlope(rows).why(), std::string("it does not vary beside condition and fabric"));
+        QCOMPARE(stats::adjustedSlope(rows).why(), std::string("it does not vary beside the other effects"));
         rows[3].value = NAN;
         QCOMPARE(stats::adjustedSlope(rows).why(), std::string("a value is not finite"));
         const std::vector<std::vector<TrendRow>> short1{{rowsOf(0)[0]}, {}};
         const stats::WithinTrend trend = stats::withinTrend(short1);
-        QCOMPARE(trend.test.why, std::string("too few answers for a slope beside the effects of condition and fabric"));
+        QCOMPARE(trend.test.why, std::string("too few answers for a slope beside the other effects"));
         QVERIFY(!trend.test.p.exists() && !trend.test.ci.low.exists());
         QVERIFY(!stats::withinTrend({}).test.why.empty());
     }

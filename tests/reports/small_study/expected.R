@@ -113,19 +113,31 @@ speed <- function(condition) {
        bis_ci95 = t.test(bisCells[, condition])$conf.int[1:2], median_seconds_ci95 = medianInterval(condition))
 }
 choices <- answers[!is.na(answers$Q1_correct), ]
+# Two conditions are compared on the fabrics that a participant has a choice and a time for under both.
+timedUnder <- function(pair) {
+  d <- choices[choices$condition %in% pair & !is.na(choices$Q1_seconds), ]
+  d[ave(seq_along(d$fabric), d$participant, d$fabric, FUN = length) == 2, ]
+}
+byCell <- function(d, value) tapply(value, list(d$participant, factor(d$condition, conditions)), mean)[participants, ]
 # Jackknife pseudo-values of bits per second (Tukey 1958).
-pseudo <- sapply(conditions, function(condition) {
+pseudoOf <- function(pair) sapply(pair, function(condition) {
   rate <- function(d) bits(mean(d$Q1_correct), 3) / mean(d$Q1_seconds)
-  d <- choices[choices$condition == condition, ]; n <- length(participants)
+  d <- timedUnder(pair); d <- d[d$condition == condition, ]; n <- length(participants)
   sapply(participants, function(p) n * rate(d) - (n - 1) * rate(d[d$participant != p, ])) })
-logTimes <- tapply(log(choices$Q1_seconds), list(choices$participant, choices$condition), mean)[participants, conditions]
+# Standardised over the cells of all conditions; those of the pair are the cells that are compared.
+bisOfPair <- function(pair) {
+  d <- timedUnder(pair); shares <- meansOf("Q1_correct"); times <- meansOf("Q1_seconds")
+  shares[, pair] <- byCell(d, d$Q1_correct)[, pair]; times[, pair] <- byCell(d, d$Q1_seconds)[, pair]
+  matrix(z(as.vector(shares)) - z(as.vector(times)), length(participants), dimnames = list(participants, conditions))
+}
+logTimesOf <- function(pair) { d <- timedUnder(pair); byCell(d, log(d$Q1_seconds)) }
 meanTest <- function(x) {
   test <- t.test(x)
   list(n = number(length(x)), estimate = number(test$estimate), ci95 = test$conf.int[1:2], statistic = number(test$statistic),
        df = number(test$parameter), p = number(test$p.value))
 }
-measures <- list(bits_per_second = pseudo, bis = bisCells, log_seconds = logTimes)
-speedTests <- lapply(measures, function(x) lapply(pairs, function(pair) meanTest(x[, pair[1]] - x[, pair[2]])))
+measures <- list(bits_per_second = pseudoOf, bis = bisOfPair, log_seconds = logTimesOf)
+speedTests <- lapply(measures, function(of) lapply(pairs, function(pair) meanTest(of(pair)[, pair[1]] - of(pair)[, pair[2]])))
 speedHolm <- lapply(speedTests, function(tests) p.adjust(sapply(tests, function(test) test$p), "holm"))
 speedContrasts <- do.call(c, lapply(seq_along(pairs), function(i) lapply(names(measures), function(measure) {
   c(list(a = unbox(pairs[[i]][1]), b = unbox(pairs[[i]][2]), measure = unbox(measure), primary = unbox(FALSE),

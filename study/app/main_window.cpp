@@ -6,6 +6,7 @@
 #include <QShortcut>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "protocols/files/errors.h"
 #include "study/app/language/below.h"
@@ -232,7 +233,16 @@ void MainWindow::connectParticipantSide()
     connect(m_pages->study, &StudyPage::participantRequested, this, &MainWindow::showParticipantSide);
     connect(m_pages->participant, &ParticipantPage::backRequested, this, &MainWindow::leaveParticipantSide);
     connect(&participantSide(), &ParticipantSide::acted, this, &MainWindow::takeAct);
+    connect(&participantSound(), &ParticipantSound::stateChanged, this, &MainWindow::showSoundFault);
     tellParticipant();
+}
+
+void MainWindow::showSoundFault()
+{
+    const QString fault = participantSound().state().fault;
+    const bool isNew = std::exchange(m_soundFault, fault) != fault;
+    if (m_session && isNew && !fault.isEmpty())
+        m_pages->session->showMessage(tr("%1. F4 opens the page of the headphones.").arg(fault), Tone::Fault);
 }
 
 void MainWindow::showParticipantSide()
@@ -247,7 +257,9 @@ void MainWindow::showParticipantSide()
 void MainWindow::leaveParticipantSide()
 {
     m_pages->setCurrentWidget(m_beforeParticipantPage);
-    if (m_session) m_pages->session->present(m_session->view(), m_session->canCorrect());
+    if (!m_session) return;
+    m_session->refresh();  // else the clock of a break would stand at its last event
+    m_pages->session->present(m_session->view(), m_session->canCorrect());
 }
 
 void MainWindow::tellParticipant() { m_participantRoom->tell(m_study.get(), m_session.get()); }
@@ -255,8 +267,13 @@ void MainWindow::tellParticipant() { m_participantRoom->tell(m_study.get(), m_se
 void MainWindow::takeAct(const participant::ParticipantAct& act)
 {
     if (!m_session) return;
+    const int sentBefore = m_session->eventsSent();
     if (m_participantRoom->take(act, *m_session)) m_pages->session->holdKeys();
-    m_pages->session->showAct(act);
+    const auto& outcome = m_session->lastOutcome();
+    const bool isStored = m_session->eventsSent() > sentBefore && !outcome->refusal && !outcome->fault;
+    const auto* agreement = std::get_if<participant::Agreement>(&act.what);
+    const bool isDisagreement = agreement && !agreement->agrees;  // the operator must know it, stored or not
+    if (isStored || isDisagreement) m_pages->session->showAct(act);
 }
 
 void MainWindow::showKeys()
@@ -493,6 +510,8 @@ void MainWindow::begin(OpenStudy& study, const protocols::ParticipantId& partici
     m_pages->session->present(m_session->view(), m_session->canCorrect());
     m_participantRoom->begin(*m_session);
     tellParticipant();
+    m_soundFault.clear();  // a fault from before the session matters in it, too
+    showSoundFault();
 }
 
 void MainWindow::connectSession()
@@ -504,13 +523,15 @@ void MainWindow::connectSession()
 
 void MainWindow::refreshSession()
 {
-    // When the display fails, the event is stored nevertheless. A touch that the display reports, or an act of the participant,
-    // can come at any time, so it must not close a panel that the operator is using.
+    // When the display fails, the event is stored nevertheless. A touch or a fault that the display reports, or an act of the
+    // participant, can come at any time, so it must not close a panel that the operator is using.
     const auto& outcome = m_session->lastOutcome();
-    const bool isByOperator = !m_participantRoom->isTaking() && session::isEnteredByOperator(outcome->event);
+    const bool isByDisplay = outcome->cause == Cause::DisplayFault;
+    const bool isByOperator = !m_participantRoom->isTaking() && !isByDisplay && session::isEnteredByOperator(outcome->event);
     const bool isAccepted = !outcome->refusal && !outcome->fault;
-    if (isByOperator && (isAccepted || m_pages->session->shownView().state != m_session->view().state))
-        m_pages->session->closePanelAndMessage();
+    const bool hasMovedOn = m_pages->session->shownView().state != m_session->view().state;
+    if (isByOperator && (isAccepted || hasMovedOn)) m_pages->session->closePanelAndMessage();
+    if (isByDisplay && hasMovedOn) m_pages->session->holdKeys(SessionPage::MovedBy::Display);
     m_pages->session->present(m_session->view(), m_session->canCorrect());
     tellParticipant();
     showServerLink();

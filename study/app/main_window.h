@@ -87,6 +87,8 @@ private:
     void leaveParticipantSide();
     /// Shows the participant what belongs to this moment.
     void tellParticipant();
+    /// Shows a new fault of the headphones on the page of a session; whoever runs it cannot hear them.
+    void showSoundFault();
     void takeAct(const participant::ParticipantAct& act);
     void connectRehearsal();
     void showRehearsal();
@@ -125,6 +127,7 @@ private:
     StrayKeys* m_strayKeys;
     ServerBar* m_serverBar;
     QString m_chosenLanguage;
+    QString m_soundFault;                        ///< of the headphones, as it was seen last
     QWidget* m_beforeParticipantPage = nullptr;  ///< the page to go back to
     std::filesystem::path m_monitored;
     std::unique_ptr<MonitorWindow> m_monitor;  ///< empty until it is asked for

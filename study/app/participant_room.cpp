@@ -9,9 +9,9 @@ namespace study::app {
 
 namespace {
 
-SaidPrompts promptsOf(OpenStudy& study)
+/// `protocol`: the version that the participant follows. An amendment changes its words, but no recording.
+SaidPrompts promptsOf(OpenStudy& study, const protocols::Protocol& protocol)
 {
-    const auto& protocol = study.protocol();
     SaidPrompts prompts{{}, participant::spokenTexts(protocol), protocol.language};
     for (const auto& [key, file] : protocol.prompts) prompts.files[key] = study.store().folder().prompt(key).string();
     return prompts;
@@ -32,7 +32,7 @@ void ParticipantRoom::begin(const SessionController& session)
 
 void ParticipantRoom::tell(OpenStudy* study, const SessionController* session)
 {
-    m_sound->setPrompts(study ? promptsOf(*study) : SaidPrompts{});
+    m_sound->setPrompts(study ? promptsOf(*study, session ? session->plan().protocol : study->protocol()) : SaidPrompts{});
     if (!session) return m_side->show(participant::waiting(study ? study->protocol() : protocols::Protocol{}));
     m_side->show(participant::instructionFor(session->view(), session->plan().protocol));
     m_sound->say(participant::promptsBetween(m_told, session->view()));

@@ -230,6 +230,7 @@ Outcome startSitting(const State& state, const SittingStarted& started, std::int
     interrupt(step.next);
     ++step.next.sitting;
     step.next.sittingBeganAtNs = step.next.restedAtNs = step.next.trayAskedAtNs = step.next.breakBeganAtNs = atNs;
+    step.next.preparedAtNs = atNs;
     step.next.sittingOverTold = false;
     step.next.deadTimeNs = started.deadTimeNs;
     return step;

@@ -149,6 +149,7 @@ struct State {
     std::int64_t deadTimeNs = 0;      ///< in this sitting; a bounced key confirms no tray within it
     std::int64_t breakBeganAtNs = 0;  ///< in this sitting
     std::int64_t restedAtNs = 0;      ///< end of the last break or pause, or start of the sitting
+    std::int64_t preparedAtNs = 0;    ///< end of the preparation of this sitting; before it, start of the sitting
     std::int64_t trayAskedAtNs = 0;   ///< start of the present presentation, with its tray
     std::int64_t trayTookNs = 0;      ///< until the present tray was confirmed; 0 before
     std::vector<Pace> pace;           ///< of the finished presentations

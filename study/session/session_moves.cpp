@@ -199,6 +199,7 @@ void prepareOn(const Plan& plan, SessionStep& step, std::int64_t atNs)
         step.next.stage = CheckingList{};
     else {
         step.next.preparedSitting = step.next.sitting;
+        step.next.preparedAtNs = atNs;
         placeTray(plan, step, atNs);
     }
 }

@@ -49,7 +49,7 @@ void addInstruction(View& view, const Plan& plan, const State& state)
     const auto* instruction = instructionOf(plan, state.order[static_cast<std::size_t>(state.position)].index);
     if (!instruction) return;
     view.instruction = *instruction;
-    const bool isAfterRest = state.trayAskedAtNs == state.restedAtNs;
+    const bool isAfterRest = state.trayAskedAtNs == state.restedAtNs || state.trayAskedAtNs == state.preparedAtNs;
     view.instructionBegins = state.position == 0 || blockEndsBefore(state, state.position) || isAfterRest;
 }
 

@@ -117,7 +117,7 @@ public:
     explicit CatalogueInMemory(const QString& path)
     {
         QFile file(path);
-        if (file.open(QIODevice::ReadOnly) && file.size() <= largestCatalogue) m_bytes = file.read(largestCatalogue);
+        if (file.open(QIODevice::ReadOnly) && file.size() <= largestCatalogue) m_bytes = file.read(file.size());
         m_isLoaded = isSoundCatalogue(m_bytes) &&
                      load(reinterpret_cast<const uchar*>(m_bytes.constData()), static_cast<int>(m_bytes.size()));
     }

@@ -154,6 +154,12 @@ bool QuestionPage::hasUnstoredText() const { return isForWriting() && !m_entry->
 
 bool QuestionPage::isForWriting() const { return std::holds_alternative<WordsForm>(m_entry->form()); }
 
+int QuestionPage::lettersTaken() const
+{
+    const auto* choice = std::get_if<OptionsForm>(&m_entry->form());
+    return choice ? static_cast<int>(choice->options.size()) : StagePage::lettersTaken();
+}
+
 bool QuestionPage::pressKey(int key)
 {
     if (isEnter(key)) {

@@ -24,6 +24,7 @@ public:
     void begin(const SessionFacts& facts) override;
     void present(const session::View& view) override;
     bool isForWriting() const override;
+    int lettersTaken() const override;
     bool hasUnstoredText() const override;
     bool pressKey(int key) override;
     QWidget& firstFocus() override;

@@ -133,7 +133,7 @@ void SessionPage::goOnWithoutText()
 
 void SessionPage::bindKeysWhileWriting()
 {
-    // In a text field letters are text. With Alt they work as the command keys of the other pages.
+    // In a text field letters are text, and those of the slots are answers. With Alt they work as command keys.
     for (const int key : {Qt::Key_T, Qt::Key_L, Qt::Key_N, Qt::Key_F, Qt::Key_V, Qt::Key_P, Qt::Key_W, Qt::Key_Q, Qt::Key_G}) {
         auto* shortcut = new QShortcut(QKeySequence(Qt::ALT | key), this);
         shortcut->setContext(Qt::WidgetWithChildrenShortcut);
@@ -207,7 +207,7 @@ void SessionPage::bringForward(StagePage& page)
     m_guard->hide();
     page.take(*m_message);
     m_stages->bringForward(page);
-    m_footer->setWriting(!m_panel && page.isForWriting());
+    m_footer->setLettersTaken(m_panel ? 0 : page.lettersTaken());
 }
 
 void SessionPage::pinMessage()
@@ -286,8 +286,8 @@ bool SessionPage::pressKey(int pressed)
         return true;
     }
     const int key = m_facts.keys.meantBy(pressed);
-    if (key != pressed) {  // a pedal confirms what the page asks, whatever button has the focus
-        if (!pageInFront().pressKey(key)) m_footer->pressKey(key);
+    if (key != pressed) {  // a pedal confirms what the page asks, whatever button has the focus, and is never a letter
+        if (!m_footer->pressKey(key)) pageInFront().pressKey(key);
         return true;
     }
     if (isEnter(key) && pressFocusedButton()) return true;
@@ -327,6 +327,12 @@ void SessionPage::showAct(const participant::ParticipantAct& act)
     if (!text.isEmpty() && !m_panel) showMessage(text, agreement && !agreement->agrees ? Tone::Fault : Tone::Done);
 }
 
+void SessionPage::holdKeys(MovedBy by)
+{
+    m_heldBy = by;
+    m_sinceHeld.start();
+}
+
 bool SessionPage::isHeld() const
 {
     constexpr int holdMs = 700;
@@ -339,7 +345,11 @@ bool SessionPage::eventFilter(QObject* watched, QEvent* event)
     const bool isEntry = event->type() == QEvent::KeyPress || event->type() == QEvent::MouseButtonPress;
     const auto* target = qobject_cast<QWidget*>(watched);
     if (isEntry && isHeld() && target && (target == this || isAncestorOf(target))) {
-        showMessage(tr("The participant has just moved the session on, so your entry did nothing. Enter it again."), Tone::Hint);
+        if (m_heldBy == MovedBy::Display)
+            m_sinceHeld.start();  // the message names the fault
+        else
+            showMessage(tr("The participant has just moved the session on, so your entry did nothing. Enter it again."),
+                        Tone::Hint);
         return true;
     }
     // A key that a control refuses goes on to its parents, so only the first receiver counts.

@@ -32,9 +32,11 @@ public:
     /// Closes the panel and clears the message after an accepted event.
     void closePanelAndMessage();
     void showMessage(const QString& text, Tone tone);
-    /// The participant has moved the session on: keys and clicks that were meant for the page before do nothing for a
-    /// moment.
-    void holdKeys() { m_sinceHeld.start(); }
+    /// Who has moved the session on, beside the operator.
+    enum class MovedBy { Participant, Display };
+    /// Keys and clicks that were meant for the page before do nothing for a moment. After a fault of the display it begins anew
+    /// with each of them, because the rest of a sentence may follow. A panel takes keys all the time.
+    void holdKeys(MovedBy by = MovedBy::Participant);
     /// Says what the participant did on their own page.
     void showAct(const participant::ParticipantAct& act);
     /// Shows which test pattern can be felt; none if it is off.
@@ -107,6 +109,7 @@ private:
     KeyPressed m_lastKey, m_openedBy;  ///< the second: the key that opened the panel, until another one is pressed
     bool m_isTextGivenUp = false;      ///< the operator closes the window without it
     GoingOn m_goingOn = GoingOn::Close;
+    MovedBy m_heldBy = MovedBy::Participant;
     QElapsedTimer m_sinceHeld;
     StagePage* m_panel = nullptr;  ///< open panel; null if none
 

@@ -28,6 +28,8 @@ public:
     virtual void present(const session::View& view) = 0;
     /// True if the page has a text field, so that letters are text and not commands.
     virtual bool isForWriting() const { return false; }
+    /// Number of letters, from A on, that the page takes for answers or text. Commands with these keys need Alt.
+    virtual int lettersTaken() const { return isForWriting() ? 26 : 0; }
     /// True while the page holds a text of the operator that is not stored and would be lost with the window.
     virtual bool hasUnstoredText() const { return false; }
     /// Handles a key without modifiers that no control used; returns whether it had an effect.

@@ -132,9 +132,12 @@ void TrayPage::showCards(const session::View& view)
     }
 }
 
+int TrayPage::lettersTaken() const { return std::max(StagePage::lettersTaken(), static_cast<int>(m_wanted.size())); }
+
 bool TrayPage::pressKey(int key)
 {
-    const bool isOfAnAnswer = (key >= Qt::Key_0 && key <= Qt::Key_9) || (key >= Qt::Key_A && key <= Qt::Key_D) ||
+    const int letters = std::max(4, static_cast<int>(m_wanted.size()));  // D is "different" at every tray
+    const bool isOfAnAnswer = (key >= Qt::Key_0 && key <= Qt::Key_9) || (key >= Qt::Key_A && key < Qt::Key_A + letters) ||
                               key == Qt::Key_S || key == Qt::Key_Period || key == Qt::Key_Comma;
     if (isOfAnAnswer) {
         // Who types an answer now believes that the presentation runs. The Enter that follows must not begin it.

@@ -27,6 +27,7 @@ public:
     void begin(const SessionFacts& facts) override;
     void present(const session::View& view) override;
     bool isForWriting() const override { return m_confirmsPieces; }
+    int lettersTaken() const override;
     bool pressKey(int key) override;
     QWidget& firstFocus() override;
 

@@ -49,7 +49,7 @@ void LineProcess::start(const QString& name, const QStringList& arguments, Progr
     connect(m_process.get(), &QProcess::finished, this, [this] {
         keepErrors();
         const QString said = QString::fromUtf8(m_errors).trimmed().section(QLatin1Char('\n'), -1);
-        end(said.isEmpty() ? tr("the program ended") : said.mid(said.indexOf(QLatin1String(": ")) + 2));
+        end(said.isEmpty() ? tr("the program ended") : inOwnLanguage(said.mid(said.indexOf(QLatin1String(": ")) + 2)));
     });
     connect(m_process.get(), &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
         if (error == QProcess::FailedToStart) end(m_process->errorString());

@@ -44,6 +44,8 @@ public:
 
     /// Empty without a study.
     void setPrompts(SaidPrompts prompts);
+    /// What can be said now; a text only where there is no recording.
+    const SaidPrompts& prompts() const { return m_prompts; }
     /// `noise`: root mean square of the masking noise, 0 to 0.3 of full scale.
     void start(double noise, Speech speech);
     void stop();
@@ -55,6 +57,8 @@ public:
     /// The key of a prompt that can be played now: a recording, else a spoken text; empty if there is none.
     std::string someKey() const;
     const SoundState& state() const { return m_state; }
+    /// 0 while the program does not run.
+    qint64 processId() const { return m_process->processId(); }
 
 Q_SIGNALS:
     void stateChanged();

@@ -3,6 +3,8 @@
 #include <QEvent>
 #include <QRegularExpression>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
 
 #include "study/app/language/app_text.h"
 #include "study/app/language/below.h"
@@ -71,11 +73,10 @@ QPushButton* SessionFooter::add(const char* objectName, const QString& text, Key
     return m_keys.back().button;
 }
 
-void SessionFooter::setWriting(bool isWriting)
+void SessionFooter::setLettersTaken(int count)
 {
-    if (m_isWriting == isWriting) return;
-    m_isWriting = isWriting;
-    showKeys();
+    const int before = std::exchange(m_lettersTaken, count);
+    if (std::ranges::any_of(m_keys, [&](const Key& one) { return needsAlt(one, before) != needsAlt(one, count); })) showKeys();
 }
 
 void SessionFooter::setKeys(const KeyBindings& keys)
@@ -87,7 +88,7 @@ void SessionFooter::setKeys(const KeyBindings& keys)
 void SessionFooter::showKeys()
 {
     for (const Key& one : m_keys) {
-        QString keys = m_isWriting && one.key != Qt::Key_Escape ? tr("Alt %1").arg(one.name) : one.name;
+        QString keys = needsAlt(one, m_lettersTaken) ? tr("Alt %1").arg(one.name) : one.name;
         if (const auto extra = m_bindings.extraKey(one.act)) keys = tr("%1 or %2").arg(keys, nameOfKey(*extra));
         setButtonText(*one.button, tr("%1 (%2)").arg(one.text, keys));
     }

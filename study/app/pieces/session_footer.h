@@ -21,8 +21,8 @@ public:
     /// `canCorrect`: at least one answer can be corrected.
     void present(const session::View& view, bool canCorrect);
     bool canCorrect() const { return m_canCorrect; }
-    /// On pages with a text field the keys need Alt, and the buttons show this.
-    void setWriting(bool isWriting);
+    /// Keys among the first `count` letters are answers or text on the page. They need Alt, and the buttons show this.
+    void setLettersTaken(int count);
     /// Disables all buttons while a panel is open.
     void setPanelOpen(bool open);
 
@@ -51,6 +51,7 @@ private:
         QString text;  ///< text of the button without the key
     };
     QPushButton* add(const char* objectName, const QString& text, KeyAct act, int key, const QString& keyName);
+    bool needsAlt(const Key& one, int lettersTaken) const { return one.key >= Qt::Key_A && one.key < Qt::Key_A + lettersTaken; }
     void showKeys();
     void enable();
     /// Leaves out the keys that are off, and the last answer, where the window is low.
@@ -72,7 +73,7 @@ private:
     bool m_isPaused = false;
     bool m_isOver = false;
     bool m_isPanelOpen = false;
-    bool m_isWriting = false;
+    int m_lettersTaken = 0;
 };
 
 }  // namespace study::app

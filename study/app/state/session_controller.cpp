@@ -160,7 +160,7 @@ void SessionController::attendDisplay()
         m_display->processMessages();
     } catch (const std::exception& fault) {
         // The participant may have felt a wrong image, so the presentation begins again after the pause.
-        send(session::Paused{});
+        sendFor(Cause::DisplayFault, session::Paused{});
         Q_EMIT reported(withNextStep(inOwnLanguage(fault.what()), m_view.state.paused), Tone::Fault);
     }
 }
@@ -177,6 +177,15 @@ bool SessionController::isBounced(const session::EventBody& event) const
     return (confirmsPage(event) && isJustAfter(m_lastStepAtNs)) || (mayNeedSecondEnter(event) && isJustAfter(m_askedAtNs));
 }
 
+void SessionController::refresh()
+{
+    try {
+        m_view = m_driver.view();
+    } catch (const std::exception&) {
+        // The head of the log cannot be read. The next event reports it.
+    }
+}
+
 void SessionController::pageAsked() { m_askedAtNs = m_clock->monotonicNs(); }
 
 void SessionController::waitOutDeadTime()
@@ -185,12 +194,14 @@ void SessionController::waitOutDeadTime()
     m_askedAtNs.reset();
 }
 
-void SessionController::send(const session::EventBody& asked)
+void SessionController::send(const session::EventBody& event) { sendFor(Cause::Usual, event); }
+
+void SessionController::sendFor(Cause cause, const session::EventBody& asked)
 {
     session::EventBody event = asked;
     if (auto* answered = std::get_if<session::Answered>(&event)) answered->stamps = stampsNow(answered->stamps);
     const auto askedBefore = m_view.state.stage;
-    m_lastOutcome = EventOutcome{event, std::nullopt, nullptr};
+    m_lastOutcome = EventOutcome{event, std::nullopt, nullptr, cause};
     ++m_eventsSent;
     QString trouble;
     try {
@@ -237,32 +248,30 @@ void SessionController::displayReleased(const rendering::Touch& release)
 
 void SessionController::markAnswerBegun(session::BegunBy by)
 {
-    if (m_begunAtNs || !std::holds_alternative<session::Presenting>(m_view.state.stage)) return;
-    m_begunAtNs = m_clock->monotonicNs();
-    m_begunBy = by;
+    auto& stamp = by == session::BegunBy::Spoken ? m_spokenAtNs : m_entryAtNs;
+    if (!stamp && std::holds_alternative<session::Presenting>(m_view.state.stage)) stamp = m_clock->monotonicNs();
 }
 
-void SessionController::unmarkEntry()
-{
-    if (m_begunBy == session::BegunBy::Entry) m_begunAtNs.reset();
-}
+void SessionController::unmarkEntry() { m_entryAtNs.reset(); }
 
 session::AnswerStamps SessionController::stampsNow(const session::AnswerStamps& fromPage) const
 {
     if (m_scriptedStamps) return *m_scriptedStamps;
     session::AnswerStamps stamps = fromPage;
     const std::int64_t nowNs = m_clock->monotonicNs();
-    if (m_begunAtNs) stamps.begunAgoNs = nowNs - *m_begunAtNs;
-    stamps.begunBy = m_begunBy;
+    const bool isSpokenFirst = m_spokenAtNs && (!m_entryAtNs || *m_spokenAtNs <= *m_entryAtNs);
+    const auto& begunAtNs = isSpokenFirst ? m_spokenAtNs : m_entryAtNs;
+    if (begunAtNs) stamps.begunAgoNs = nowNs - *begunAtNs;
+    stamps.begunBy = isSpokenFirst ? session::BegunBy::Spoken : session::BegunBy::Entry;
     if (m_releasedAtNs) stamps.touchEndedAgoNs = nowNs - *m_releasedAtNs;
     return stamps;
 }
 
 void SessionController::forgetStamps()
 {
-    m_begunAtNs.reset();
+    m_entryAtNs.reset();
+    m_spokenAtNs.reset();
     m_releasedAtNs.reset();
-    m_begunBy = session::BegunBy::Entry;
     m_scriptedStamps.reset();
 }
 

@@ -42,11 +42,15 @@ inline QString phaseText(const session::View& view)
     return QString::fromStdString(view.phaseName).replace(QLatin1Char('-'), QStringLiteral("–"));
 }
 
+/// Why an event was sent. A display that fails between two events pauses the session.
+enum class Cause { Usual, DisplayFault };
+
 /// Result of one event: accepted, refused or failed.
 struct EventOutcome {
     session::EventBody event;
     std::optional<session::Refusal> refusal;
     std::exception_ptr fault;  ///< a protocols::Error thrown by disk or display
+    Cause cause = Cause::Usual;
 };
 
 enum class Tone { Done, Hint, Refusal, Fault };
@@ -69,13 +73,16 @@ public:
     void send(const session::EventBody& event);
     /// Stamps the first touch if the presentation waits for one; otherwise does nothing.
     void displayTouched(const rendering::Touch& touch = {});
-    /// Stamps the beginning of the present answer now, if nothing has stamped it yet.
+    /// Stamps the beginning of the present answer now, if the entry or the spoken word has no stamp yet. The answer takes the
+    /// earlier of both stamps.
     void markAnswerBegun(session::BegunBy by);
     /// Shows a test pattern while the checklist is open, or clears it (none). Never throws: faults are reported by signal.
     /// Every event clears the pattern first.
     void showPattern(const std::optional<TestPattern>& pattern, std::optional<double> mmPerPixel);
-    /// Takes back the stamp that the first key of an entry made.
+    /// Takes back the stamp that the first key of an entry made. That of the spoken word stays.
     void unmarkEntry();
+    /// Counts the times of view() to now; they are those of the last event. Never throws.
+    void refresh();
     /// The page showed a hint, which may ask for a second Enter. A bounced key must not be the second one.
     void pageAsked();
     /// The next event is not a bounced key. A script waits as long as a person does, but its clock may stand still.
@@ -100,6 +107,7 @@ Q_SIGNALS:
     void reported(const QString& text, study::app::Tone tone);
 
 private:
+    void sendFor(Cause cause, const session::EventBody& event);
     const protocols::Question& questionOf(const session::StoredAnswer& answer) const;
     Correctable correctableOf(const session::StoredAnswer& answer) const;
     bool isBounced(const session::EventBody& event) const;
@@ -116,8 +124,7 @@ private:
     std::shared_ptr<session::Clock> m_clock;
     session::Driver m_driver;
     session::View m_view;
-    std::optional<std::int64_t> m_begunAtNs, m_releasedAtNs;  ///< of the present question
-    session::BegunBy m_begunBy = session::BegunBy::Entry;
+    std::optional<std::int64_t> m_entryAtNs, m_spokenAtNs, m_releasedAtNs;  ///< of the present question
     std::optional<session::AnswerStamps> m_scriptedStamps;
     std::optional<std::int64_t> m_lastStepAtNs;  ///< the operator opened the session or made the last accepted entry
     std::optional<std::int64_t> m_askedAtNs;     ///< the page showed its last hint

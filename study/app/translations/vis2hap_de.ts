@@ -724,6 +724,38 @@
         <translation>berichtigen Sie den Namen des Displays</translation>
     </message>
     <message>
+        <source>there is no output for sound</source>
+        <translation>es gibt keine Tonausgabe</translation>
+    </message>
+    <message>
+        <source>headphones or loudspeakers, 48 kHz stereo</source>
+        <translation>Kopfhörer oder Lautsprecher, 48 kHz Stereo</translation>
+    </message>
+    <message>
+        <source>connect the headphones, then start the sound again</source>
+        <translation>schließen Sie die Kopfhörer an und starten Sie dann den Ton erneut</translation>
+    </message>
+    <message>
+        <source>the output for sound cannot be opened</source>
+        <translation>die Tonausgabe lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>a free output</source>
+        <translation>eine freie Ausgabe</translation>
+    </message>
+    <message>
+        <source>close other programs that play sound, then start it again</source>
+        <translation>schließen Sie andere Programme, die Ton abspielen, und starten Sie ihn dann erneut</translation>
+    </message>
+    <message>
+        <source>the output for sound has stopped</source>
+        <translation>die Tonausgabe ist ausgefallen</translation>
+    </message>
+    <message>
+        <source>the output for sound is no longer connected</source>
+        <translation>die Tonausgabe ist nicht mehr verbunden</translation>
+    </message>
+    <message>
         <source>covering the only screen would hide the console</source>
         <translation>eine Abdeckung des einzigen Bildschirms würde dieses Fenster verdecken</translation>
     </message>
@@ -925,7 +957,7 @@
     </message>
     <message>
         <source>the database of the study was deleted, replaced, overwritten or moved while it was open</source>
-        <translation>die Datenbank der Studie wurde gelöscht, ersetzt oder verschoben, während sie offen war</translation>
+        <translation>die Datenbank der Studie wurde gelöscht, ersetzt, überschrieben oder verschoben, während sie offen war</translation>
     </message>
     <message>
         <source>the file that the session began with</source>
@@ -3000,6 +3032,10 @@ Noch ist nichts gewählt.</translation>
     <message>
         <source>Connecting the display was stopped.</source>
         <translation>Das Verbinden des Displays wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>%1. F4 opens the page of the headphones.</source>
+        <translation>%1. F4 öffnet die Seite der Kopfhörer.</translation>
     </message>
     <message>
         <source>Vis2Hap</source>

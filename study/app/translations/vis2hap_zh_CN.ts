@@ -724,6 +724,38 @@
         <translation>请更正触觉屏的名称</translation>
     </message>
     <message>
+        <source>there is no output for sound</source>
+        <translation>没有声音输出设备</translation>
+    </message>
+    <message>
+        <source>headphones or loudspeakers, 48 kHz stereo</source>
+        <translation>耳机或扬声器，48 kHz立体声</translation>
+    </message>
+    <message>
+        <source>connect the headphones, then start the sound again</source>
+        <translation>请连接耳机，然后重新启动声音</translation>
+    </message>
+    <message>
+        <source>the output for sound cannot be opened</source>
+        <translation>无法打开声音输出设备</translation>
+    </message>
+    <message>
+        <source>a free output</source>
+        <translation>空闲的输出设备</translation>
+    </message>
+    <message>
+        <source>close other programs that play sound, then start it again</source>
+        <translation>请关闭其他播放声音的程序，然后重新启动声音</translation>
+    </message>
+    <message>
+        <source>the output for sound has stopped</source>
+        <translation>声音输出设备已停止</translation>
+    </message>
+    <message>
+        <source>the output for sound is no longer connected</source>
+        <translation>声音输出设备已断开</translation>
+    </message>
+    <message>
         <source>covering the only screen would hide the console</source>
         <translation>覆盖唯一的屏幕会遮住本窗口</translation>
     </message>
@@ -925,7 +957,7 @@
     </message>
     <message>
         <source>the database of the study was deleted, replaced, overwritten or moved while it was open</source>
-        <translation>研究打开期间，其数据库被删除、替换或移动</translation>
+        <translation>研究打开期间，其数据库被删除、替换、覆盖或移动</translation>
     </message>
     <message>
         <source>the file that the session began with</source>
@@ -3000,6 +3032,10 @@ Nothing is chosen yet.</source>
     <message>
         <source>Connecting the display was stopped.</source>
         <translation>已停止连接触觉屏。</translation>
+    </message>
+    <message>
+        <source>%1. F4 opens the page of the headphones.</source>
+        <translation>%1。按F4打开耳机页面。</translation>
     </message>
     <message>
         <source>Vis2Hap</source>

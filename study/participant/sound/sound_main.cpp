@@ -7,6 +7,7 @@
 #include <QIODevice>
 #include <QMediaDevices>
 #include <QThreadPool>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -124,6 +125,30 @@ private:
     QThreadPool m_worker;
 };
 
+protocols::Error withoutOutput(const char* what, const std::string& where)
+{
+    return protocols::environmentFault(
+        {what, where, "headphones or loudspeakers, 48 kHz stereo", "connect the headphones, then start the sound again"});
+}
+
+/// The masking noise must not fall silent unseen, so this program ends where its device stops or is taken away. `devices` and
+/// `sink` report that while `devices` lives.
+void endWithTheOutput(const QMediaDevices& devices, const QAudioSink& sink, const QAudioDevice& device)
+{
+    const auto end = [where = device.description().toStdString()](const char* what) {
+        const protocols::Error fault = withoutOutput(what, where);
+        QCoreApplication::exit(reported(program, fault, static_cast<int>(fault.exitCode())));
+    };
+    QObject::connect(&sink, &QAudioSink::stateChanged, &devices, [end](QAudio::State state) {
+        if (state == QAudio::StoppedState) end("the output for sound has stopped");  // nobody here stops it
+    });
+    QObject::connect(&devices, &QMediaDevices::audioOutputsChanged, &devices, [id = device.id(), end] {
+        const auto outputs = QMediaDevices::audioOutputs();
+        const auto isOurs = [&](const QAudioDevice& output) { return output.id() == id; };
+        if (std::ranges::none_of(outputs, isOurs)) end("the output for sound is no longer connected");
+    });
+}
+
 int playOnDevice()
 {
     const QAudioDevice device = QMediaDevices::defaultAudioOutput();
@@ -132,9 +157,7 @@ int playOnDevice()
     format.setChannelCount(channels);
     format.setSampleFormat(QAudioFormat::Int16);
     if (device.isNull() || !device.isFormatSupported(format))
-        throw protocols::environmentFault({"there is no output for sound", "this computer",
-                                           "headphones or loudspeakers, 48 kHz stereo",
-                                           "connect the headphones, then start the sound again"});
+        throw withoutOutput("there is no output for sound", "this computer");
     SoundMix mix;
     MixStream stream(mix);
     QAudioSink sink(device, format);
@@ -144,6 +167,8 @@ int playOnDevice()
     if (sink.error() != QAudio::NoError)
         throw protocols::environmentFault({"the output for sound cannot be opened", device.description().toStdString(),
                                            "a free output", "close other programs that play sound, then start it again"});
+    const QMediaDevices devices;
+    endWithTheOutput(devices, sink, device);
     Player player(mix);
     const InputLines input(program, [&](const std::string& line) { player.obey(line); });
     tell("ready", device.description().toStdString());

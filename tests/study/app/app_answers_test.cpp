@@ -38,6 +38,7 @@ private Q_SLOTS:
     void secondEntryMustAgree_data();
     void secondEntryMustAgree();
     void theTimeOfAnAnswerIsThatOfItsBeginning();
+    void anEmptiedEntryKeepsTheStampOfTheSpokenWord();
     void secondEnterStoresAnAnswerWithoutWords();
     void lettersAreTextInATextField();
     void correctionsOfEveryKindOfAnswer();
@@ -173,6 +174,40 @@ void AppAnswersTest::theTimeOfAnAnswerIsThatOfItsBeginning()
     typeText(open, "8");
     stored = store();  // Q4: an entry that was emptied was no answer
     QCOMPARE(stored.responseSeconds, std::optional(3.0));
+}
+
+void AppAnswersTest::anEmptiedEntryKeepsTheStampOfTheSpokenWord()
+{
+    const auto folder = newStudy();
+    OpenWindow open(folder);
+    open.enrolAndBegin();
+    open.playTo("Presenting", "Q2");
+    const auto wait = [&](double seconds) { open.clock().advanceSeconds(seconds); };
+    const auto typeThenMark = [&] {
+        pressKey(open, Qt::Key_T);
+        wait(1);
+        typeText(open, "5");
+        wait(1);
+        pressKey(open, Qt::Key_F9);
+        QVERIFY(open.widget<QPushButton>("spokenButton").text().contains("stamped"));
+        wait(1);
+    };
+    const auto store = [&] {
+        wait(4);
+        pressKey(open, Qt::Key_Return);
+        return database::StudyStore(folder, database::StudyStore::Access::Read).answers().back();
+    };
+    typeThenMark();
+    pressKey(open, Qt::Key_Backspace);
+    wait(1);
+    typeText(open, "7");
+    auto stored = store();  // the first entry was no answer, so F9 is the earliest stamp
+    QCOMPARE(stored.responseSeconds, std::optional(2.0));
+    QCOMPARE(stored.record.answerBegunBy, std::string("spoken"));
+    typeThenMark();
+    stored = store();  // both stamps are left
+    QCOMPARE(stored.responseSeconds, std::optional(1.0));
+    QCOMPARE(stored.record.answerBegunBy, std::string("entry"));
 }
 
 void AppAnswersTest::correctionsOfEveryKindOfAnswer()

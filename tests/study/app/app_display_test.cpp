@@ -6,6 +6,7 @@
 #include <QFile>
 #include <QImage>
 #include <QLabel>
+#include <QPlainTextEdit>
 #include <QProcess>
 #include <QPushButton>
 #include <QScrollArea>
@@ -71,6 +72,8 @@ class AppDisplayTest : public tests::support::WindowTest {
             if (line.contains(displayFolder()) && line.contains("vis2hap-reference-display"))
                 ::kill(line.trimmed().section(' ', 0, 0).toInt(), SIGKILL);
     }
+    /// Keys do nothing for 0.7 s after the display has failed.
+    static void waitForKeys() { QTest::qWait(750); }
     QString messageIn(ShownWindow& shown) { return shown.window.currentPage()->findChild<QLabel*>("sessionMessage")->text(); }
 
     std::shared_ptr<VirtualClock> m_clock;
@@ -80,6 +83,8 @@ private Q_SLOTS:
     void touchReportedByTheDriverIsStamped();
     void delayedTouchReportIsDatedBack();
     void deadDriverPausesTheSessionAndLosesNothing();
+    void aNoteStaysOpenWhenTheDisplayFails();
+    void theRestOfASentenceDoesNothingWhenTheDisplayFails();
     void messageForADeadDriverNamesTheNextStep();
     void aLongDriverCommandFitsTheWindow();
     void driverClearsTheDisplayAfterTheProgramIsKilled();
@@ -163,6 +168,7 @@ void AppDisplayTest::deadDriverPausesTheSessionAndLosesNothing()
     QCOMPARE(dynamic_cast<database::StudyStore&>(shown.window.study()->store()).answers().size(),
              static_cast<std::size_t>(answers));
     QCOMPARE(tests::displayedIn(displayFolder()), 0);  // the driver was restarted and shows nothing
+    waitForKeys();
     shown.gui.pressKey(Qt::Key_Return);
     stepTo<Presenting>(shown);
     QCOMPARE(std::get<Presenting>(shown.gui.view().state.stage).index, trial);
@@ -170,6 +176,48 @@ void AppDisplayTest::deadDriverPausesTheSessionAndLosesNothing()
     stepTo<Finished>(shown);
     QCOMPARE(static_cast<int>(dynamic_cast<database::StudyStore&>(shown.window.study()->store()).answers().size()), 24);
     QVERIFY(dynamic_cast<database::StudyStore&>(shown.window.study()->store()).faults().empty());
+}
+
+void AppDisplayTest::aNoteStaysOpenWhenTheDisplayFails()
+{
+    ShownWindow shown(withReference());
+    begin(shown, newStudy());
+    stepTo<Presenting>(shown);
+    shown.gui.pressKey(Qt::Key_N);
+    shown.gui.type("a lorry ");
+    killDriver();
+    QTRY_VERIFY(shown.gui.view().state.paused);
+    QVERIFY2(messageIn(shown).contains("while an image was felt"), qPrintable(messageIn(shown)));
+    shown.gui.type("passed");
+    const auto* field = qobject_cast<QPlainTextEdit*>(shown.window.focusWidget());
+    QVERIFY(field && field->isVisible());
+    QCOMPARE(field->toPlainText(), QString("a lorry passed"));
+    shown.gui.pressKey(Qt::Key_Return);
+    const auto last = shown.window.study()->store().events(ParticipantId("P01")).back();
+    QCOMPARE(last.kind, std::string("noted"));
+    QVERIFY2(last.payloadJson.find("a lorry passed") != std::string::npos, last.payloadJson.c_str());
+    QVERIFY(shown.gui.view().state.paused && !field->isVisible());
+}
+
+/// Q would leave the session, N would open the form of a note, and Enter would go on.
+void AppDisplayTest::theRestOfASentenceDoesNothingWhenTheDisplayFails()
+{
+    ShownWindow shown(withReference());
+    begin(shown, newStudy());
+    stepTo<Presenting>(shown);
+    killDriver();
+    QTRY_VERIFY(shown.gui.view().state.paused);
+    const int sent = shown.window.session()->eventsSent();
+    for (const char* typed : {"quite ", "new", "\n"}) {
+        shown.gui.type(typed);
+        QTest::qWait(400);  // a slow hand
+    }
+    QVERIFY(shown.window.session());
+    QCOMPARE(shown.window.session()->eventsSent(), sent);
+    QVERIFY2(messageIn(shown).contains("while an image was felt"), qPrintable(messageIn(shown)));
+    waitForKeys();
+    shown.gui.pressKey(Qt::Key_Return);
+    QVERIFY(!shown.gui.view().state.paused);
 }
 
 void AppDisplayTest::messageForADeadDriverNamesTheNextStep()

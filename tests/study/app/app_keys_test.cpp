@@ -133,6 +133,23 @@ private Q_SLOTS:
         pressKey(open, Qt::Key_Escape);
     }
 
+    /// Of six slots, F is one. The pedal still sets a flag.
+    void aPedalIsNoLetterOfATray()
+    {
+        OpenWindow open(newStudy({.fabrics = 6, .alternatives = 6}), remembering("letters.ini"));
+        bindByThePage(open, KeyAct::Flag, Qt::Key_F14);
+        pressKey(open, Qt::Key_Escape);
+        open.enrolAndBegin();
+        open.playTo("Presenting", "Q1");
+        open.playTo("PlacingTray");
+        for (const char* stage : {"PlacingTray", "Presenting"}) {
+            open.playTo(stage);
+            pressKey(open, Qt::Key_F14);
+            QVERIFY2(open.widget<QLabel>("pageTitle").text().startsWith("Flag"), stage);
+            pressKey(open, Qt::Key_Escape);
+        }
+    }
+
     void clashesAreNamed_data()
     {
         QTest::addColumn<int>("key");

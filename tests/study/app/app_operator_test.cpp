@@ -26,6 +26,7 @@ private Q_SLOTS:
     void trayMarksOnlyPiecesThatChange();
     void aWithdrawalAsksForTheCode();
     void aBouncedEnterArmsNothing();
+    void everyLetterOfTheTrayComesTooEarly();
     void aWrongPieceIsCaughtBeforeThePresentation();
     void theTrayPageSaysWhatToDo_data();
     void theTrayPageSaysWhatToDo();
@@ -543,6 +544,30 @@ void AppOperatorTest::heldKeyStoresOneAnswer()
     }
     QCOMPARE(answersIn(folder).size(), std::size_t(1));
     QCOMPARE(nameOf(open.view().state), std::string("PlacingTray"));  // the held key does not confirm the next tray
+}
+
+/// Of six slots, F is one: it must not open the form of a flag while the operator believes that the question is asked.
+void AppOperatorTest::everyLetterOfTheTrayComesTooEarly()
+{
+    OpenWindow open(newStudy({.fabrics = 6, .alternatives = 6}));
+    QVERIFY(QTest::qWaitForWindowActive(&open.window()));
+    open.enrolAndBegin();
+    open.playTo("Presenting", "Q1");
+    const auto textOf = [&](const char* button) { return open.widget<QPushButton>(button).text(); };
+    QVERIFY2(textOf("flagButton").endsWith("(Alt F)"), qPrintable(textOf("flagButton")));
+    open.playTo("PlacingTray");
+    QVERIFY2(textOf("flagButton").endsWith("(Alt F)"), qPrintable(textOf("flagButton")));
+    QVERIFY2(textOf("noteButton").endsWith("(N)"), qPrintable(textOf("noteButton")));
+    const int sent = open.window().session()->eventsSent();
+    for (const Qt::Key letter : {Qt::Key_E, Qt::Key_F}) {
+        pressKey(open, letter);
+        QVERIFY2(open.message().contains("No question is asked yet"), qPrintable(open.message()));
+        pressKey(open, Qt::Key_Return);
+        QVERIFY2(open.message().contains("Press Enter once more"), qPrintable(open.message()));
+    }
+    QCOMPARE(open.window().session()->eventsSent(), sent);
+    QTest::keyClick(open.window().focusWidget(), Qt::Key_F, Qt::AltModifier);
+    QVERIFY2(open.widget<QLabel>("pageTitle").text().startsWith("Flag"), qPrintable(open.widget<QLabel>("pageTitle").text()));
 }
 
 void AppOperatorTest::displayFaultPausesAndLosesNothing()

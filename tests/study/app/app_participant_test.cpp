@@ -5,12 +5,14 @@
 #include <QLabel>
 #include <QTest>
 #include <csignal>
+#include <fstream>
 
 #include "study/app/participant/participant_side.h"
 #include "study/app/participant/participant_sound.h"
 #include "study/app/pieces/scale_line.h"
 #include "study/app/state/rating_text.h"
 #include "tests/support/browser.h"
+#include "tests/support/counting_vfs.h"
 #include "tests/support/open_window.h"
 #include "tests/support/whole_protocol.h"
 
@@ -68,14 +70,18 @@ private Q_SLOTS:
     void aLateTapChangesNothing();
     void theOperatorsKeysHoldForAMoment();
     void aPanelOfTheOperatorStaysOpen();
+    void anAgreementThatIsNotStoredIsNotConfirmed();
     void theSessionGoesOnWithoutThePage();
     void aKilledPageComesBackAndKnowsTheTablet();
     void thePageNamesAddressCodeAndGuests();
     void theSecondScreenShowsTheSame();
     void f4LeadsThereAndBack();
+    void theClockOfABreakGoesOnBehindF4();
     void promptsAreDueAtTheirMoments();
+    void theHeadphonesKeepTheVersionOfTheParticipant();
     void aRecordingWinsOverSpeech();
     void withoutSoundThePageSaysSo();
+    void soundThatEndsInMidSessionIsShown();
 };
 
 void AppParticipantTest::aParticipantAgreesAnswersAndLearnsTheScaleOnATablet()
@@ -184,6 +190,24 @@ void AppParticipantTest::aPanelOfTheOperatorStaysOpen()
     const auto last = session.open.window().study()->store().events(ParticipantId("P01")).back();
     QCOMPARE(last.kind, std::string("noted"));
     QVERIFY(last.payloadJson.find("nervous") != std::string::npos);
+}
+
+void AppParticipantTest::anAgreementThatIsNotStoredIsNotConfirmed()
+{
+    const auto study = newStudy(tests::support::wholeStudy());
+    tests::support::CountingVfs disk;
+    TabletSession session(study);
+    session.open.perform(Begun{});
+    disk.letWritesFailWith(SQLITE_FULL);
+    session.act("\"agrees\":true");
+    QCOMPARE(session.stage(), std::string("Consenting"));
+    QVERIFY2(session.open.message().contains("disk is full"), qPrintable(session.open.message()));
+    session.act("\"agrees\":false");
+    QVERIFY2(session.open.message().contains("does not agree"), qPrintable(session.open.message()));
+    disk.letWritesFailWith(SQLITE_OK);
+    session.act("\"agrees\":true");
+    QCOMPARE(session.stage(), std::string("AskingFacts"));
+    QVERIFY2(session.open.message().contains("agreed on their own screen"), qPrintable(session.open.message()));
 }
 
 void AppParticipantTest::theSessionGoesOnWithoutThePage()
@@ -306,6 +330,20 @@ void AppParticipantTest::f4LeadsThereAndBack()
     open.perform(open.nextEvent());
 }
 
+void AppParticipantTest::theClockOfABreakGoesOnBehindF4()
+{
+    OpenWindow open(newStudy());
+    QVERIFY(QTest::qWaitForWindowActive(&open.window()));
+    open.enrolAndBegin();
+    open.playTo("OnBreak");
+    open.clock().advanceSeconds(190);
+    open.gui().pressKey(Qt::Key_F4);
+    open.gui().pressKey(Qt::Key_F4);
+    QCOMPARE(open.window().currentPage()->objectName(), QString("sessionPage"));
+    const QString clock = open.widget<QLabel>("breakClock").text();
+    QVERIFY2(clock.contains("3:1"), qPrintable(clock));
+}
+
 void AppParticipantTest::promptsAreDueAtTheirMoments()
 {
     OpenWindow open(newStudy(tests::support::wholeStudy()));
@@ -319,6 +357,26 @@ void AppParticipantTest::promptsAreDueAtTheirMoments()
     open.perform(Touched{});
     open.perform(Answered{open.view().trayIds[1]});
     QVERIFY(due == (std::vector<std::string>{"answer_B", "question_W1"}));
+}
+
+void AppParticipantTest::theHeadphonesKeepTheVersionOfTheParticipant()
+{
+    const auto study = newStudy(tests::support::wholeStudy());
+    {
+        OpenWindow open(study);
+        open.window().startSession(ParticipantId("P01"));
+    }
+    const std::string amended =
+        QString::fromStdString(tests::support::wholeProtocolText()).replace("in your own words?", "in two words?").toStdString();
+    std::ofstream(study.protocol(), std::ios::binary) << amended;
+    database::StudyStore(study, database::StudyStore::Access::Write).takeProtocol(amended, "Ada", "shorter answers");
+    OpenWindow open(study);
+    const auto said = [&](const char* participant) {
+        open.window().startSession(ParticipantId(participant));
+        return QString::fromStdString(open.window().participantSound().prompts().texts.at("question_W1"));
+    };
+    QVERIFY(said("P02").endsWith("in two words?"));
+    QVERIFY(said("P01").endsWith("in your own words?"));
 }
 
 void AppParticipantTest::aRecordingWinsOverSpeech()
@@ -345,6 +403,26 @@ void AppParticipantTest::withoutSoundThePageSaysSo()
     open.gui().pressKey(Qt::Key_Escape);
     open.enrolAndBegin();
     open.playToEnd();
+}
+
+void AppParticipantTest::soundThatEndsInMidSessionIsShown()
+{
+    OpenWindow open(newStudy());
+    open.enrolAndBegin();
+    auto& sound = open.window().participantSound();
+    sound.start(0.08, study::app::Speech::RecordingsOnly);
+    // Without an output the program ends by itself; else it is killed while it plays.
+    QTRY_VERIFY(!sound.state().isOn || !sound.state().device.isEmpty());
+    if (sound.state().isOn) ::kill(static_cast<pid_t>(sound.processId()), SIGKILL);
+    QTRY_VERIFY(!sound.state().isOn);
+    const QString message = open.message();
+    QVERIFY2(message.startsWith("The sound has stopped: ") && message.contains("F4 opens"), qPrintable(message));
+    open.perform(open.nextEvent());
+    QVERIFY(open.message().isEmpty());
+    // The next session begins without the noise that somebody had wanted.
+    open.window().startSession(ParticipantId("P02"));
+    QCOMPARE(open.message(), message);
+    sound.stop();
 }
 
 QTEST_MAIN(AppParticipantTest)

@@ -65,6 +65,23 @@ private Q_SLOTS:
         QCOMPARE(session.driver->plan().protocol.breaks(), 5);
     }
 
+    /// The scale lies between the beginning of the sitting and its first tray.
+    void aPreparedSittingInMidBlockSaysItAgain()
+    {
+        const auto folder = studyOf();
+        EngineSession(folder, "S01").playUntilAnswers(2);
+        EngineSession session(folder, "S01");
+        session.clock.advanceSeconds(5);
+        session.send(SittingPrepared{});
+        QVERIFY(std::holds_alternative<ScaleTraining>(session.driver->state().stage));
+        session.clock.advanceSeconds(60);
+        session.stepUntil("PlacingTray");
+        const View view = session.driver->view();
+        QVERIFY(view.instruction && view.instructionBegins);
+        session.playUntilAnswers(3);
+        QVERIFY(!session.driver->view().instructionBegins);
+    }
+
     /// What `protocol show` counts beforehand, for every example: several phases, instructions, catch trials and anchors.
     void aSessionMakesTheBreaksThatItsProtocolCounts()
     {

@@ -68,6 +68,10 @@ struct CompareCall {
 int compare(const CompareCall& call)
 {
     analyse::ColumnComparison comparison{columnTests.at(call.test), tails.at(call.alternative), {}};
+    if (comparison.test == ColumnTest::Equivalence && call.alternative != "two-sided")
+        throw protocols::badInput({"--alternative " + call.alternative + " does not apply to --test " + call.test,
+                                   "--alternative", "no alternative: equivalence is two one-sided tests",
+                                   "leave --alternative out"});
     const auto a = analyse::readColumn(call.csv, call.a, noteOnForm), b = analyse::readColumn(call.csv, call.b);
     if (comparison.test == ColumnTest::Equivalence) comparison.bounds = numbersInOrder(call.bounds, "--bounds", "-0.5,0.5");
     output(call.target, analyse::compareColumns(comparison, a, b));

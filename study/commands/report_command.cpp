@@ -73,10 +73,11 @@ protocols::RatingScale scaleFrom(const std::string& text)
 void requireFile(const ReportCall& call)
 {
     const bool isDescribed = !call.protocol.empty() || !call.encoding.empty() || !call.bounds.empty() || !call.scale.empty() ||
-                             !call.map.empty() || !call.planned.empty();
+                             !call.map.empty() || !call.planned.empty() || call.alternatives.has_value();
     if (isDescribed && call.from.empty())
-        throw protocols::badInput({"--protocol, --map, --bounds, --planned, --scale and --encoding describe a file of answers",
-                                   call.study, "--from ANSWERS.csv", "leave these options out"});
+        throw protocols::badInput(
+            {"--protocol, --map, --bounds, --planned, --scale, --alternatives and --encoding describe a file of answers",
+             call.study, "--from ANSWERS.csv", "leave these options out"});
 }
 
 reports::AnswersCsvOptions fileOptionsOf(const ReportCall& call)

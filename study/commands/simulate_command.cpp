@@ -61,7 +61,8 @@ std::vector<protocols::ParticipantId> participantsToPlay(const StudyStore& store
     }
     if (wanted && *wanted > free)
         throw protocols::badInput({"the study has only " + reports::counted(static_cast<std::size_t>(free), "free slot"),
-                                   store.folder().folder.string(), "--participants " + std::to_string(free) + " or fewer",
+                                   store.folder().folder.string(),
+                                   free == 0 ? "a study with free slots" : "--participants " + std::to_string(free) + " or fewer",
                                    "make a study with more participants"});
     const auto fresh = store.nextParticipantIds("SIM", static_cast<std::size_t>(std::max(0, wanted.value_or(free))));
     participants.insert(participants.end(), fresh.begin(), fresh.end());

@@ -131,6 +131,7 @@ int verify(const VerifyCall& call)
                                     {"signature", signature},
                                     {"faults", findings.faults},
                                     {"notes", findings.notes}};
+        if (signature.is_null()) json["why"] = {{"signature", "no signed statement was given (--against)"}};
         if (const auto acts = headOfActsText(store); !acts.empty()) json["acts_head"] = acts;
         writeJson(call.target, json);
     } else

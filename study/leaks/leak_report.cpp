@@ -175,11 +175,15 @@ std::vector<const Guess*> LeakReport::aboveChance() const
 
 std::optional<LeakReport::Power> LeakReport::power() const
 {
+    const bool hasChoices = std::ranges::find(guesses, "true piece", &Guess::target) != guesses.end();
     const Guess* largest = nullptr;
-    for (const Guess& guess : guesses)
-        if (guess.target == "true piece" && (largest == nullptr || guess.trials > largest->trials)) largest = &guess;
+    for (const Guess& guess : guesses) {
+        const bool isOfTrials = !guess.target.ends_with(" of a file");
+        if (hasChoices ? guess.target != "true piece" : !isOfTrials) continue;
+        if (largest == nullptr || guess.trials > largest->trials) largest = &guess;
+    }
     if (largest == nullptr) return std::nullopt;
-    Power power{largest->trials, largest->chance};
+    Power power{largest->target, largest->trials, largest->chance, {}};
     const auto isFound = [&](long long hits) {
         const double p = *stats::binomialTest(hits, power.trials, power.chance).pGreater;
         return p * static_cast<double>(guesses.size()) < alpha;  // the first step of Holm's correction
@@ -192,7 +196,7 @@ std::optional<LeakReport::Power> LeakReport::power() const
 bool LeakReport::isTooSmallToTell() const
 {
     const auto found = power();
-    return found && !found->share;
+    return hasTruth && !(found && found->share);
 }
 
 bool LeakReport::learnsNothing() const

@@ -47,14 +47,16 @@ struct LeakReport {
 
     std::vector<const Guess*> aboveChance() const;
     /// What the verdict can find: a guesser who names this share of the true pieces, of all that were guessed at by one guesser.
+    /// In a study without choices the same for what is guessed at most: conditions, or same and different.
     struct Power {
+        std::string target;  ///< as Guess has it
         long long trials = 0;
         double chance = 0;
         std::optional<double> share = {};  ///< none: not even a guesser who is always right
     };
-    /// None for a study without choices, and where hits are not counted.
+    /// None where nothing is guessed at, and where hits are not counted.
     std::optional<Power> power() const;
-    /// The study has choices, but so few that not even a guesser who is always right would stand out.
+    /// The study has so few trials that not even a guesser who is always right would stand out.
     bool isTooSmallToTell() const;
     /// The operator with a shell learns nothing: no finding, no mode, the hits of enough trials counted, and no guesser above
     /// chance.

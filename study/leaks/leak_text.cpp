@@ -43,8 +43,11 @@ std::string percent(double share)
 /// How good a guesser must be to be found: few trials find none.
 std::string powerText(const std::optional<LeakReport::Power>& power)
 {
-    if (!power) return "";
-    const std::string of = std::to_string(power->trials) + " true pieces (chance " + percent(power->chance) + ")";
+    if (!power) return "; nothing could be guessed at, so this verdict says nothing";
+    const std::string things = power->target == "true piece"  ? "true pieces"
+                               : power->target == "condition" ? "conditions"
+                                                              : "trials (" + power->target + ")";
+    const std::string of = std::to_string(power->trials) + " " + things + " (chance " + percent(power->chance) + ")";
     if (!power->share)
         return "; with only " + of + " even one who names them all would not stand out: this verdict says nothing. " +
                std::string("Simulate a whole study of the same protocol and check that one");
@@ -124,9 +127,10 @@ ordered_json jsonOf(const LeakReport& report)
                            {"p_holm", guess->pAdjusted}});
     ordered_json why = ordered_json::object();
     if (!report.hasTruth)
-        why["guessers"] = why["least_share_found"] = notCounted;
+        why["guessers"] = why["least_share_found"] = why["least_share_of"] = notCounted;
     else if (leastShareFound(report.power()).is_null())
-        why["least_share_found"] = report.power() ? "too few trials" : "the study has no choices";
+        why[report.power() ? "least_share_found" : "least_share_of"] =
+            report.power() ? "too few trials" : "nothing could be guessed at";
     const auto& station = report.stationKey;
     return {
         {"schema", "vis2hap.leak-check/1"},
@@ -138,6 +142,7 @@ ordered_json jsonOf(const LeakReport& report)
         {"readable_values", report.features},
         {"alpha", alpha},
         {"least_share_found", leastShareFound(report.power())},
+        {"least_share_of", report.power() ? ordered_json(report.power()->target) : ordered_json()},
         {"unblinded", report.isUnblinded},
         {"learns_nothing", report.learnsNothing()},
         {"findings", report.findings},

@@ -125,6 +125,9 @@ int moveStudy(const std::string& from, const std::string& to, const std::string&
     if (!givenUp.empty() && !database::isServerAddress(from))
         throw protocols::badInput({"a study on its way to a server has no answers at stations", "--lose-answers-at",
                                    "a study that comes back from a server", "leave the option out"});
+    if (!station.empty() && database::isServerAddress(from))
+        throw protocols::badInput({"a study on its way to a folder needs no station", "--station",
+                                   "a study that moves to a server", "leave the option out"});
     return database::isServerAddress(from) ? toFolder(from, to, givenUp) : toServer(from, to, station);
 }
 
@@ -197,7 +200,8 @@ int checkLogin(const std::string& address, const JsonTarget& target)
     const database::ServerRights rights = rightsOf(database::serverAddressFrom(address));
     const bool isOperator = rights.learns.empty();
     if (target) {
-        writeJson(target, {{"study", rights.study},
+        writeJson(target, {{"schema", "vis2hap.login-check/1"},
+                           {"study", rights.study},
                            {"login", rights.login},
                            {"roles", rights.roles},
                            {"may_call", rights.may},

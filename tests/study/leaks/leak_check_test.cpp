@@ -408,6 +408,24 @@ private Q_SLOTS:
         QCOMPARE(jsonOf(report)["why"]["least_share_found"], "too few trials");
     }
 
+    void aVerdictOnFewRatingsSaysThatItSaysNothing()
+    {
+        QTemporaryDir temporary;
+        StudyRecipe recipe;
+        recipe.protocol = R"({"schema": "vis2hap.protocol/1", "name": "Ratings", "participants": 1, "fabrics": ["F01", "F02", "F03"],
+ "conditions": ["f", "h&f"], "phases": [{"questions": ["Q2"], "scale": {"min": 0, "max": 10}}]})";
+        recipe.keySeed = secretSeeds[0];
+        const auto folder = buildStudy(fs::path(temporary.path().toStdString()) / "study", recipe);
+        const database::StudyStore store(folder, database::StudyStore::Access::Read);
+        const auto key = readAllocationKeyForTestDriver(store, database::ParticipantKind::Scripted, {});
+        fs::remove(folder.allocationKey());
+        closeToOthers(folder.folder);
+        const auto report = leakReport(store, key, {});
+        QVERIFY(report.choices == 0 && report.findings.empty() && report.aboveChance().empty());
+        QVERIFY(report.isTooSmallToTell() && !report.learnsNothing());
+        QVERIFY(QString::fromStdString(textOf(report)).contains("this verdict says nothing"));
+    }
+
     /// The program itself, with its own exports and a real passphrase.
     void theCommandPrintsTheVerdicts()
     {

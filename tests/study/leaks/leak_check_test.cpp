@@ -412,7 +412,8 @@ private Q_SLOTS:
     {
         QTemporaryDir temporary;
         StudyRecipe recipe;
-        recipe.protocol = R"({"schema": "vis2hap.protocol/1", "name": "Ratings", "participants": 1, "fabrics": ["F01", "F02", "F03"],
+        recipe.protocol =
+            R"({"schema": "vis2hap.protocol/1", "name": "Ratings", "participants": 1, "fabrics": ["F01", "F02", "F03"],
  "conditions": ["f", "h&f"], "phases": [{"questions": ["Q2"], "scale": {"min": 0, "max": 10}}]})";
         recipe.keySeed = secretSeeds[0];
         const auto folder = buildStudy(fs::path(temporary.path().toStdString()) / "study", recipe);

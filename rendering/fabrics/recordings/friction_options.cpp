@@ -44,14 +44,9 @@ std::vector<ForceAxis> axesFrom(std::string_view text, std::string_view option, 
 std::optional<double> newtonsIn(std::string_view unit)
 {
     constexpr double gramForce = 9.80665e-3;
-    static constexpr std::pair<std::string_view, double> units[] = {{"n", 1},
-                                                                    {"mn", 1e-3},
-                                                                    {"un", 1e-6},
-                                                                    {"kn", 1e3},
-                                                                    {"gf", gramForce},
-                                                                    {"g", gramForce},
-                                                                    {"kgf", 1e3 * gramForce},
-                                                                    {"kg", 1e3 * gramForce}};
+    static constexpr std::pair<std::string_view, double> units[] = {
+        {"n", 1},          {"newton", 1},    {"newtons", 1},           {"mn", 1e-3},           {"un", 1e-6}, {"kn", 1e3},
+        {"gf", gramForce}, {"g", gramForce}, {"kgf", 1e3 * gramForce}, {"kg", 1e3 * gramForce}};
     const std::string wanted = lowerCase(std::string(unit));
     for (const auto& [name, newtons] : units)
         if (name == wanted) return newtons;

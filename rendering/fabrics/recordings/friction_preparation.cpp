@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
 #include "rendering/fabrics/friction_record.h"
 
 namespace rendering::fabrics {
@@ -245,8 +246,11 @@ void requireOneDirection(PreparedRecord& result, const RawRecord& record, const 
         result.warnings.push_back(shares + ": check that the record is one stroke in one direction");
         return;
     }
-    const RowRange stroke = directionsIn(contact).longest;  // a whole one: the slide may begin within the first
-    const auto timeAt = [&](std::size_t row) { return fourFigures(result.timeS[contact.begin + row]); };
+    // A whole stroke where the contact shows it: the slide may begin within the first.
+    const RowRange whole = directionsIn(contact).longest, cut = found.longest;
+    const RowRange stroke = whole.count() > 0 ? RowRange{contact.begin + whole.begin, contact.begin + whole.end}
+                                              : RowRange{slide.begin + cut.begin, slide.begin + cut.end};
+    const auto timeAt = [&](std::size_t row) { return protocols::shortest(std::round(1000 * result.timeS[row]) / 1000); };
     throw protocols::badInput(
         {"the stroke runs in both directions: " + shares, record.where + ", row " + std::to_string(slide.begin + found.turn + 1),
          "one stroke in one direction",

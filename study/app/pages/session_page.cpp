@@ -138,9 +138,7 @@ void SessionPage::bindKeysWhileWriting()
         auto* shortcut = new QShortcut(QKeySequence(Qt::ALT | key), this);
         shortcut->setContext(Qt::WidgetWithChildrenShortcut);
         shortcut->setAutoRepeat(false);
-        connect(shortcut, &QShortcut::activated, this, [this, key] {
-            if (!m_footer->pressKey(key)) pageInFront().pressKey(key);
-        });
+        connect(shortcut, &QShortcut::activated, this, [this, key] { pressCommand(key); });
     }
 }
 
@@ -279,6 +277,13 @@ void SessionPage::showMessage(const QString& text, Tone tone)
     m_stages->showMessage(*m_message);
 }
 
+void SessionPage::pressCommand(int key)
+{
+    const StagePage& page = pageInFront();
+    const bool isSlot = !page.isForWriting() && key >= Qt::Key_A && key < Qt::Key_A + page.lettersTaken();
+    if (!m_footer->pressKey(key) && !isSlot) pageInFront().pressKey(key);
+}
+
 bool SessionPage::pressKey(int pressed)
 {
     if (pressed == Qt::Key_Escape && m_guard->isVisible()) {
@@ -287,7 +292,7 @@ bool SessionPage::pressKey(int pressed)
     }
     const int key = m_facts.keys.meantBy(pressed);
     if (key != pressed) {  // a pedal confirms what the page asks, whatever button has the focus, and is never a letter
-        if (!m_footer->pressKey(key)) pageInFront().pressKey(key);
+        pressCommand(key);
         return true;
     }
     if (isEnter(key) && pressFocusedButton()) return true;

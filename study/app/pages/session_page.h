@@ -94,6 +94,8 @@ private:
     void clearMendedMessage();
     /// Code of the presentation that a void or flag applies to; empty: the presentation before the current tray.
     QString codeMeant() const;
+    /// The key of a command, by a pedal or with Alt: never the letter of a slot.
+    void pressCommand(int key);
     bool pressFocusedButton() const;
 
     SessionFacts m_facts;

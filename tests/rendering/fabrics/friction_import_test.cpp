@@ -416,6 +416,7 @@ private Q_SLOTS:
         for (const char* wrong : {"-", "fx,", ",fx", "fx,fy,fz", ","})
             QVERIFY2(contains(refusalOf([&] { axesFrom(wrong, "--tangential", 2); }), "--tangential"), wrong);
         QCOMPARE(newtonsIn("MN"), std::optional(1e-3));
+        QCOMPARE(newtonsIn("Newtons"), std::optional(1.0));
         QVERIFY(!newtonsIn("stone"));
     }
 

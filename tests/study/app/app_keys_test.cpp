@@ -140,6 +140,10 @@ private Q_SLOTS:
         bindByThePage(open, KeyAct::Flag, Qt::Key_F14);
         pressKey(open, Qt::Key_Escape);
         open.enrolAndBegin();
+        open.playTo("PlacingTray");
+        const QString before = open.message();
+        pressKey(open, Qt::Key_F14);  // there is nothing to flag yet
+        QCOMPARE(open.message(), before);
         open.playTo("Presenting", "Q1");
         open.playTo("PlacingTray");
         for (const char* stage : {"PlacingTray", "Presenting"}) {

@@ -88,6 +88,17 @@ cv::Mat broughtTo(const cv::Mat& heights, cv::Size size)
     return result;
 }
 
+/// The heights at this size without long waves, mean 0, CV_64FC1; 0 everywhere where only rounding is left of them.
+cv::Mat shortWaves(const cv::Mat& heights, cv::Size size)
+{
+    constexpr double rounding = 1e-6;  // of single precision, after some sums
+    cv::Mat waves;
+    withoutLongWaves(broughtTo(heights, size)).convertTo(waves, CV_64F);
+    waves -= cv::mean(waves);
+    const double least = rounding * cv::norm(heights, cv::NORM_INF) * std::sqrt(double(waves.total()));
+    return cv::norm(waves) > least ? waves : cv::Mat::zeros(waves.size(), CV_64FC1);
+}
+
 }  // namespace
 
 signals::Slopes slopesOfNormals(const cv::Mat& normals, const std::string& where)
@@ -101,12 +112,9 @@ signals::Slopes slopesOfNormals(const cv::Mat& normals, const std::string& where
 double heightCorrelation(const cv::Mat& a, const cv::Mat& b)
 {
     const cv::Size size = a.total() < b.total() ? a.size() : b.size();
-    const cv::Mat first = withoutLongWaves(broughtTo(a, size)), second = withoutLongWaves(broughtTo(b, size));
-    cv::Scalar meanA, meanB, spreadA, spreadB;
-    cv::meanStdDev(first, meanA, spreadA);
-    cv::meanStdDev(second, meanB, spreadB);
-    const double spread = spreadA[0] * spreadB[0];
-    return spread > 0 ? (first.dot(second) / double(first.total()) - meanA[0] * meanB[0]) / spread : 0;
+    const cv::Mat first = shortWaves(a, size), second = shortWaves(b, size);
+    const double spread = cv::norm(first) * cv::norm(second);
+    return spread > 0 ? std::clamp(first.dot(second) / spread, -1.0, 1.0) : 0;
 }
 
 GreenSign greenSignOf(const signals::Slopes& slopes, const cv::Mat& displacement, GreenUp stated)

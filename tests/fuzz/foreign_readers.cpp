@@ -357,7 +357,7 @@ std::vector<Reader> foreignReaders(const fs::path& folder)
              if (const auto name = rendering::scans::mapNamed(bytes); name && name->fabric.size() > bytes.size())
                  throw std::runtime_error("a name became longer");
          }},
-        {"scan-pixels", {soundPixels()}, readScanPixels},
+        {"scan-pixels", {soundPixels(), "\xa6\xfa\x50\x7f\x89\xf1"}, readScanPixels},
         {"tiles",
          {"name,width_mm\nlinen,268.1\n"},
          [tables](const std::string& bytes) {

@@ -213,6 +213,17 @@ private Q_SLOTS:
                  allOf(scan.remarks).c_str());
     }
 
+    /// What rounding leaves of a level picture is no relief. Its share of the correlation could be beyond 1.
+    void aLevelHeightCorrelatesWithNothing()
+    {
+        cv::Mat relief(41, 33, CV_32FC1);
+        cv::randu(relief, 0, 1);
+        QVERIFY(heightCorrelation(relief, relief) > 0.999999 && heightCorrelation(relief, relief) <= 1);
+        QVERIFY(heightCorrelation(relief, 1 - relief) < -0.999);
+        for (const int level : {1, 85, 137, 241})
+            QCOMPARE(heightCorrelation(relief, cv::Mat(33, 33, CV_32FC1, cv::Scalar(level / 255.0F))), 0.0);
+    }
+
     void displacementAloneHasNoAmplitude()
     {
         const auto known = obliqueWaves({160, 128}, tileMm);

@@ -28,27 +28,6 @@ Interval withinUnit(const Interval& interval)
     return {std::max(0.0, *interval.low), std::min(1.0, *interval.high)};
 }
 
-/// Largest difference, as a share of their size, of differences that are equal but for rounding.
-constexpr double roundingOfMeans = 1e-14;
-
-/// Differences a - b of means. Those that are equal but for rounding get one value, because they have no variation.
-CrossedTable differencesOfMeans(const AnswerCube& answers, std::size_t a, std::size_t b)
-{
-    const CrossedTable ofA = answers.comparable(a, b);
-    CrossedTable table = answers.differences(a, b);
-    double least = INFINITY, most = -INFINITY, largest = 0;
-    for (std::size_t cell = 0; cell < table.values.size(); ++cell) {
-        if (std::isnan(table.values[cell])) continue;
-        least = std::min(least, table.values[cell]);
-        most = std::max(most, table.values[cell]);
-        largest = std::max({largest, std::fabs(ofA.values[cell]), std::fabs(ofA.values[cell] - table.values[cell])});
-    }
-    if (most - least <= roundingOfMeans * largest)
-        for (double& value : table.values)
-            if (!std::isnan(value)) value = least;
-    return table;
-}
-
 MeanTest withoutBounds()
 {
     const Value none = Value::undefined("no equivalence bounds apply to this question");
@@ -79,7 +58,8 @@ CrossedMean differenceOf(const AnswerCube& answers, const ContrastPair& contrast
     if (answers.kind() == AnswerValues::Choices)
         return crossedMean(answers.differences(a, b), generalisation, quantiles, degrees);
     if (answers.comparesOtherMeans(a, b))
-        return crossedMean(differencesOfMeans(answers, a, b), generalisation, quantiles, degrees);
+        return crossedMean(evenDifferences(answers.comparable(a, b), answers.comparable(b, a)), generalisation, quantiles,
+                           degrees);
     return differenceOfRatings(answers.comparable(a, b), answers.comparable(b, a), generalisation, degrees, quantiles);
 }
 

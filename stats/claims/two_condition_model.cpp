@@ -78,24 +78,6 @@ constexpr double roundingOfRatings = 1e-14;
 /// Both tables without the participants and fabrics that lack an answer under a condition everywhere.
 struct Pair {
     CrossedTable a, b;
-
-    /// Those that are equal but for rounding get one value.
-    CrossedTable differences() const
-    {
-        CrossedTable table = a;
-        double least = INFINITY, most = -INFINITY, largest = 0;
-        for (std::size_t cell = 0; cell < table.values.size(); ++cell) {
-            table.values[cell] -= b.values[cell];
-            if (std::isnan(table.values[cell])) continue;
-            least = std::min(least, table.values[cell]);
-            most = std::max(most, table.values[cell]);
-            largest = std::max({largest, std::fabs(a.values[cell]), std::fabs(b.values[cell])});
-        }
-        if (most - least <= roundingOfRatings * largest)
-            for (double& value : table.values)
-                if (!std::isnan(value)) value = least;
-        return table;
-    }
 };
 
 Pair present(const CrossedTable& a, const CrossedTable& b)
@@ -190,7 +172,7 @@ TwoConditionFit fitOf(const CrossedTable& a, const CrossedTable& b)
 
 CrossedMean differenceOfComplete(const CrossedTable& a, const CrossedTable& b, Degrees degrees, StudentQuantiles& quantiles)
 {
-    const CrossedTable difference = Pair{a, b}.differences();
+    const CrossedTable difference = evenDifferences(a, b);
     const CrossedMean ofDifferences = crossedMean(difference, Generalisation::FabricsLikeThese, quantiles);
     if (!ofDifferences.why.empty()) return ofDifferences;
     const TwoConditionFit fit = fitOf(a, b);
@@ -210,6 +192,23 @@ CrossedMean differenceOfComplete(const CrossedTable& a, const CrossedTable& b, D
 
 }  // namespace
 
+CrossedTable evenDifferences(const CrossedTable& a, const CrossedTable& b)
+{
+    CrossedTable table = a;
+    double least = INFINITY, most = -INFINITY, largest = 0;
+    for (std::size_t cell = 0; cell < table.values.size(); ++cell) {
+        table.values[cell] -= b.values[cell];
+        if (std::isnan(table.values[cell])) continue;
+        least = std::min(least, table.values[cell]);
+        most = std::max(most, table.values[cell]);
+        largest = std::max({largest, std::fabs(a.values[cell]), std::fabs(b.values[cell])});
+    }
+    if (most - least <= roundingOfRatings * largest)
+        for (double& value : table.values)
+            if (!std::isnan(value)) value = least;
+    return table;
+}
+
 CrossedMean differenceByTwoConditionModel(const CrossedTable& a, const CrossedTable& b, StudentQuantiles& quantiles)
 {
     assert(a.participants == b.participants && a.fabrics == b.fabrics && a.participants > 1 && a.fabrics > 1);
@@ -221,7 +220,7 @@ CrossedMean differenceOfRatings(const CrossedTable& a, const CrossedTable& b, Ge
 {
     assert(a.participants == b.participants && a.fabrics == b.fabrics);
     const Pair pair = present(a, b);
-    const CrossedTable differences = pair.differences();
+    const CrossedTable differences = evenDifferences(pair.a, pair.b);
     const bool isModelled = generalisation == Generalisation::FabricsLikeThese && isComplete(differences) &&
                             !hasEqualRatings(pair.a) && !hasEqualRatings(pair.b);
     if (isModelled) return differenceOfComplete(pair.a, pair.b, degrees, quantiles);

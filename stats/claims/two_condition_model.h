@@ -6,6 +6,9 @@
 
 namespace stats {
 
+/// Differences a - b of two tables of one shape. Those that are equal but for rounding get one value: they have no variation.
+CrossedTable evenDifferences(const CrossedTable& a, const CrossedTable& b);
+
 /// Mean of a - b by the model y ~ condition + (1 | participant) + (1 | fabric) + (1 | participant:condition) +
 /// (1 | fabric:condition): restricted maximum likelihood, Satterthwaite's degrees of freedom. Both tables are complete and of one
 /// shape, with at least 2 participants and 2 fabrics. In balanced data the estimates are the mean squares of the differences and

@@ -109,6 +109,19 @@ bool finds(const LeakReport& report, const std::string& attack, const std::strin
         above, [&](const Guess* guess) { return guess->attack.find(attack) != std::string::npos && guess->target == target; });
 }
 
+/// The attack on a new study, whose key the folder does not hold.
+LeakReport reportOf(StudyRecipe recipe)
+{
+    const QTemporaryDir temporary;
+    recipe.keySeed = secretSeeds[0];
+    const auto folder = buildStudy(fs::path(temporary.path().toStdString()) / "study", recipe);
+    const database::StudyStore store(folder, database::StudyStore::Access::Read);
+    const auto key = readAllocationKeyForTestDriver(store, database::ParticipantKind::Scripted, {});
+    fs::remove(folder.allocationKey());
+    closeToOthers(folder.folder);
+    return leakReport(store, key, {});
+}
+
 void show(const LeakReport& report) { std::printf("%s", textOf(report).c_str()); }
 
 }  // namespace
@@ -390,17 +403,10 @@ private Q_SLOTS:
     /// "Not above chance" is no news where even who knows everything would not stand out.
     void aVerdictOnFewTrialsSaysThatItSaysNothing()
     {
-        QTemporaryDir temporary;
         StudyRecipe recipe;
         recipe.participants = 1;
         recipe.alternatives = 2;
-        recipe.keySeed = secretSeeds[0];
-        const auto folder = buildStudy(fs::path(temporary.path().toStdString()) / "study", recipe);
-        const database::StudyStore store(folder, database::StudyStore::Access::Read);
-        const auto key = readAllocationKeyForTestDriver(store, database::ParticipantKind::Scripted, {});
-        fs::remove(folder.allocationKey());
-        closeToOthers(folder.folder);
-        const auto report = leakReport(store, key, {});
+        const auto report = reportOf(recipe);
         QVERIFY(report.power() && !report.power()->share);
         QVERIFY(report.findings.empty() && report.modes.empty() && report.aboveChance().empty());
         QVERIFY(report.isTooSmallToTell() && !report.learnsNothing());  // the exit code is not 0, either
@@ -410,18 +416,11 @@ private Q_SLOTS:
 
     void aVerdictOnFewRatingsSaysThatItSaysNothing()
     {
-        QTemporaryDir temporary;
         StudyRecipe recipe;
         recipe.protocol =
             R"({"schema": "vis2hap.protocol/1", "name": "Ratings", "participants": 1, "fabrics": ["F01", "F02", "F03"],
  "conditions": ["f", "h&f"], "phases": [{"questions": ["Q2"], "scale": {"min": 0, "max": 10}}]})";
-        recipe.keySeed = secretSeeds[0];
-        const auto folder = buildStudy(fs::path(temporary.path().toStdString()) / "study", recipe);
-        const database::StudyStore store(folder, database::StudyStore::Access::Read);
-        const auto key = readAllocationKeyForTestDriver(store, database::ParticipantKind::Scripted, {});
-        fs::remove(folder.allocationKey());
-        closeToOthers(folder.folder);
-        const auto report = leakReport(store, key, {});
+        const auto report = reportOf(recipe);
         QVERIFY(report.choices == 0 && report.findings.empty() && report.aboveChance().empty());
         QVERIFY(report.isTooSmallToTell() && !report.learnsNothing());
         QVERIFY(QString::fromStdString(textOf(report)).contains("this verdict says nothing"));

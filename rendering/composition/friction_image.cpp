@@ -103,6 +103,12 @@ ScaledMap compose(const protocols::Condition& condition, const Sources& sources,
                                      .where = "",
                                      .expected = "a finite number",
                                      .nextStep = "check the data set with vis2hap fabrics check"});
+    if (*sources.meanFriction < 0)
+        throw protocols::badInput(
+            {.what = "the mean friction of " + std::string(condition.id) + " is negative, so its relief would be upside down",
+             .where = "",
+             .expected = "a mean of at least 0",
+             .nextStep = "negate the friction record"});
     // On the screen values exceed the source only by the overshoot of a filter.
     requireValues(cv::Mat(1, 1, CV_64FC1, cv::Scalar(cv::norm(relief, cv::NORM_INF) * *sources.meanFriction)), condition);
     map.values *= *sources.meanFriction;

@@ -43,8 +43,8 @@ inline constexpr char strokeAxis = 'x';
 
 /// Composes relief alone, trace alone (constant across the stroke, which runs along x) or friction x relief, as the
 /// condition states. `Pixels` puts one source pixel on one display pixel, as in the paper. `Physical` keeps millimetres with
-/// an anti-aliasing filter and needs the source's pitch (badInput without it). Throws workFailed for values that are not
-/// finite or exceed 1e30.
+/// an anti-aliasing filter and needs the source's pitch (badInput without it). Throws badInput for a negative mean friction, and
+/// workFailed for values that are not finite or exceed 1e30.
 ScaledMap compose(const protocols::Condition& condition, const Sources& sources, DisplayScale scale,
                   Extension extension = Extension::Tile);
 

@@ -176,4 +176,16 @@ std::optional<cv::Mat> readSurface(const Dataset& dataset, const FabricId& fabri
     return readHeights(surfacePath(dataset, fabric, index));
 }
 
+std::optional<cv::Mat> readSurfaceOf(const Dataset& dataset, const FabricId& fabric, int index, cv::Size photograph)
+{
+    std::optional<cv::Mat> surface = readSurface(dataset, fabric, index);
+    if (surface && surface->size() != photograph)
+        throw protocols::badInput(
+            {"the surface has " + std::to_string(surface->cols) + " × " + std::to_string(surface->rows) + " px",
+             surfacePath(dataset, fabric, index).string(),
+             "the " + std::to_string(photograph.width) + " × " + std::to_string(photograph.height) + " px of its photograph",
+             "scale it to the photograph, or remove it"});
+    return surface;
+}
+
 }  // namespace rendering::fabrics

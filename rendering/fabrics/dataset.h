@@ -81,7 +81,10 @@ cv::Mat readTactileReference(const Dataset& dataset);
 /// CV_32FC1, mm; nullopt where the data set has no known height. Throws badInput.
 std::optional<cv::Mat> readKnownHeight(const Dataset& dataset, const protocols::FabricId& fabric, int index);
 /// Height of the cloth that a photograph shows, of its size; positive towards the camera, from an arbitrary zero. CV_32FC1,
-/// mm, or without a unit where FabricInfo::surfaceInMm is false; nullopt where there is none. Throws badInput.
+/// mm, or without a unit where FabricInfo::surfaceInMm is false. NaN marks points without a measurement. Returns nullopt where
+/// there is none. Throws badInput.
 std::optional<cv::Mat> readSurface(const Dataset& dataset, const protocols::FabricId& fabric, int index);
+/// As readSurface(), and throws badInput where its size is not `photograph`.
+std::optional<cv::Mat> readSurfaceOf(const Dataset& dataset, const protocols::FabricId& fabric, int index, cv::Size photograph);
 
 }  // namespace rendering::fabrics

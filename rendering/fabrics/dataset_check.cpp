@@ -63,6 +63,7 @@ public:
                 m_samples += static_cast<int>(sampleIndices(m_dataset, fabric.id, modality).size());
         for (const FabricInfo& fabric : m_dataset.fabrics) checkSamples(fabric);
         checkSizes();
+        noteGaps();
         checkSensor();
         checkPlaces();
         return {m_faults, m_notes};
@@ -174,7 +175,10 @@ private:
                 return;
             }
             case Modality::Friction:
-                readable([&] { readFriction(m_dataset, fabric.id, index); });
+                readable([&] {
+                    const FrictionRecord record = readFriction(m_dataset, fabric.id, index);
+                    if (record.isCoefficient()) requireAxisAlongStroke(record.mean(), file.string());
+                });
                 return;
         }
     }
@@ -202,7 +206,30 @@ private:
         const fs::path file = surfacePath(m_dataset, fabric.id, index).lexically_relative(m_folder);
         if (photographSize.area() > 0 && surface->size() != photographSize)
             fault(file, "is " + sizeText(surface->size()) + ", but the photograph is " + sizeText(photographSize));
-        if (!cv::checkRange(*surface)) fault(file, "holds heights that are not finite");
+        int unmeasured = 0;
+        bool infinite = false;
+        for (const float value : cv::Mat_<float>(*surface)) {
+            unmeasured += std::isnan(value) ? 1 : 0;
+            infinite = infinite || std::isinf(value);
+        }
+        if (infinite) fault(file, "holds infinite heights");
+        const double share = unmeasured / static_cast<double>(surface->total());
+        if (share >= 1) fault(file, "holds no measured height");
+        if (share == 0 || share >= 1) return;
+        m_surfacesWithGaps += 1;
+        if (share <= m_largestGap) return;
+        m_largestGap = share;
+        m_mostGaps = file.string() + ": " + std::to_string(unmeasured) + " of " + std::to_string(surface->total()) + " points, " +
+                     protocols::fixed(100 * share, 2) + " %";
+    }
+
+    /// NaN marks points without a measurement, so that they are no fault.
+    void noteGaps()
+    {
+        if (m_surfacesWithGaps == 0) return;
+        m_notes.push_back(m_folder.string() + ": " + std::to_string(m_surfacesWithGaps) +
+                          (m_surfacesWithGaps == 1 ? " surface has" : " surfaces have") +
+                          " points without a measured height (NaN), most of them in " + m_mostGaps);
     }
 
     static std::map<std::pair<int, int>, int> countsOf(const std::vector<std::pair<fs::path, cv::Size>>& sizes)
@@ -313,6 +340,9 @@ private:
     int m_samples = 0, m_done = 0;
     Dataset m_dataset;
     std::vector<std::string> m_faults, m_notes;
+    int m_surfacesWithGaps = 0;  ///< with NaN in a part of their points
+    double m_largestGap = 0;     ///< share of NaN in the surface that has most
+    std::string m_mostGaps;      ///< that surface and its count
     std::map<std::string, std::vector<std::pair<fs::path, cv::Size>>> m_sizes;
     std::set<SampleKey> m_present;
 };

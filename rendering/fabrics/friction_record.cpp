@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
@@ -78,6 +79,22 @@ void requireOneStroke(const std::vector<double>& timeS, const std::string& where
 }
 
 }  // namespace
+
+double FrictionRecord::mean() const
+{
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+void requireAxisAlongStroke(double meanCoefficient, const std::string& where)
+{
+    if (meanCoefficient > 0) return;
+    const bool isAgainst = meanCoefficient < 0;
+    throw protocols::badInput({"the mean coefficient of friction is " + fourDigitsOf(meanCoefficient) +
+                                   (isAgainst ? ", so the tangential axis points against the stroke" : ""),
+                               where, "a mean above 0",
+                               isAgainst ? "negate the tangential force, or import the record again with --tangential=-NAME"
+                                         : "check that the tangential force was recorded"});
+}
 
 double meanRateHz(const std::vector<double>& timeS, const std::string& where)
 {

@@ -18,6 +18,7 @@ struct FrictionRecord {
     std::vector<double> timeS;
     std::vector<double> values;  ///< tangential over normal force, or the quantity
     bool isCoefficient() const { return quantity == "mu"; }
+    double mean() const;  ///< of the values; at least one
 };
 
 /// N; below it the ratio of the forces is noise.
@@ -38,6 +39,10 @@ double meanRateHz(const std::vector<double>& timeS, const std::string& where);
 /// Nullopt where there is no report or it states none. Throws badInput for a file that is no JSON, and for a speed that is no
 /// number above 0 and below 1e9.
 std::optional<double> ownSpeedMmPerS(const std::filesystem::path& record);
+
+/// Throws badInput where a mean coefficient is not above 0. Below 0 the tangential axis points against the stroke, so that the
+/// relief of h&f would be upside down.
+void requireAxisAlongStroke(double meanCoefficient, const std::string& where);
 
 /// Reads CSV with the columns t_s,normal_n,tangential_n, or t_s,mu, or t_s,<quantity>. Throws badInput, also where a row
 /// has a normal force of at most `leastNormalN`, and where `meanRateHz` and `ownSpeedMmPerS` do.

@@ -10,6 +10,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/random.h"
+#include "rendering/images/image_png.h"
 
 namespace rendering::fabrics {
 
@@ -29,22 +30,22 @@ protocols::Error noPngHeader(const std::filesystem::path& file)
         {"does not begin like a PNG, so its size is unknown", file.string(), "a PNG image", "export it again as PNG"});
 }
 
-/// Reads the size from the first 24 bytes; decoding thousands of pictures for their size would take minutes. Throws badInput:
-/// without its size a picture would overlap none, and parts of one place could fall into training and testing.
+/// The size that the reader gives, without decoding: of thousands of pictures that would take minutes. Throws badInput: without
+/// its size a picture would overlap none, and parts of one place could fall into training and testing.
 PixelSize pngSize(const std::filesystem::path& file)
 {
     constexpr std::size_t bytesToTheSize = 24;
     constexpr double mostSidePx = 1 << 20;
-    const std::string head = protocols::beginningOf(file, bytesToTheSize);
-    if (head.size() < bytesToTheSize || !head.starts_with("\x89PNG\r\n\x1a\n") || head.compare(12, 4, "IHDR") != 0)
+    const std::string bytes = protocols::readRegularFile(file, protocols::largestFile);  // the mark may stand behind the pixels
+    if (bytes.size() < bytesToTheSize || !bytes.starts_with("\x89PNG\r\n\x1a\n") || bytes.compare(12, 4, "IHDR") != 0)
         throw noPngHeader(file);
-    const auto byte = [&](std::size_t at) { return static_cast<double>(static_cast<unsigned char>(head[at])); };
+    const auto byte = [&](std::size_t at) { return static_cast<double>(static_cast<unsigned char>(bytes[at])); };
     const auto number = [&](std::size_t at) {
         return ((byte(at) * 256 + byte(at + 1)) * 256 + byte(at + 2)) * 256 + byte(at + 3);
     };
     const PixelSize size{number(16), number(20)};
     if (!(size.width >= 1 && size.height >= 1 && size.width <= mostSidePx && size.height <= mostSidePx)) throw noPngHeader(file);
-    return size;
+    return pngLiesOnItsSide(bytes) ? PixelSize{size.height, size.width} : size;
 }
 
 Footprint squareForEveryAngle(Footprint footprint)

@@ -100,11 +100,14 @@ bool readRows(Decoding& decoding, png_bytepp rows)
     return true;
 }
 
+/// 5 to 8 have rows and columns exchanged.
+bool exchangesSides(unsigned orientation) { return orientation >= 5; }
+
 /// The image as a camera's mark asks to show it.
 cv::Mat turned(const cv::Mat& image, unsigned orientation)
 {
     cv::Mat upright = image;
-    if (orientation >= 5) cv::transpose(image, upright);  // 5 to 8 have rows and columns exchanged
+    if (exchangesSides(orientation)) cv::transpose(image, upright);
     constexpr int leftRight = 1, upDown = 0, both = -1;
     if (orientation == 2 || orientation == 6) cv::flip(upright, upright, leftRight);
     if (orientation == 4 || orientation == 8) cv::flip(upright, upright, upDown);
@@ -214,6 +217,19 @@ cv::Mat readPng(const std::filesystem::path& file)
     if (!readRows(decoding, rows.data())) throw notAPng(file, decoding.message);
     const char* const exif = reinterpret_cast<const char*>(decoding.exif);
     return turned(image, Exif(exif ? std::string_view(exif, decoding.exifSize) : std::string_view()).orientation());
+}
+
+bool pngLiesOnItsSide(std::string_view png)
+{
+    constexpr std::size_t signatureBytes = 8, headBytes = 8, checksumBytes = 4;
+    const auto* const bytes = reinterpret_cast<const unsigned char*>(png.data());
+    for (std::size_t at = signatureBytes; at + headBytes + checksumBytes <= png.size();) {
+        const std::size_t length = png_get_uint_32(bytes + at);
+        if (length > png.size() - at - headBytes - checksumBytes) return false;
+        if (png.substr(at + 4, 4) == "eXIf") return exchangesSides(Exif(png.substr(at + headBytes, length)).orientation());
+        at += headBytes + length + checksumBytes;
+    }
+    return false;
 }
 
 void writePng(const std::filesystem::path& file, const cv::Mat& image, protocols::Sync sync)

@@ -98,8 +98,32 @@ FrictionTrace frictionTrace(const fabrics::FrictionRecord& record, const std::st
                                        .nextStep = "record a longer stroke"});
     }
     trace.mean = std::accumulate(trace.values.begin(), trace.values.end(), 0.0) / static_cast<double>(trace.values.size());
+    if (record.isCoefficient()) fabrics::requireAxisAlongStroke(trace.mean, where);
     trace.mmPerSample = record.speedMmPerS / trace.sampleRateHz;
     return trace;
+}
+
+std::vector<double> atSpacing(std::span<const double> values, double mmPerSample, double wantedMmPerSample)
+{
+    const double step = wantedMmPerSample / mmPerSample;
+    if (std::abs(step - 1) < 1e-6) return {values.begin(), values.end()};
+    const double last = static_cast<double>(values.size()) - 1;
+    const auto interpolated = [&](double place) {
+        const double inside = std::clamp(place, 0.0, last);
+        const auto left = static_cast<std::size_t>(inside);
+        const std::size_t right = std::min(left + 1, values.size() - 1);
+        return values[left] + (inside - static_cast<double>(left)) * (values[right] - values[left]);
+    };
+    // Several places within a wider step stand for its average.
+    const int parts = std::max(1, static_cast<int>(std::ceil(step)));
+    std::vector<double> result;
+    for (double place = 0; place <= last + 1e-9; place += step) {
+        double sum = 0;
+        for (int part = 0; part < parts; ++part)
+            sum += interpolated(place + ((part + 0.5) / parts - 0.5) * (parts > 1 ? step : 0));
+        result.push_back(sum / parts);
+    }
+    return result;
 }
 
 }  // namespace rendering::signals

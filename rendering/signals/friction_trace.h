@@ -1,6 +1,7 @@
 // A friction record as a trace for spectrograms and friction images: evenly sampled, finite, with its mean.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,10 @@ inline constexpr int shortestTrace = 8;
 /// Trace at the record's sample rate, or at its mean rate where that is lower. Uneven time stamps are interpolated
 /// linearly; denser ones are averaged over each period. `where` names the record in errors. Throws badInput for fewer
 /// than shortestTrace samples, a value that is not finite, time stamps that do not increase, and where
-/// fabrics::meanRateHz() does.
+/// fabrics::meanRateHz() and, for a coefficient, fabrics::requireAxisAlongStroke() do.
 FrictionTrace frictionTrace(const fabrics::FrictionRecord& record, const std::string& where);
+
+/// The values of a trace at another spacing: averaged where it becomes wider, interpolated where it becomes denser.
+std::vector<double> atSpacing(std::span<const double> values, double mmPerSample, double wantedMmPerSample);
 
 }  // namespace rendering::signals

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <opencv2/core.hpp>
+#include <set>
 
 #include "protocols/random.h"
+#include "rendering/fabrics/sample_places.h"
 #include "rendering/models/photograph_features.h"
 #include "stats/kernels/threads.h"
 
@@ -111,7 +113,8 @@ void setMeans(const TestPlan& plan, const std::vector<SampleFeatures>& samples, 
     over = fabricCount > 0 ? stats::Value(sum / fabricCount) : stats::Value::undefined("the training part has no " + what);
 }
 
-/// Side of the square, px, from which features of generated and measured maps are computed.
+/// Side of the square, px, from which features of generated and measured maps are computed. One photograph stands for all of its
+/// pitch.
 int commonSide(const fabrics::Dataset& dataset, const MeasuredSignals& measured, const TestPlan& plan)
 {
     int side = std::numeric_limits<int>::max();
@@ -121,10 +124,17 @@ int commonSide(const fabrics::Dataset& dataset, const MeasuredSignals& measured,
             side = std::min(height.cols, height.rows);
             break;
         }
-    const PlannedSample& first = plan.pairs.front().photograph;
-    const cv::Mat photograph = fabrics::readPhotograph(dataset, first.fabric, first.index);
-    const double pitch = measured.pitchMm(), ratio = dataset.cameraMmPerPixel.value_or(pitch) / pitch;
-    return std::min(side, static_cast<int>(std::lround(std::min(photograph.cols, photograph.rows) * ratio)));
+    const fabrics::PhotographViews views(dataset);
+    const double pitch = measured.pitchMm();
+    std::set<double> pitches;
+    for (const TestPair& pair : plan.pairs) {
+        const PlannedSample& tested = pair.photograph;
+        const double own = views.mmPerPixel(tested.fabric, tested.index).value_or(pitch);
+        if (!pitches.insert(own).second) continue;
+        const cv::Mat photograph = fabrics::readPhotograph(dataset, tested.fabric, tested.index);
+        side = std::min(side, static_cast<int>(std::lround(std::min(photograph.cols, photograph.rows) * (own / pitch))));
+    }
+    return side;
 }
 
 double squaredDistance(const std::vector<float>& a, const std::vector<float>& b)

@@ -230,7 +230,8 @@ Evaluation evaluate(const fabrics::Dataset& dataset, const EvaluationRequest& re
     const auto opened = openModels(request);
     const PlanRequest planned = planRequest(dataset, request, opened);
     const TestPlan plan = testPlan(dataset, planned, report);
-    const MeasuredSignals measured(dataset, opened.front().card.architecture.mmPerPixel);
+    const auto& architecture = opened.front().card.architecture;
+    const MeasuredSignals measured(dataset, architecture.mmPerPixel, architecture.traceMmPerSample);
     const Controls controls = fitControls(dataset, measured, plan, planned, report);
     const EvaluationContext context{dataset, measured, plan, controls};
     std::vector<MeasuredPair> pairs(plan.pairs.size());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rendering/signals/friction_trace.h"
 #include "stats/metrics/spectrum_distance.h"
 #include "stats/metrics/trace_error.h"
 
@@ -11,6 +12,8 @@ namespace study::evaluation {
 namespace {
 
 constexpr std::size_t segment = 64;  // segment length of the generators' spectrogram
+constexpr std::size_t shortestSegment = 8;
+constexpr double sameSpacing = 0.01;  // share by which two spacings may differ
 constexpr std::size_t frequenciesOfBand = 4;
 constexpr const char* constantWhy = "a constant has no texture";
 
@@ -34,19 +37,30 @@ std::vector<double> overMean(const std::vector<double>& values)
     return result;
 }
 
-/// The longest power of two that fits twice into `length`, from 8 to 64 samples.
-std::size_t segmentFor(std::size_t length)
+/// Whether two spacings agree, or one is unknown.
+bool areOneSpacing(double a, double b) { return !(a > 0 && b > 0) || std::abs(a / b - 1) < sameSpacing; }
+
+/// Samples that span 64 samples of the model.
+std::size_t usualSegment(double mmPerSample, double modelMmPerSample)
 {
-    std::size_t fitting = segment;
-    while (fitting > 8 && 2 * fitting > length) fitting /= 2;
+    if (areOneSpacing(mmPerSample, modelMmPerSample)) return segment;
+    const double samples = static_cast<double>(segment) * modelMmPerSample / mmPerSample;
+    return std::max(shortestSegment, static_cast<std::size_t>(std::lround(samples)));
+}
+
+/// The usual segment, halved until it fits twice into `length`, but not below 8 samples.
+std::size_t segmentFor(std::size_t length, std::size_t usual)
+{
+    std::size_t fitting = usual;
+    while (fitting > shortestSegment && 2 * fitting > length) fitting = std::max(shortestSegment, fitting / 2);
     return fitting;
 }
 
-stats::Value envelopeDistance(const std::vector<double>& generated, const std::vector<double>& measured)
+stats::Value envelopeDistance(const std::vector<double>& generated, const std::vector<double>& measured, std::size_t usual)
 {
     if (isConstant(generated) || isConstant(measured)) return stats::Value::undefined(constantWhy);
     if (!(meanOf(generated) > 0 && meanOf(measured) > 0)) return stats::Value::undefined("the mean of a trace is not above 0");
-    const auto length = segmentFor(std::min(generated.size(), measured.size()));
+    const auto length = segmentFor(std::min(generated.size(), measured.size()), usual);
     return stats::spectrumDistance(overMean(generated), overMean(measured), length).decibels;
 }
 
@@ -56,17 +70,8 @@ Trace constantTrace(double value, std::size_t length) { return {std::vector<doub
 
 Trace atSpacing(Trace trace, double mmPerSample)
 {
-    if (!(trace.mmPerSample > 0 && mmPerSample > 0) || std::abs(trace.mmPerSample / mmPerSample - 1) < 0.01 ||
-        trace.values.size() < 2)
-        return trace;
-    const double last = static_cast<double>(trace.values.size() - 1), step = mmPerSample / trace.mmPerSample;
-    Trace result{{}, mmPerSample};
-    for (double place = 0; place <= last; place += step) {
-        const auto left = std::min(static_cast<std::size_t>(place), trace.values.size() - 2);
-        const double blend = place - static_cast<double>(left);
-        result.values.push_back(trace.values[left] * (1 - blend) + trace.values[left + 1] * blend);
-    }
-    return result;
+    if (areOneSpacing(trace.mmPerSample, mmPerSample) || trace.values.size() < 2) return trace;
+    return {rendering::signals::atSpacing(trace.values, trace.mmPerSample, mmPerSample), mmPerSample};
 }
 
 FrictionFeatures frictionFeatures(const Trace& trace)
@@ -87,7 +92,7 @@ FrictionFeatures frictionFeatures(const Trace& trace)
     return features;
 }
 
-void compareTraces(const Trace& generated, const Trace& measured, Values& values)
+void compareTraces(const Trace& generated, const Trace& measured, Values& values, double modelMmPerSample)
 {
     const std::size_t length = std::min(generated.values.size(), measured.values.size());
     const std::span<const double> a(generated.values.data(), length), b(measured.values.data(), length);
@@ -97,7 +102,8 @@ void compareTraces(const Trace& generated, const Trace& measured, Values& values
     const double mean = meanOf(generated.values), truth = meanOf(measured.values);
     at(values, Measure::MeanFrictionError) =
         truth > 0 ? stats::Value(std::abs(mean - truth) / truth) : stats::Value::undefined("the measured mean is not above 0");
-    at(values, Measure::FrictionSpectrum) = envelopeDistance(generated.values, measured.values);
+    at(values, Measure::FrictionSpectrum) =
+        envelopeDistance(generated.values, measured.values, usualSegment(measured.mmPerSample, modelMmPerSample));
     at(values, Measure::MeanFriction) = mean;
 }
 

@@ -16,7 +16,8 @@ struct Trace {
 /// Trace of `length` equal samples.
 Trace constantTrace(double value, std::size_t length);
 
-/// The trace resampled by linear interpolation; unchanged if the spacings agree within 1 %.
+/// The trace at another spacing: averaged where it becomes wider, interpolated where it becomes denser. Unchanged if the spacings
+/// agree within 1 %, because stated rates and speeds are rounded.
 Trace atSpacing(Trace trace, double mmPerSample);
 
 struct FrictionFeatures {
@@ -26,8 +27,10 @@ struct FrictionFeatures {
 };
 FrictionFeatures frictionFeatures(const Trace& trace);
 
-/// Sets all friction measures except identification. Uses the samples that both traces have.
-void compareTraces(const Trace& generated, const Trace& measured, Values& values);
+/// Sets all friction measures except identification. Uses the samples that both traces have. `modelMmPerSample`: spacing of the
+/// model; a segment of the spectrum spans 64 such samples, also where the measured trace has fewer there. Frequencies that a
+/// coarser record does not reach are left out. 0: segments of 64 measured samples.
+void compareTraces(const Trace& generated, const Trace& measured, Values& values, double modelMmPerSample = 0);
 
 /// MAE/mean of a constant at the mean of the stroke: the error that remains without texture.
 stats::Value ownMeanError(const Trace& measured);

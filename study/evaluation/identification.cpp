@@ -20,6 +20,18 @@ FeatureVector meanOf(const std::vector<FeatureVector>& samples)
     return mean;
 }
 
+using Classes = std::vector<std::vector<FeatureVector>>;
+
+/// The samples whose signals were large enough for all features.
+Classes withAllFeatures(Classes classes)
+{
+    std::size_t longest = 0;
+    for (const auto& samples : classes)
+        for (const FeatureVector& sample : samples) longest = std::max(longest, sample.size());
+    for (auto& samples : classes) std::erase_if(samples, [&](const FeatureVector& sample) { return sample.size() < longest; });
+    return classes;
+}
+
 cv::Mat difference(const FeatureVector& a, const FeatureVector& b)
 {
     cv::Mat result(static_cast<int>(a.size()), 1, CV_64F);
@@ -48,8 +60,9 @@ FeatureVector featureVector(const FrictionFeatures& features)
 
 Identifier::Identifier(const std::vector<std::vector<FeatureVector>>& samplesOfClass)
 {
+    const Classes classes = withAllFeatures(samplesOfClass);
     std::size_t length = 0, count = 0;
-    for (const auto& samples : samplesOfClass) {
+    for (const auto& samples : classes) {
         m_means.push_back(samples.empty() ? FeatureVector{} : meanOf(samples));
         if (samples.empty()) continue;
         length = samples.front().size();
@@ -59,8 +72,8 @@ Identifier::Identifier(const std::vector<std::vector<FeatureVector>>& samplesOfC
     if (m_classes < 2) return;
     const auto size = static_cast<int>(length);
     cv::Mat covariance = cv::Mat::zeros(size, size, CV_64F);
-    for (std::size_t k = 0; k < samplesOfClass.size(); ++k)
-        for (const FeatureVector& sample : samplesOfClass[k]) {
+    for (std::size_t k = 0; k < classes.size(); ++k)
+        for (const FeatureVector& sample : classes[k]) {
             const cv::Mat from = difference(sample, m_means[k]);
             covariance += from * from.t();
         }

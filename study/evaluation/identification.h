@@ -21,8 +21,8 @@ FeatureVector featureVector(const FrictionFeatures& features);
 /// by p / (p + degrees of freedom), so fewer samples give more shrinkage.
 class Identifier {
 public:
-    /// Fits the classifier on one list of vectors for each class. All vectors have the same length. A class without vectors is
-    /// never chosen.
+    /// Fits the classifier on one list of vectors for each class. Vectors shorter than the longest are of signals that were too
+    /// small for all features, and are left out. A class without vectors is never chosen.
     explicit Identifier(const std::vector<std::vector<FeatureVector>>& samplesOfClass);
 
     /// Index of the class; none if fewer than two classes have samples or if the length of the vector differs.

@@ -1,6 +1,9 @@
 #include "study/evaluation/measured_signals.h"
 
+#include <utility>
+
 #include "protocols/files/errors.h"
+#include "study/evaluation/friction_comparison.h"
 
 namespace study::evaluation {
 
@@ -30,9 +33,10 @@ bool hasPresses(const fabrics::Dataset& dataset)
 
 }  // namespace
 
-MeasuredSignals::MeasuredSignals(const fabrics::Dataset& dataset, double pitchIfUnknownMm)
+MeasuredSignals::MeasuredSignals(const fabrics::Dataset& dataset, double pitchIfUnknownMm, double traceMmPerSample)
     : m_dataset(dataset),
       m_pitchMm(dataset.tactileMmPerPixel.value_or(pitchIfUnknownMm)),
+      m_traceMmPerSample(traceMmPerSample),
       m_whyNoFriction(whyNoFrictionIn(dataset))
 {
     if (!hasPresses(dataset)) {
@@ -79,7 +83,13 @@ signals::FrictionTrace MeasuredSignals::trace(const protocols::FabricId& fabric,
         throw protocols::badInput({"the friction record contains " + record.quantity + ", not a coefficient", file,
                                    "columns t_s,normal_n,tangential_n or t_s,mu",
                                    "evaluate a data set with coefficients of friction"});
-    return signals::frictionTrace(record, file);
+    signals::FrictionTrace trace = signals::frictionTrace(record, file);
+    if (!(trace.mmPerSample < m_traceMmPerSample)) return trace;
+    Trace averaged = atSpacing({std::move(trace.values), trace.mmPerSample}, m_traceMmPerSample);
+    trace.values = std::move(averaged.values);
+    trace.sampleRateHz *= trace.mmPerSample / averaged.mmPerSample;
+    trace.mmPerSample = averaged.mmPerSample;
+    return trace;
 }
 
 }  // namespace study::evaluation

@@ -10,11 +10,16 @@ namespace study::evaluation {
 /// Gaussian whose result is subtracted from photographs and surfaces, px.
 inline constexpr double usualHighPassPx = 16;
 
-/// A map without its long waves: CV_32FC1, of the same size. Borders are mirrored.
+/// Number of points that are finite. Others were not measured.
+std::size_t measuredCount(const cv::Mat& map);
+
+/// A map without its long waves: CV_32FC1, of the same size. Borders are mirrored. Points that are not finite are left out, and
+/// are NaN in the result.
 cv::Mat highPassed(const cv::Mat& map, double sigmaPx);
 
 /// Pearson correlation of two maps of one size, both high-passed, without the `sigmaPx` pixels at their borders; 0 where one
-/// does not vary. Nothing is shifted: both maps lie on the same pixels.
+/// does not vary. Nothing is shifted: both maps lie on the same pixels. Points that are not finite in `surface` are left out of
+/// both.
 double reliefCorrelation(const cv::Mat& relief, const cv::Mat& surface, double sigmaPx = usualHighPassPx);
 
 /// Sums of squares and products of pixels and heights, which can be added up over fabrics.
@@ -23,7 +28,8 @@ public:
     static constexpr int windowPx = 15, inputs = windowPx * windowPx;
 
     RidgeSums();
-    /// Adds `samples` places of a photograph (CV_8UC3) and its surface (CV_32FC1), drawn by seed. Both count with variance 1.
+    /// Adds `samples` places of a photograph (CV_8UC3) and its surface (CV_32FC1, of the same size), drawn by seed. Both count
+    /// with variance 1. Drawn places without a measured height add nothing, nor does a photograph smaller than the window.
     void add(const cv::Mat& photograph, const cv::Mat& surface, int samples, std::uint64_t seed);
     RidgeSums& operator+=(const RidgeSums& other);
 

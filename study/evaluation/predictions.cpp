@@ -209,7 +209,7 @@ Values compare(const EvaluationContext& context, const TestPair& pair, const Mea
     if (prediction.trace && measured.trace) {
         const Trace trace = atSpacing(*prediction.trace, measured.trace->mmPerSample);
         friction = frictionFeatures(trace);
-        compareTraces(trace, *measured.trace, values);
+        compareTraces(trace, *measured.trace, values, context.measured.traceMmPerSample());
         at(values, Measure::FrictionCovered) = covered(prediction.meanFriction, frictionFeatures(*measured.trace).mean);
     }
     identify(context, pair, height, friction, values);

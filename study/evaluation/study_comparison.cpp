@@ -186,7 +186,8 @@ StudyComparison compareStudy(const rendering::fabrics::Dataset& dataset, const S
                              const Report& report, const Generate& generate)
 {
     const TestPlan plan = planFor(dataset, request);
-    const MeasuredSignals measured(dataset, request.model.architecture.mmPerPixel);
+    const auto& architecture = request.model.architecture;
+    const MeasuredSignals measured(dataset, architecture.mmPerPixel, architecture.traceMmPerSample);
     PlanRequest planned;
     planned.seed = request.seed;
     planned.threads = request.threads;

@@ -63,9 +63,20 @@ std::vector<SurfacePair> spread(const std::vector<SurfacePair>& pairs, int most)
     return chosen;
 }
 
-cv::Mat surfaceOf(const fabrics::Dataset& dataset, const protocols::FabricId& fabric, int index)
+/// A surface of the size of its photograph. Points without a measurement are NaN, but the middle half of both sides, which every
+/// correlation covers, has enough others.
+cv::Mat surfaceOf(const fabrics::Dataset& dataset, const protocols::FabricId& fabric, int index, const cv::Mat& photograph)
 {
-    return fabrics::readSurface(dataset, fabric, index).value();
+    constexpr std::size_t fewestPoints = 100;
+    const cv::Mat surface = fabrics::readSurfaceOf(dataset, fabric, index, photograph.size()).value();
+    const cv::Mat middle = surface(cv::Rect(surface.cols / 4, surface.rows / 4, (surface.cols + 1) / 2, (surface.rows + 1) / 2));
+    const std::size_t measured = measuredCount(middle);
+    if (measured < fewestPoints && measured < middle.total())
+        throw protocols::badInput({"only " + std::to_string(measured) + " of the " + std::to_string(middle.total()) +
+                                       " points in the middle of the surface are measured",
+                                   fabrics::surfacePath(dataset, fabric, index).string(),
+                                   "at least " + std::to_string(fewestPoints), "measure the surface again, or remove it"});
+    return surface;
 }
 
 using SumsOfFabric = std::map<protocols::FabricId, RidgeSums>;
@@ -75,9 +86,11 @@ SumsOfFabric ridgeSums(const fabrics::Dataset& dataset, const std::map<protocols
     SumsOfFabric sums;
     for (const auto& [fabric, all] : pairs) {
         const int each = std::max(1, ridgeSamplesPerFabric / static_cast<int>(all.size()));
-        for (const SurfacePair& pair : all)
-            sums[fabric].add(fabrics::readPhotograph(dataset, fabric, pair.index), surfaceOf(dataset, fabric, pair.index), each,
+        for (const SurfacePair& pair : all) {
+            const cv::Mat photograph = fabrics::readPhotograph(dataset, fabric, pair.index);
+            sums[fabric].add(photograph, surfaceOf(dataset, fabric, pair.index, photograph), each,
                              static_cast<std::uint64_t>(pair.index));
+        }
     }
     return sums;
 }
@@ -126,7 +139,9 @@ SurfaceRow rowOf(const fabrics::Dataset& dataset, const fabrics::FabricInfo& fab
         const cv::Mat reliefs[] = {answers[i].heightMm, rendering::signals::shapeFromShading(photograph),
                                    rendering::signals::grey(photograph),
                                    weights.empty() ? cv::Mat() : ridgeRelief(photograph, weights)};
-        const cv::Mat surface = surfaceOf(dataset, fabric.id, pairs[i].index);
+        const cv::Mat surface = surfaceOf(dataset, fabric.id, pairs[i].index, photograph);
+        row.points += surface.total();
+        row.unmeasured += surface.total() - measuredCount(surface);
         for (std::size_t source = 0; source < std::size(reliefs); ++source)
             addTo(row.correlations[source], correlate(reliefs[source], surface, pairs[i].mmPerPixel), 1.0 / double(pairs.size()));
     }
@@ -179,6 +194,17 @@ std::string linesOf(const std::vector<const SurfaceRow*>& rows, bool isAt4Mm)
         const SourceSummary one = summary(source);
         return ofOthers(source, std::to_string(one.fabricsBelow) + " of " + std::to_string(one.fabrics));
     });
+    return lines;
+}
+
+/// A line for each fabric of which points have no measured height; such points count nowhere.
+std::string gapsOf(const std::vector<const SurfaceRow*>& rows)
+{
+    std::string lines;
+    for (const SurfaceRow* row : rows)
+        if (row->unmeasured > 0)
+            lines += "  " + row->fabric.value + " " + row->name + ": " + std::to_string(row->unmeasured) + " of " +
+                     std::to_string(row->points) + " points of its surfaces were not measured and are left out\n";
     return lines;
 }
 
@@ -313,6 +339,7 @@ nlohmann::ordered_json surfacesJson(const SurfaceReport& surfaces)
                                                 {"at_4_mm", one.at4Mm ? nlohmann::ordered_json(*one.at4Mm) : nullptr}};
             if (!one.at4Mm) entry["why"] = {{"at_4_mm", "the scale of the photographs is unknown"}};
         }
+        if (row.unmeasured > 0) entry["left_out"] = {{"points", row.unmeasured}, {"of", row.points}};
         rows.push_back(entry);
     }
     nlohmann::ordered_json means = nlohmann::ordered_json::array();
@@ -333,7 +360,8 @@ std::string surfacesText(const SurfaceReport& surfaces)
         const SurfaceRow& first = *rows.front();
         text += "\n" + (first.light.empty() ? std::string("light unknown") : first.light) + ", " +
                 std::to_string(first.photographs) + " photographs of each fabric" +
-                (first.lampTold ? ", the side of the lamp is told" : "") + "\n" + linesOf(rows, false) + linesOf(rows, true);
+                (first.lampTold ? ", the side of the lamp is told" : "") + "\n" + linesOf(rows, false) + linesOf(rows, true) +
+                gapsOf(rows);
     }
     return text;
 }

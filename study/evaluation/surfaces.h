@@ -31,6 +31,7 @@ struct SurfaceRow {
     int photographs = 0;
     bool lampTold = false;                         ///< the generators knew the side of the lamp of every photograph
     std::vector<SurfaceCorrelation> correlations;  ///< in the order of allSeenReliefs; Ridge is 0 without other fabrics
+    std::size_t points = 0, unmeasured = 0;        ///< of the surfaces; those without a measured height were left out
 };
 
 /// A source of relief over the fabrics of one light.
@@ -55,7 +56,9 @@ bool hasSurfaces(const rendering::fabrics::Dataset& dataset);
 
 /// Compares the photographs that have a surface: at most `request.samplesPerFabric` of a fabric and light (4 if not set), evenly
 /// spread over its places. The ridge regression learns from all other fabrics under the same light. Photographs with the light
-/// "one_lamp" tell the generators its side (samples.csv, light_deg); all others do not, as if nobody knew it.
+/// "one_lamp" tell the generators its side (samples.csv, light_deg); all others do not, as if nobody knew it. Points without a
+/// measured height are left out. Throws badInput for a surface of another size than its photograph, and for one of which hardly
+/// anything was measured.
 SurfaceReport evaluateSurfaces(const rendering::fabrics::Dataset& dataset, const EvaluationRequest& request,
                                const Report& report = {}, const Generate& generate = rendering::models::generate);
 

@@ -1,5 +1,6 @@
 #include "study/measuring/height_reconstruction.h"
 
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 #include <set>
@@ -36,15 +37,34 @@ double shareOf(const cv::Mat& places)
     return static_cast<double>(cv::countNonZero(places)) / static_cast<double>(places.total());
 }
 
-/// Integrates slopes as they were given. The lowest place becomes 0; nothing else is changed.
-void integrateAll(Reconstruction& result, const SlopeSampling& sampling, const HeightOptions& options)
+/// The slopes that count: NaN where `places` is 0. Without places all do, and nothing is copied.
+signals::Slopes slopesAt(const cv::Mat& places, const signals::Slopes& slopes)
 {
-    const auto& [pitch, kind, mask] = sampling;
-    cv::Mat measured = signals::measuredPlaces(result.slopes);
-    if (!mask.empty()) measured &= maskOf(mask, measured.size());
+    if (places.empty()) return slopes;
+    constexpr double notMeasured = std::numeric_limits<double>::quiet_NaN();
+    const cv::Mat others = places == 0;
+    signals::Slopes counted{slopes.x.clone(), slopes.y.clone()};
+    counted.x.setTo(notMeasured, others);
+    counted.y.setTo(notMeasured, others);
+    return counted;
+}
+
+/// The places of the mask; empty where none was named.
+cv::Mat placesOf(const SlopeSampling& sampling, const signals::Slopes& slopes)
+{
+    return sampling.mask.empty() ? cv::Mat() : maskOf(sampling.mask, slopes.x.size());
+}
+
+/// Integrates slopes as they were given, at the places that count. The lowest place becomes 0; nothing else is changed.
+void integrateAll(Reconstruction& result, const signals::Slopes& counted, const SlopeSampling& sampling,
+                  const HeightOptions& options)
+{
+    const signals::Pitch& pitch = sampling.pitch;
+    const signals::SlopeKind kind = sampling.kind;
+    const cv::Mat measured = signals::measuredPlaces(counted);
     const bool whole = cv::countNonZero(measured) == static_cast<int>(measured.total());
-    const cv::Mat integral = whole ? signals::integrate(result.slopes, pitch, kind, options.quality)
-                                   : signals::integrateAround(result.slopes, measured, pitch, kind);
+    const cv::Mat integral = whole ? signals::integrate(counted, pitch, kind, options.quality)
+                                   : signals::integrateAround(counted, measured, pitch, kind);
     cv::Mat height = integral;
     if (options.cutoffMm) height = signals::withoutLowFrequency(height, pitch, *options.cutoffMm);
     double low = 0;
@@ -55,10 +75,27 @@ void integrateAll(Reconstruction& result, const SlopeSampling& sampling, const H
                                    "check the unit of the slopes"});
     result.facts["pitch_mm"] = {pitch.x, pitch.y};
     result.facts["missing_share"] = 1 - shareOf(measured);
-    result.facts["curl_residual"] = signals::curlResidual(result.slopes, integral, pitch, kind);
+    result.facts["curl_residual"] = signals::curlResidual(counted, integral, pitch, kind);
     result.facts["high_pass_cutoff_mm"] = nullptr;
     if (options.cutoffMm) result.facts["high_pass_cutoff_mm"] = *options.cutoffMm;
     result.facts["zero"] = "lowest place";
+}
+
+/// The part of the map, at most trialSidePx wide and high, with the most measured places; of several the first.
+cv::Rect trialPart(const cv::Mat& measured)
+{
+    const cv::Rect map(cv::Point(), measured.size());
+    cv::Rect best;
+    int most = -1;
+    for (int y = 0; y < map.height; y += trialSidePx)
+        for (int x = 0; x < map.width; x += trialSidePx) {
+            const cv::Rect part = cv::Rect(x, y, trialSidePx, trialSidePx) & map;
+            const int count = cv::countNonZero(measured(part));
+            if (count <= most) continue;
+            best = part;
+            most = count;
+        }
+    return best;
 }
 
 /// The wrong direction of y does not give the slopes of a surface, so a larger share of them cannot be integrated. A part of
@@ -66,7 +103,7 @@ void integrateAll(Reconstruction& result, const SlopeSampling& sampling, const H
 bool pointsDown(const signals::Slopes& slopes, const signals::Pitch& pitch, NormalsY y, ordered_json& facts)
 {
     if (y != NormalsY::Auto) return y == NormalsY::Down;
-    const cv::Rect part(cv::Point(), cv::Size(std::min(trialSidePx, slopes.x.cols), std::min(trialSidePx, slopes.x.rows)));
+    const cv::Rect part = trialPart(signals::measuredPlaces(slopes));
     const signals::Slopes up{slopes.x(part).clone(), slopes.y(part).clone()};
     const signals::Slopes down{up.x, -up.y};
     if (cv::countNonZero(signals::measuredPlaces(up)) == 0) return false;
@@ -199,7 +236,7 @@ Reconstruction fromGradients(const fs::path& alongX, const fs::path& alongY, con
                                    "name the slopes of one measurement"});
     const char* const kinds[] = {"point", "central", "forward"};
     result.facts = {{"from", "gradients"}, {"kind", kinds[static_cast<int>(sampling.kind)]}};
-    integrateAll(result, sampling, options);
+    integrateAll(result, slopesAt(placesOf(sampling, result.slopes), result.slopes), sampling, options);
     return result;
 }
 
@@ -208,10 +245,11 @@ Reconstruction fromNormals(const fs::path& map, NormalsY y, const SlopeSampling&
 {
     Reconstruction result{map.stem().string(), signals::slopesFromNormals(rendering::readPicture(map, decodeOther)), {}, {}};
     result.facts = {{"from", "normals"}, {"kind", "point"}};
-    const bool isDown = pointsDown(result.slopes, sampling.pitch, y, result.facts);
+    const cv::Mat places = placesOf(sampling, result.slopes);
+    const bool isDown = pointsDown(slopesAt(places, result.slopes), sampling.pitch, y, result.facts);
     if (isDown) result.slopes.y = -result.slopes.y;
     result.facts["normals_y"] = isDown ? "down" : "up";
-    integrateAll(result, {sampling.pitch, signals::SlopeKind::Point, sampling.mask}, options);
+    integrateAll(result, slopesAt(places, result.slopes), {sampling.pitch, signals::SlopeKind::Point, sampling.mask}, options);
     return result;
 }
 

@@ -49,7 +49,8 @@ PressReading pressReadingOf(const Dataset& dataset, std::vector<std::string>& no
         return {};
     }
     if (dataset.tactileCalibration == "known") return {true, {}, {}};
-    return {true, fabrics::readTactileReference(dataset), signals::readCalibration(dataset.folder / dataset.tactileCalibration)};
+    const cv::Mat reference = fabrics::readTactileReference(dataset);
+    return {true, reference, signals::calibrationOf(dataset, reference)};
 }
 
 /// Height of a press, mm; empty where it is neither known nor computable.
@@ -72,9 +73,6 @@ std::optional<FrictionTarget> strokeTarget(const Dataset& dataset, const SampleP
     if (!record.isCoefficient()) return std::nullopt;
     const std::string file = fabrics::samplePath(dataset, place.fabric, Modality::Friction, place.index).string();
     const signals::FrictionTrace trace = signals::frictionTrace(record, file);
-    if (!(trace.mean > 0))
-        throw protocols::badInput({"the mean of the friction record is not positive", file, "coefficients above 0",
-                                   "check the sign of the tangential axis"});
     FrictionTarget target =
         frictionTarget(atSpacing(trace.values, trace.mmPerSample, architecture.traceMmPerSample), architecture);
     const double reached = std::min(1.0, architecture.traceMmPerSample / trace.mmPerSample);
@@ -145,13 +143,7 @@ LabPhotograph usedPhotograph(const Dataset& dataset, const SamplePlace& place, c
     photograph.lightDeg = views.lightDeg(place.fabric, place.index);
     photograph.fibre = dataset.fabric(place.fabric).fibre;
     photograph.rgb = rgb;
-    if (const auto surface = fabrics::readSurface(dataset, place.fabric, place.index)) {
-        if (surface->size() != rgb.size())
-            throw protocols::badInput(
-                {"the surface has " + std::to_string(surface->cols) + " × " + std::to_string(surface->rows) + " px",
-                 fabrics::surfacePath(dataset, place.fabric, place.index).string(),
-                 "the " + std::to_string(rgb.cols) + " × " + std::to_string(rgb.rows) + " px of its photograph",
-                 "scale it to the photograph, or remove it"});
+    if (const auto surface = fabrics::readSurfaceOf(dataset, place.fabric, place.index, rgb.size())) {
         surface->convertTo(photograph.reliefMm, CV_32F);
         photograph.amplitudeKnown = dataset.fabric(place.fabric).surfaceInMm;
     }

@@ -118,27 +118,4 @@ double measuredShare(const cv::Mat& map)
     return map.empty() ? 0 : cv::countNonZero(measuredPoints(map)) / static_cast<double>(map.total());
 }
 
-std::vector<double> atSpacing(std::span<const double> values, double mmPerSample, double wantedMmPerSample)
-{
-    const double step = wantedMmPerSample / mmPerSample;
-    if (std::abs(step - 1) < 1e-6) return {values.begin(), values.end()};
-    const double last = static_cast<double>(values.size()) - 1;
-    const auto interpolated = [&](double place) {
-        const double inside = std::clamp(place, 0.0, last);
-        const auto left = static_cast<std::size_t>(inside);
-        const std::size_t right = std::min(left + 1, values.size() - 1);
-        return values[left] + (inside - static_cast<double>(left)) * (values[right] - values[left]);
-    };
-    // Several places within a wider step stand for its average.
-    const int parts = std::max(1, static_cast<int>(std::ceil(step)));
-    std::vector<double> result;
-    for (double place = 0; place <= last + 1e-9; place += step) {
-        double sum = 0;
-        for (int part = 0; part < parts; ++part)
-            sum += interpolated(place + ((part + 0.5) / parts - 0.5) * (parts > 1 ? step : 0));
-        result.push_back(sum / parts);
-    }
-    return result;
-}
-
 }  // namespace rendering::models

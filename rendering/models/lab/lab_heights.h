@@ -3,8 +3,8 @@
 #pragma once
 
 #include <opencv2/core/mat.hpp>
-#include <span>
-#include <vector>
+
+#include "rendering/signals/friction_trace.h"
 
 namespace rendering::models {
 
@@ -33,7 +33,6 @@ double correlationOfHeights(const cv::Mat& a, const cv::Mat& b);
 /// Share of measured points, 0 to 1.
 double measuredShare(const cv::Mat& map);
 
-/// A trace at another spacing: averaged where it becomes wider, interpolated where it becomes denser.
-std::vector<double> atSpacing(std::span<const double> values, double mmPerSample, double wantedMmPerSample);
+using signals::atSpacing;  // of strokes
 
 }  // namespace rendering::models

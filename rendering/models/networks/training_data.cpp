@@ -32,7 +32,6 @@ struct ReadingContext {
     TrainingData& data;
     cv::Mat reference;                                ///< frame of the untouched sensor
     std::optional<signals::Calibration> calibration;  ///< nullopt: heights are known
-    double photographScale = 1;                       ///< factor from the camera's pitch to the model's
 };
 
 cv::Mat resampled(const cv::Mat& image, double factor)
@@ -77,11 +76,14 @@ void readSample(const ReadingContext& reading, const SamplePlace& place, Trainin
 {
     const Dataset& dataset = reading.dataset;
     switch (place.modality) {
-        case Modality::Visual:
-            samples.photographs.push_back(
-                {place.index, resampled(fabrics::readPhotograph(dataset, place.fabric, place.index), reading.photographScale),
-                 place.rotationDeg.value_or(0)});
+        case Modality::Visual: {
+            const double pitch = reading.data.architecture.mmPerPixel;
+            const double scale = fabrics::photographPitch(dataset, place).value_or(pitch) / pitch;
+            samples.photographs.push_back({place.index,
+                                           resampled(fabrics::readPhotograph(dataset, place.fabric, place.index), scale),
+                                           place.rotationDeg.value_or(0)});
             return;
+        }
         case Modality::Tactile:
             samples.heights.push_back({place.index, asFloat(heightAt(reading, place)), place.rotationDeg.value_or(0), {}});
             samples.heights.back().rings = ringPowers(samples.heights.back().heightMm, reading.data.architecture.crop);
@@ -230,8 +232,7 @@ TrainingData readTrainingData(const Dataset& dataset, const Architecture& wanted
     setSpectrogramShape(data.architecture);
     data.aligned = dataset.pairing == fabrics::Pairing::Aligned;
     const std::set<FabricId> usable = usableFabrics(dataset, options, data.notes);
-    ReadingContext reading{
-        dataset, data, {}, {}, dataset.cameraMmPerPixel.value_or(data.architecture.mmPerPixel) / data.architecture.mmPerPixel};
+    ReadingContext reading{dataset, data, {}, {}};
     if (dataset.tactileCalibration != "known") {
         reading.reference = fabrics::readTactileReference(dataset);
         reading.calibration = signals::calibrationOf(dataset, reading.reference);

@@ -147,7 +147,7 @@ void addTraces(Cases& cases)
         }
         return one;
     };
-    cases.push_back(signalCase("a record without any friction", "mean friction", "0", "all samples are 0", 16,
+    cases.push_back(signalCase("a record without any friction", "mean friction", "refused", "no stroke is without friction", 0,
                                [=] { return signals::frictionTrace(record(480, 0), "bench").mean; }));
     cases.push_back(signalCase("a record of 7 samples", "mean friction", "refused", "no texture fits", 0,
                                [=] { return signals::frictionTrace(record(7, 0.5), "bench").mean; }));

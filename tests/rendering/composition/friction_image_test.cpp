@@ -363,6 +363,16 @@ private Q_SLOTS:
         QCOMPARE(highest, 64.0);  // 255 * 0.2 / 0.8.
     }
 
+    /// It would be felt upside down, and would shift the range of all fabrics.
+    void reliefUnderNegativeFrictionIsRefused()
+    {
+        auto upsideDown = reliefOnly(ramp(4, 4));
+        upsideDown.meanFriction = -0.4;
+        const QString refusal = refusalOf([&] { compose(conditionNamed("h&f"), upsideDown, DisplayScale::Pixels); });
+        QVERIFY2(refusal.contains("h&f") && refusal.contains("negative"), qPrintable(refusal));
+        compose(conditionNamed("h"), upsideDown, DisplayScale::Pixels);
+    }
+
     void brokenSignalsAreRefused()
     {
         cv::Mat broken = ramp(4, 4);

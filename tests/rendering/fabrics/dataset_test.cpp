@@ -370,6 +370,9 @@ private Q_SLOTS:
         QTest::newRow("jump of the clock") << "clock"
                                            << "F01/friction/000.csv"
                                            << "gap in time";
+        QTest::newRow("axis against the stroke") << "against"
+                                                 << "F01/friction/000.csv"
+                                                 << "points against the stroke";
         QTest::newRow("height that is not finite") << "nan"
                                                    << "F01/height/000.tiff"
                                                    << "not finite";
@@ -379,9 +382,12 @@ private Q_SLOTS:
         QTest::newRow("height of other size") << "heightsize"
                                               << "F01/height/000.tiff"
                                               << "32 x 24";
-        QTest::newRow("surface that is not finite") << "surfacenan"
+        QTest::newRow("surface without a measured point") << "surfacenan"
+                                                          << "F01/surface/001.tiff"
+                                                          << "no measured height";
+        QTest::newRow("surface that is not finite") << "surfaceinfinite"
                                                     << "F01/surface/001.tiff"
-                                                    << "not finite";
+                                                    << "infinite";
         QTest::newRow("surface of other size") << "surfacesize"
                                                << "F01/surface/001.tiff"
                                                << "30 x 20";
@@ -441,6 +447,23 @@ private Q_SLOTS:
         QVERIFY2(faults.empty(), faults.empty() ? "" : faults.front().c_str());
     }
 
+    void pointsWithoutAMeasuredHeightAreNotedAndNoFault()
+    {
+        writeSurface(20, 30, std::numeric_limits<float>::quiet_NaN());
+        const auto [faults, notes] = findingsOfDataset(m_dataset.folder);
+        QVERIFY2(faults.empty(), faults.empty() ? "" : faults.front().c_str());
+        QVERIFY(anyContains(notes, "1 surface has points without a measured height", "F01/surface/001.tiff: 1 of 600 points"));
+    }
+
+    void aSurfaceOfAnotherSizeIsNotReadForItsPhotograph()
+    {
+        writeSurface(20, 20, 0.1f);
+        const auto refusal = refusalOf([&] { readSurfaceOf(m_dataset, FabricId("F01"), 1, {30, 20}); });
+        QVERIFY2(contains(refusal, "F01/surface/001.tiff") && contains(refusal, "20 × 20"), refusal.c_str());
+        QVERIFY(readSurfaceOf(m_dataset, FabricId("F01"), 1, {20, 20}).has_value());
+        QVERIFY(!readSurfaceOf(m_dataset, FabricId("F01"), 0, {30, 20}).has_value());
+    }
+
     void allFaultsAreReportedAtOnce()
     {
         for (const char* fault : {"cut", "contact", "nan", "folder"}) plant(fault);
@@ -462,11 +485,18 @@ private:
             {"remove", [&] { fs::remove(folder / "F01/friction/001.csv"); }},
             {"extra", [&] { write(folder / "F01/friction/002.csv", "t_s,mu\n0,0.1\n1,0.1\n"); }},
             {"contact", [&] { write(folder / "F01/friction/000.csv", "t_s,normal_n,tangential_n\n0,10,1\n1,0,1\n"); }},
+            {"against", [&] { write(folder / "F01/friction/000.csv", "t_s,normal_n,tangential_n\n0,10,-1\n1,5,-1\n"); }},
             {"clock", [&] { write(folder / "F01/friction/000.csv", "t_s,mu\n0,0.1\n0.01,0.1\n0.02,0.1\n3600,0.1\n"); }},
             {"nan", [&] { writeHeight(24, 32, std::numeric_limits<float>::quiet_NaN()); }},
             {"negative", [&] { writeHeight(24, 32, -0.01f); }},
             {"heightsize", [&] { writeHeight(20, 20, 0.1f); }},
-            {"surfacenan", [&] { writeSurface(20, 30, std::numeric_limits<float>::quiet_NaN()); }},
+            {"surfacenan",
+             [&] {
+                 constexpr float missing = std::numeric_limits<float>::quiet_NaN();
+                 writeSurface(20, 30, missing);
+                 writeTiff(folder / "F01/surface/001.tiff", cv::Mat(20, 30, CV_32FC1, cv::Scalar(missing)));
+             }},
+            {"surfaceinfinite", [&] { writeSurface(20, 30, std::numeric_limits<float>::infinity()); }},
             {"surfacesize", [&] { writeSurface(20, 20, 0.1f); }},
             {"surfacealone", [&] { writeSurface(20, 30, 0, "007.tiff"); }},
             {"folder", [&] { fs::create_directories(folder / "F77"); }},

@@ -44,6 +44,12 @@ std::vector<SamplePlace> scattered(int places)
     return result;
 }
 
+/// A chunk eXIf that states orientation 6, with its checksum.
+std::string onItsSide()
+{
+    return QByteArray::fromHex("0000001a655849664d4d002a00000008000101120003000000010006000000000000d6674b69").toStdString();
+}
+
 std::map<Part, int> countsOf(const std::vector<std::pair<SamplePlace, Part>>& split)
 {
     std::map<Part, int> counts;
@@ -81,6 +87,26 @@ private Q_SLOTS:
             const std::string refusal = refusalOf([&] { (void)splitByLocation(dataset, 1); });
             QVERIFY2(contains(refusal, photograph.string()) && contains(refusal, "PNG"), refusal.c_str());
         }
+    }
+
+    /// The reader turns such a picture upright, so that its footprint has other sides than its header.
+    void aPhotographThatACameraMarkedHasTheSidesOfItsPicture()
+    {
+        const SamplePlace place = at(Modality::Visual, 0, 0, 0);
+        const Dataset dataset = photographed(pathOf(*m_folder), {place});
+        const fs::path photograph = samplePath(dataset, FabricId("F01"), Modality::Visual, 0);
+        writePng(photograph, cv::Mat(10, 30, CV_8UC3, cv::Scalar::all(9)));
+        QCOMPARE(footprintOf(dataset, place)->widthMm, 3.0);
+        const std::string upright = read(photograph), mark = onItsSide();
+        const std::size_t beforePixels = 33, afterPixels = upright.size() - 12;
+        for (const std::size_t where : {beforePixels, afterPixels}) {
+            write(photograph, std::string(upright).insert(where, mark));
+            QCOMPARE(readPhotograph(dataset, FabricId("F01"), 0).size(), cv::Size(10, 30));
+            QCOMPARE(footprintOf(dataset, place)->widthMm, 1.0);
+            QCOMPARE(footprintOf(dataset, place)->heightMm, 3.0);
+        }
+        write(photograph, std::string(upright).insert(beforePixels, mark.substr(0, 20)));  // a chunk that is cut
+        QCOMPARE(footprintOf(dataset, place)->widthMm, 3.0);
     }
 
     void samplesOfOnePlaceStayTogether()

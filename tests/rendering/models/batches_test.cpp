@@ -1,11 +1,15 @@
 // Contents of a batch: crops at the expected places, and pairs that belong together.
 #include "rendering/models/networks/batches.h"
 
+#include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
+#include <map>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "rendering/fabrics/procedural/procedural_fabrics.h"
+#include "rendering/fabrics/sample_places.h"
 #include "rendering/models/ring_spectrum.h"
 
 using namespace rendering::models;
@@ -50,6 +54,33 @@ private Q_SLOTS:
         const cv::Mat& image = data.training[0].heights[0].heightMm;
         const cv::Mat crop = turnedCrop(image, {47.5, 47.5}, 0, 32);
         QVERIFY(cv::norm(crop, image({32, 32, 32, 32}), cv::NORM_INF) == 0);
+    }
+
+    void aPhotographIsScaledByItsOwnPitch()
+    {
+        namespace fabrics = rendering::fabrics;
+        const QTemporaryDir folder;
+        fabrics::ProceduralOptions procedural;
+        procedural.fabrics = 1;
+        procedural.samples = 3;
+        const auto dataset = fabrics::makeProceduralFabrics(folder.filePath("set").toStdString(), procedural);
+        const auto widths = [&] {
+            std::map<int, int> widthOf;
+            for (const TrainingPhotograph& one :
+                 readTrainingData(dataset, {}, {.split = SplitBy::Augmented, .heldOut = {}}).training.at(0).photographs)
+                widthOf[one.index] = one.rgb.cols;
+            return widthOf;
+        };
+        const auto before = widths();
+        QCOMPARE(before.size(), std::size_t{3});
+        const int changed = std::next(before.begin())->first;
+        auto places = fabrics::readSamplePlaces(dataset);
+        for (fabrics::SamplePlace& place : places)
+            if (place.modality == fabrics::Modality::Visual && place.index == changed)
+                place.mmPerPixel = 2 * *dataset.tactileMmPerPixel;
+        fabrics::writeSamplePlaces(dataset, places);
+        const auto after = widths();
+        for (const auto& [index, width] : before) QCOMPARE(after.at(index), index == changed ? 2 * width : width);
     }
 
     void zoomedCropShowsMoreOfTheImage()

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "protocols/files/sha256.h"
+#include "rendering/images/sensor_appearance.h"
 #include "rendering/models/lab/lab_figures.h"
 #include "rendering/models/lab/lab_heights.h"
 #include "rendering/models/lab/lab_losses.h"
@@ -282,6 +283,31 @@ private Q_SLOTS:
         const LabBatch batch = drawLabBatch(apart, smallNetworks(), options, 1, 0);
         for (const PressWindows& windows : batch.presses) QVERIFY(windows.side == 48 && windows.measured < 0.99);
         QVERIFY(torch::isnan(clothTensors(batch.cloth).reliefs).all().item<bool>());
+    }
+
+    /// Its heights would have another scale, as `fabrics check` says.
+    void calibrationOfAnotherSensorOrPitchIsRefused()
+    {
+        const QTemporaryDir folder;
+        fabrics::Dataset dataset = labSet(folder, {.presses = true});
+        dataset.tactileCalibration = "sensor.json";
+        writePng(dataset.folder / "tactile-reference.png", fabric_files::speckled(96, 96, CV_8UC3, 7));
+        const auto calibrated = [&](const std::string& mmPerPixel, const std::string& sensor) {
+            fabric_files::write(dataset.folder / "sensor.json",
+                                R"({"schema":"vis2hap.calibration/1","kind":"linear","gradient_from_rgb":[[1,0,0],[0,1,0]],)"
+                                R"("offset":[0,0],"high_pass_cutoff_mm":null,"zero_percentile":2,"mm_per_pixel":)" +
+                                    mmPerPixel + sensor + "}");
+            return refusalOf([&] { read(dataset); });
+        };
+        const std::string pitch = calibrated("0.1", "");
+        QVERIFY2(contains(pitch, "0.05 mm per pixel") && contains(pitch, "for 0.1"), pitch.c_str());
+        std::string colours = "0";
+        for (int i = 1; i < 3 * SensorAppearance::columns * SensorAppearance::rows; ++i) colours += ",0";
+        const std::string sensor =
+            calibrated("0.05", R"(,"sensor":{"width":3280,"height":96,"columns":)" + std::to_string(SensorAppearance::columns) +
+                                   R"(,"rows":)" + std::to_string(SensorAppearance::rows) + R"(,"colours":[)" + colours + "]}");
+        QVERIFY2(contains(sensor, "not of the calibrated sensor"), sensor.c_str());
+        QCOMPARE(calibrated("0.05", ""), std::string());
     }
 
     void spectrumOfPressesDecidesWhereNothingIsRegistered()

@@ -284,6 +284,14 @@ private Q_SLOTS:
         for (std::size_t i = 1; i + 1 < trace.values.size(); ++i) QVERIFY(std::abs(trace.values[i] - 0.5) < 0.03);
     }
 
+    void otherQuantitiesMayBeNegative()
+    {
+        auto record = recordOf({}, fabricTrace(480));
+        for (double& value : record.values) value = -value;
+        record.quantity = "deflection_um";
+        QCOMPARE(frictionTrace(record, "000.csv").mean, meanOf(record.values));
+    }
+
     void unusableRecordIsRefusedByName_data()
     {
         QTest::addColumn<QString>("kind");
@@ -300,6 +308,10 @@ private Q_SLOTS:
                                                    << "gap in time";
         QTest::newRow("stamps that hardly differ") << "tiny"
                                                    << "sample rate of inf Hz";
+        QTest::newRow("axis against the stroke") << "against"
+                                                 << "axis points against the stroke";
+        QTest::newRow("no friction at all") << "zero"
+                                            << "mean coefficient of friction is 0;";
     }
     void unusableRecordIsRefusedByName()
     {
@@ -310,6 +322,8 @@ private Q_SLOTS:
         if (kind == "nan") record.values[7] = std::numeric_limits<double>::quiet_NaN();
         if (kind == "back") record.timeS[20] = record.timeS[19];
         if (kind == "rate") record.sampleRateHz = 0;
+        if (kind == "against" || kind == "zero")
+            for (double& value : record.values) value *= kind == "zero" ? 0 : -1;
         if (kind == "jump") record.timeS.back() += 3600;
         if (kind == "tiny")
             for (std::size_t i = 0; i < record.timeS.size(); ++i) record.timeS[i] = 1e-320 * static_cast<double>(i);

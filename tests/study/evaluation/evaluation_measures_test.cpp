@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "protocols/random.h"
+#include "stats/metrics/spectrum_distance.h"
 #include "study/evaluation/identification.h"
 #include "study/evaluation/summary.h"
 
@@ -161,6 +162,42 @@ private Q_SLOTS:
         QCOMPARE(atSpacing({{0, 1}, 0.1005}, 0.1).values, (std::vector<double>{0, 1}));
     }
 
+    /// Every second sample of a wave of 0.11 mm would look like a wave of 1.1 mm.
+    void traceIsAveragedWhereItBecomesCoarser()
+    {
+        Trace fine{{}, 0.05};
+        for (int i = 0; i < 400; ++i) fine.values.push_back(0.3 + std::sin(2 * std::numbers::pi * i * 0.05 / 0.11));
+        const Trace coarse = atSpacing(fine, 0.1);
+        QCOMPARE(coarse.values.size(), std::size_t(200));
+        QCOMPARE(coarse.mmPerSample, 0.1);
+        for (std::size_t i = 1; i + 1 < coarse.values.size(); ++i) QVERIFY(std::abs(coarse.values[i] - 0.3) < 0.05);
+    }
+
+    /// 32 samples of a record with half of the model's rate span as much as 64 samples of the model.
+    void spectrumOfACoarserRecordSpansTheSameLength()
+    {
+        const Trace generated = stroke(0.3, 0.05, 1), measured = stroke(0.3, 0.05, 2, 0.5);
+        const auto distance = [&](std::size_t segment) {
+            const auto overMean = [](const Trace& trace) {
+                double mean = 0;
+                for (const double value : trace.values) mean += value / static_cast<double>(trace.values.size());
+                std::vector<double> values = trace.values;
+                for (double& value : values) value /= mean;
+                return values;
+            };
+            return *stats::spectrumDistance(overMean(generated), overMean(measured), segment).decibels;
+        };
+        const auto spectrumOf = [&](double modelMmPerSample) {
+            Values values;
+            compareTraces(generated, measured, values, modelMmPerSample);
+            return at_(values, Measure::FrictionSpectrum);
+        };
+        QVERIFY(std::abs(spectrumOf(0.05) - distance(32)) < 1e-9);
+        QVERIFY(std::abs(spectrumOf(0.1) - distance(64)) < 1e-9 && std::abs(spectrumOf(0.1) - distance(32)) > 0.01);
+        QCOMPARE(spectrumOf(0.1004), spectrumOf(0.1));
+        QCOMPARE(spectrumOf(0), spectrumOf(0.1));
+    }
+
     void fabricIsIdentifiedByHeightAndByFriction()
     {
         std::vector<std::vector<FeatureVector>> heights(3), frictions(3);
@@ -207,6 +244,14 @@ private Q_SLOTS:
         QVERIFY(!Identifier({{{1, 2}, {2, 1}}}).classOf({1, 2}));
         const Identifier single({{{0, 0}}, {}, {{4, 0}}});
         QCOMPARE(single.classOf({3, 1}), std::optional<std::size_t>(2));
+    }
+
+    void samplesThatAreTooSmallForAllFeaturesAreLeftOut()
+    {
+        const Identifier identifier({{{9}, {0, 0}, {1, 0}}, {{4, 0}, {5, 0}, {0}}, {{2}}});
+        QCOMPARE(identifier.classOf({0.5, 0}), std::optional<std::size_t>(0));
+        QCOMPARE(identifier.classOf({4.5, 0}), std::optional<std::size_t>(1));
+        QVERIFY(!identifier.classOf({2}));
     }
 
     void averagesAreTakenWithinFabricsFirst()

@@ -3,6 +3,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <filesystem>
+#include <functional>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -10,6 +12,7 @@
 #include "rendering/images/image_io.h"
 #include "study/evaluation/pixel_ridge.h"
 #include "study/evaluation/surfaces.h"
+#include "tests/rendering/refusal.h"
 #include "tests/rendering/signals/oblique_waves.h"
 
 namespace fabrics = rendering::fabrics;
@@ -20,6 +23,7 @@ using protocols::FabricId;
 namespace {
 
 constexpr int sidePx = 128, fabricCount = 4, places = 3;
+constexpr float missing = std::numeric_limits<float>::quiet_NaN();
 
 /// A photograph whose brightness is the slope to the right, as under a lamp on the right: the height itself is not in it.
 cv::Mat lit(const scan_folders::KnownSurface& cloth, double sign)
@@ -161,6 +165,70 @@ private Q_SLOTS:
         QVERIFY(surfacesText(report).find("the side of the lamp is told") != std::string::npos);
     }
 
+    /// Before, one missing point made 0.00 of the fabric, and of the ridge of all others.
+    void missingPointsAreLeftOutAndCounted()
+    {
+        makeSet(fabricCount, {});
+        const auto before = evaluateSurfaces(m_dataset, {}, {}, knowsAll());
+        QVERIFY(surfacesText(before).find("not measured") == std::string::npos);
+        QVERIFY(!surfacesJson(before).at("surfaces").at(1).contains("left_out"));
+        spoilSurface([](cv::Mat& surface) { surface.at<float>(40, 50) = missing; });
+        const auto onePoint = evaluateSurfaces(m_dataset, {}, {}, knowsAll());
+        spoilSurface([](cv::Mat& surface) { surface(cv::Rect(0, 0, sidePx, 60)).setTo(missing); });
+        const auto half = evaluateSurfaces(m_dataset, {}, {}, knowsAll());
+        for (std::size_t fabric = 0; fabric < std::size_t(fabricCount); ++fabric)
+            for (const SeenRelief source : allSeenReliefs) {
+                const double was = of(before.rows[fabric], source);
+                QVERIFY2(std::abs(of(onePoint.rows[fabric], source) - was) < 0.005 &&
+                             std::abs(of(half.rows[fabric], source) - was) < 0.02,
+                         qPrintable(QString("%1 %2: %3, %4, %5")
+                                        .arg(fabric)
+                                        .arg(nameOf(source).c_str())
+                                        .arg(was)
+                                        .arg(of(onePoint.rows[fabric], source))
+                                        .arg(of(half.rows[fabric], source))));
+            }
+        const int points = places * sidePx * sidePx;
+        QVERIFY(surfacesText(onePoint).find("F02 cloth F02: 1 of " + std::to_string(points) +
+                                            " points of its surfaces were not measured") != std::string::npos);
+        QCOMPARE(surfacesJson(half).at("surfaces").at(1).at("left_out").at("points").get<int>(), sidePx * 60);
+    }
+
+    void aSurfaceThatCannotBeComparedIsRefusedByName_data()
+    {
+        QTest::addColumn<bool>("isMissing");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("nothing measured in the middle") << true << "only 0 of the";
+        QTest::newRow("another size") << false << "the surface has 64 × 64 px";
+    }
+    void aSurfaceThatCannotBeComparedIsRefusedByName()
+    {
+        QFETCH(bool, isMissing);
+        QFETCH(QString, words);
+        makeSet(2, {});
+        spoilSurface([&](cv::Mat& surface) {
+            if (isMissing)
+                surface(cv::Rect(10, 10, sidePx - 20, sidePx - 20)).setTo(missing);
+            else
+                cv::resize(surface, surface, {sidePx / 2, sidePx / 2});
+        });
+        const QString refusal = refusalOf([&] { evaluateSurfaces(m_dataset, {}, {}, knowsAll()); });
+        QVERIFY2(refusal.contains("F02/surface/001.tiff") && refusal.contains(words), qPrintable(refusal));
+    }
+
+    void aSurfaceWithGapsAgreesWithItself()
+    {
+        const cv::Mat surface = clothAt(1, 1).heightMm;
+        cv::Mat gaps = surface.clone(), level = cv::Mat(surface.size(), CV_32FC1, cv::Scalar(3.7));
+        cv::RNG random(3);
+        for (int i = 0; i < sidePx * sidePx / 3; ++i)
+            gaps.at<float>(random.uniform(0, sidePx), random.uniform(0, sidePx)) = missing;
+        level.setTo(missing, (cv::abs(gaps) < 1e30) == 0);
+        QVERIFY(std::abs(reliefCorrelation(surface, gaps) - 1) < 1e-9 && std::abs(reliefCorrelation(-surface, gaps) + 1) < 1e-9);
+        QCOMPARE(reliefCorrelation(surface, level), 0.0);
+        QCOMPARE(reliefCorrelation(cv::Mat(surface.size(), CV_32FC1, cv::Scalar(missing)), gaps), 0.0);
+    }
+
     void longWavesAndShiftsAreNoAgreement()
     {
         const cv::Mat surface = clothAt(1, 1).heightMm;
@@ -188,6 +256,15 @@ private:
                     }
             return answers;
         };
+    }
+
+    /// Changes the stored surface of the second place of F02.
+    void spoilSurface(const std::function<void(cv::Mat&)>& spoil) const
+    {
+        const auto file = fabrics::surfacePath(m_dataset, FabricId("F02"), 1);
+        cv::Mat surface = fabrics::readSurface(m_dataset, FabricId("F02"), 1).value();
+        spoil(surface);
+        rendering::writeTiff(file, surface);
     }
 
     void makeSet(int count, const std::vector<FabricId>& litFromTheLeft)

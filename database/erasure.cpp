@@ -1,12 +1,9 @@
 #include "database/erasure.h"
 
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <QSqlRecord>
 #include <algorithm>
-#include <cerrno>
-#include <cstdlib>
 #include <functional>
 #include <iterator>
 #include <map>
@@ -15,6 +12,7 @@
 
 #include "database/disk/payload_fields.h"
 #include "database/disk/raw_database.h"
+#include "database/disk/room_to_write.h"
 #include "database/event_chain.h"
 #include "database/rescue_files.h"
 #include "database/schema.h"
@@ -26,7 +24,6 @@
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/safe_text.h"
 #include "protocols/files/sha256.h"
-#include "protocols/files/temporary_folder.h"
 #include "protocols/files/whole_file.h"
 
 namespace database {
@@ -37,7 +34,6 @@ constexpr const char* emptiedTables[] = {"responses", "voids", "notes", "finger_
 constexpr const char* certifiedKind = "certified";
 constexpr const char* foundField = "found";  // of a certificate's entry: the files that still held something
 constexpr std::size_t shortestText = 8;      // a shorter one may stand in a file by chance
-constexpr std::uintmax_t spareBytes = std::uintmax_t{1} << 20;
 
 std::vector<std::string> textsFrom(const SqliteConnection& sqlite, const char* select, const std::string& participant)
 {
@@ -255,6 +251,15 @@ std::string shownName(const FoundFile& file)
     return file.name.empty() ? "a file whose name holds a removed text, with the SHA-256 " + file.sha256 : file.name;
 }
 
+std::string hashIfReadable(const std::filesystem::path& file)
+{
+    try {
+        return protocols::sha256OfFile(file);
+    } catch (const protocols::Error&) {
+        return {};
+    }
+}
+
 FoundFile foundFile(const std::string& name, const std::set<std::string>& texts, const StudyFolder& study)
 {
     const bool holdsText = std::ranges::any_of(texts, [&](const auto& text) { return name.find(text) != std::string::npos; });
@@ -262,12 +267,7 @@ FoundFile foundFile(const std::string& name, const std::set<std::string>& texts,
     const std::filesystem::path path = study.folder / name;
     std::error_code unknown;
     if (const auto bytes = std::filesystem::file_size(path, unknown); !unknown) file.bytes = std::int64_t(bytes);
-    if (isOwnFile(name)) return file;
-    try {
-        file.sha256 = protocols::sha256OfFile(path);
-    } catch (const protocols::Error&) {
-        // Then its name counts alone.
-    }
+    if (!isOwnFile(name)) file.sha256 = hashIfReadable(path);  // else its name counts alone
     return file;
 }
 
@@ -299,9 +299,8 @@ std::vector<FoundFile> stillThere(const std::vector<FoundFile>& named, const Era
 {
     if (named.empty()) return {};
     std::map<std::string, std::filesystem::path> present;  // by printable name
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(study.folder))
-        if (entry.is_regular_file() && !entry.is_symlink())
-            present.emplace(protocols::printable(entry.path().lexically_relative(study.folder).string()), entry.path());
+    for (const auto& file : protocols::filesIn(study.folder))
+        present.emplace(protocols::printable(file.lexically_relative(study.folder).string()), file);
     for (const auto& file : rescueFilesAround(study)) present.emplace(protocols::printable(file.string()), file);
     std::erase_if(present, [](const auto& file) { return isOwnFile(file.first); });
     std::vector<FoundFile> found;
@@ -309,11 +308,11 @@ std::vector<FoundFile> stillThere(const std::vector<FoundFile>& named, const Era
         std::error_code unknown;
         const auto bytes = std::int64_t(std::filesystem::file_size(path, unknown));
         const auto same = std::ranges::find_if(named, [&](const FoundFile& file) {
-            return file.name == name || (!unknown && file.bytes == bytes && file.sha256 == protocols::sha256OfFile(path));
+            return file.name == name || (!unknown && file.bytes == bytes && file.sha256 == hashIfReadable(path));
         });
         if (same == named.end() || !rowsAbout(path, erasure.participant.value, erasure.answersToo, study).value_or(true))
             continue;
-        found.push_back({same->name.empty() ? "" : name, bytes, protocols::sha256OfFile(path)});
+        found.push_back({same->name.empty() ? "" : name, bytes, hashIfReadable(path)});
     }
     return found;
 }
@@ -326,48 +325,24 @@ void addFound(const FoundFile& file, ErasureRecord& record)
     record.foundFiles.push_back(file);
 }
 
-protocols::Error noRoom(const std::filesystem::path& place, std::uintmax_t bytes, int reason)
-{
-    return protocols::environmentFault(
-        {std::string("there is no room to write the database anew") +
-             (reason == EDQUOT ? ", because the quota of this account is used up" : ""),
-         place.string(), std::to_string(bytes / spareBytes + 1) + " MB there and in the folder for temporary files",
-         "make room and run the command again; nothing was erased"});
-}
-
-/// Where SQLite writes its temporary files, by its documentation.
-std::filesystem::path temporaryFolderOfSqlite()
-{
-    const char* const places[] = {std::getenv("SQLITE_TMPDIR"), std::getenv("TMPDIR"), "/var/tmp", "/usr/tmp", "/tmp"};
-    for (const char* place : places)
-        if (std::error_code none; place && std::filesystem::is_directory(place, none) && ::access(place, W_OK | X_OK) == 0)
-            return place;
-    return ".";
-}
-
-dev_t deviceOf(const std::filesystem::path& folder)
-{
-    struct stat status {};
-    return ::stat(folder.c_str(), &status) == 0 ? status.st_dev : dev_t{};
-}
-
-/// What the steps after the removal need: a temporary copy and a write-ahead log with every page, and the certificate. The
-/// removal cannot be taken back, and what was removed can no longer be searched for later.
+/// What the steps after the removal need. The removal cannot be taken back, and what was removed can no longer be searched for
+/// later.
 void requireRoom(const std::filesystem::path& database)
 {
-    const std::filesystem::path folder = database.parent_path(), temporary = temporaryFolderOfSqlite();
-    protocols::makeFolders(certificatesFolder({folder}));
-    protocols::requireWritable(certificateFile({folder}, 0));
-    std::error_code unknown;
-    const std::uintmax_t once = std::filesystem::file_size(database, unknown) + spareBytes;
-    const bool isOneDisk = deviceOf(folder) == deviceOf(temporary);
-    for (const auto& place : {folder, temporary}) {
-        const std::uintmax_t needed = isOneDisk ? 2 * once : once;
-        const auto room = std::filesystem::space(place, unknown);
-        // Only an attempt shows the quota of an account.
-        const int reason = !unknown && room.available < needed ? ENOSPC : protocols::reasonAgainstRoom(place, needed);
-        if (reason != 0) throw noRoom(place, needed, reason);
-    }
+    protocols::makeFolders(certificatesFolder({database.parent_path()}));
+    protocols::requireWritable(certificateFile({database.parent_path()}, 0));
+    requireRoomToWriteAnew(database);
+}
+
+/// What was removed is known no more, so that a file can be searched for it now or never.
+void requireSearchable(const std::filesystem::path& folder)
+{
+    const auto unreadable = protocols::unreadableIn(folder);
+    if (unreadable.empty()) return;
+    throw protocols::environmentFault(
+        {"cannot be read (" + unreadable.front().reason + "), so that nobody could search it for what is erased",
+         unreadable.front().path.string(), "a folder in which this account may read every file",
+         "give this account the right to read it, or move it away, and run the command again; nothing was erased"});
 }
 
 /// The files of the open database are read through it: to open and close them once more would drop the locks of this process.
@@ -424,6 +399,7 @@ ErasureRecord eraseFrom(const SqliteConnection& sqlite, const Erasure& erasure)
                                            "no open monitor, report or database browser",
                                            "close it and run the command again; nothing was erased"});
     requireRoom(sqlite.file());
+    requireSearchable(sqlite.file().parent_path());
     ErasureRecord record;
     record.interrupted = interruptedErasures(sqlite, erasure.participant.value);
     std::set<std::string> shortOnes;
@@ -443,6 +419,7 @@ ErasureRecord eraseFrom(const SqliteConnection& sqlite, const Erasure& erasure)
     const protocols::ByteSearch search = searchFiles(sqlite, study, traces.sequences);
     record.searchedFiles = search.files;
     record.searchedTexts = traces.sequences.size();
+    for (const std::string& name : search.unread) record.unread.push_back(protocols::printable(name));
     // Numbers and times are too short for the search, so that copies of the database count as found by their rows.
     std::vector<std::string> names = search.found;
     std::ranges::copy(copiesBeforeUpgradeOf(erasure.participant.value, study), std::back_inserter(names));

@@ -1,5 +1,6 @@
 #include "database/preregistrations.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -14,6 +15,13 @@ namespace database {
 
 namespace {
 
+/// Also answers that were erased since: earlier versions of this program did not count those that were erased before the plan.
+std::size_t answersGivenBefore(const SqliteConnection& sqlite, qlonglong event)
+{
+    return sqlite.value(QStringLiteral("SELECT COUNT(*) FROM events WHERE kind = 'answered' AND sequence < ?"), {event})
+        .toULongLong();
+}
+
 std::vector<PreregistrationRecord> preregistrationsIn(const SqliteConnection& sqlite)
 {
     std::vector<PreregistrationRecord> records;
@@ -24,8 +32,10 @@ std::vector<PreregistrationRecord> preregistrationsIn(const SqliteConnection& sq
         if (!isPreregistration(payload))
             throw protocols::workFailed({"a preregistration in the log cannot be read", sqlite.file().string(), "",
                                          "see `vis2hap verify`; restore the study from a backup"});
-        records.push_back({payload["number"], payload["answers_before"], payload["after_unblinding"], payload["who"],
-                           payload["text"], payload["json"], fromQt(row.value(1)), row.value(2).toLongLong()});
+        const qlonglong event = row.value(2).toLongLong();
+        const auto answersBefore = std::max(payload["answers_before"].get<std::size_t>(), answersGivenBefore(sqlite, event));
+        records.push_back({payload["number"], answersBefore, payload["after_unblinding"], payload["who"], payload["text"],
+                           payload["json"], fromQt(row.value(1)), event});
     }
     return records;
 }

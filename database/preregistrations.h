@@ -15,7 +15,7 @@ namespace database {
 
 struct PreregistrationRecord {
     int number = 1;                 ///< from 1; the later ones are amendments
-    std::size_t answersBefore = 0;  ///< answers that were stored before it
+    std::size_t answersBefore = 0;  ///< given before it; those that were erased since count, too
     bool afterUnblinding = false;
     std::string who;         ///< may be empty
     std::string text, json;  ///< bytes of the two files

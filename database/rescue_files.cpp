@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <system_error>
 
@@ -11,6 +12,7 @@
 #include "database/study_rows.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
+#include "protocols/files/temporary_folder.h"
 #include "protocols/files/whole_file.h"
 
 namespace database {
@@ -118,6 +120,27 @@ bool isForeign(const fs::path& file, const StudyFolder& folder)
     return isRegular(file) && originOf(file, folder) == Origin::AnotherStudy;
 }
 
+/// Copies of studies that killed programs of this account left in the folders for temporary files.
+std::vector<fs::path> copiesOfKilledPrograms()
+{
+    constexpr std::string_view prefix = "vis2hap-";
+    constexpr std::size_t letters = 6;  // as TemporaryFolder names them
+    std::vector<fs::path> copies;
+    for (const fs::path& place : protocols::temporaryPlaces()) {
+        std::error_code unreadable;
+        for (const auto& entry : fs::directory_iterator(place, unreadable)) {
+            const std::string name = entry.path().filename().string();
+            if (!name.starts_with(prefix) || name.size() != prefix.size() + letters) continue;
+            const fs::path copy = entry.path() / "study.db";
+            struct stat made {};
+            const bool isFolder = ::lstat(entry.path().c_str(), &made) == 0 && S_ISDIR(made.st_mode);
+            if (isFolder && made.st_uid == ::geteuid() && isRegular(copy)) copies.push_back(copy);
+        }
+    }
+    std::ranges::sort(copies);
+    return copies;
+}
+
 bool hasRowsAbout(const SqliteConnection& kept, const std::string& participant, bool answersToo)
 {
     const auto has = [&](const char* rows) {
@@ -149,10 +172,9 @@ fs::path freeName(const fs::path& where, const std::string& prefix)
 
 std::vector<fs::path> placesForRescue(const StudyFolder& folder)
 {
-    std::error_code none;
     const fs::path study = namesOf(folder).front();
     return {freeName(folder.folder, rescueWord), freeName(study.parent_path(), prefixBeside(study)),
-            freeName(fs::temp_directory_path(none), prefixBeside(study))};
+            freeName(protocols::temporaryPlaces().front(), prefixBeside(study))};
 }
 
 std::vector<fs::path> rescueFiles(const StudyFolder& folder)
@@ -171,11 +193,9 @@ std::vector<fs::path> rescueFiles(const StudyFolder& folder)
 std::vector<fs::path> rescueFilesOutside(const StudyFolder& folder)
 {
     std::vector<fs::path> files;
-    std::error_code none;
-    const fs::path temporary = fs::canonical(fs::temp_directory_path(none), none);
     for (const fs::path& study : namesOf(folder)) {
         addFrom(study.parent_path(), prefixBeside(study), folder, files);
-        if (!none) addFrom(temporary, prefixBeside(study), folder, files);
+        for (const fs::path& place : protocols::temporaryPlaces()) addFrom(place, prefixBeside(study), folder, files);
     }
     std::erase_if(files, [](const fs::path& file) { return !isRegular(file) || ::access(file.c_str(), R_OK) != 0; });
     return files;
@@ -184,11 +204,9 @@ std::vector<fs::path> rescueFilesOutside(const StudyFolder& folder)
 std::vector<fs::path> rescueFilesOfOthers(const StudyFolder& folder)
 {
     std::vector<fs::path> files;
-    std::error_code none;
-    const fs::path temporary = fs::canonical(fs::temp_directory_path(none), none);
     for (const fs::path& study : namesOf(folder)) {
         addOfOthers(study.parent_path(), prefixBeside(study), files);
-        if (!none) addOfOthers(temporary, prefixBeside(study), files);
+        for (const fs::path& place : protocols::temporaryPlaces()) addOfOthers(place, prefixBeside(study), files);
     }
     std::ranges::sort(files);
     return files;
@@ -241,7 +259,9 @@ std::vector<std::string> databasesAbout(const std::string& participant, bool ans
             isNumbered(name, "held-" + participant + "-", ".json") || isNumbered(name, "not-sent-" + participant + "-", ".json");
         if (isRegular(file) && ((isOther && isAbout(file)) || (answersToo && isOfSession))) found.push_back(name);
     }
-    for (const fs::path& file : rescueFilesOutside(folder))
+    std::vector<fs::path> outside = rescueFilesOutside(folder);
+    std::ranges::copy(copiesOfKilledPrograms(), std::back_inserter(outside));
+    for (const fs::path& file : outside)
         if (isAbout(file)) found.push_back(file.string());
     return found;
 }

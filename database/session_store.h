@@ -164,6 +164,7 @@ struct ErasureRecord {
     /// hash of the content stands for it.
     std::vector<std::string> found;
     std::vector<FoundFile> foundFiles;  ///< the same files
+    std::vector<std::string> unread;  ///< files and folders that could not be searched, by printable names
     /// Earlier erasures of this participant, by their entries, that ended before the search: their texts are no longer known.
     std::vector<std::int64_t> interrupted;
 };
@@ -193,7 +194,8 @@ public:
     struct Note {
         protocols::TrialNumber trial;
         std::string text;
-        bool isFlag = false;  ///< marks the presentation for a later check
+        bool isFlag = false;              ///< marks the presentation for a later check
+        std::optional<int> attempt = {};  ///< from 1, at most the present one; empty: the present one
     };
     /// What the display measured of the finger during one presentation, since the answer before.
     struct FingerStretch {

@@ -113,8 +113,9 @@ LogEntry logEntryOf(const SqliteConnection& sqlite, const StudyStore::Append& en
                 {participant, answer.trial.value, log.responses.back().attempt, answer.question.value, answer.note, false});
     }
     if (entry.note)
-        log.notes.push_back({participant, entry.note->trial.value, attemptOf(sqlite, participant, entry.note->trial.value),
-                             std::nullopt, entry.note->text, entry.note->isFlag});
+        log.notes.push_back({participant, entry.note->trial.value,
+                             entry.note->attempt.value_or(attemptOf(sqlite, participant, entry.note->trial.value)), std::nullopt,
+                             entry.note->text, entry.note->isFlag});
     if (entry.finger) log.finger.push_back(fingerRowOf(sqlite, participant, *entry.finger));
     if (entry.voids) log.voids.push_back({participant, entry.voids->value, attemptOf(sqlite, participant, entry.voids->value)});
     return log;

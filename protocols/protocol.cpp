@@ -201,6 +201,9 @@ std::vector<Phase> fixedPhasesOf(const Protocol& p)
     return fixed;
 }
 
+/// In tenths.
+int lengthOf(const RatingScale& scale) { return scale.max.value - scale.min.value; }
+
 std::string inBraces(const std::set<std::string>& names)
 {
     std::string list;
@@ -246,6 +249,13 @@ int Protocol::answersPerParticipant() const
     int count = 0;
     for (const Phase& phase : phases)
         count += (presentationsPerPhase() + phase.extraPresentations()) * phase.runs() * static_cast<int>(phase.questions.size());
+    return count;
+}
+
+int Protocol::answersPerRendering() const
+{
+    int count = 0;
+    for (const Phase& phase : phases) count += static_cast<int>(phase.questions.size()) * phase.runs();
     return count;
 }
 
@@ -340,6 +350,24 @@ ConditionId anchorConditionOf(const Protocol& protocol, const Anchors& anchors)
             if (std::ranges::find(protocol.conditions, id) != protocol.conditions.end()) return id;
         }
     return {};
+}
+
+std::pair<double, double> usualBoundsOn(const RatingScale& scale)
+{
+    const double bound = (scale.max.inScaleUnits() - scale.min.inScaleUnits()) / 20;
+    return {-bound, bound};
+}
+
+std::pair<double, double> usualBoundsOf(const std::vector<Phase>& phases)
+{
+    std::optional<RatingScale> shortest;
+    for (const Phase& phase : phases)
+        for (const Question& question : phase.questions) {
+            const auto* rating = std::get_if<Rating>(&question.kind);
+            if (rating == nullptr || lengthOf(rating->scale) <= 0) continue;  // a scale without length is a fault of its own
+            if (!shortest || lengthOf(rating->scale) < lengthOf(*shortest)) shortest = rating->scale;
+        }
+    return usualBoundsOn(shortest.value_or(RatingScale()));
 }
 
 const RatingScale* memorisedScaleOf(const Protocol& protocol)

@@ -97,6 +97,7 @@ struct Protocol {
     std::set<ConditionId> ownPrograms;
     std::vector<Phase> phases;
     std::pair<double, double> equivalenceBounds{-0.5, 0.5};  ///< scale points
+    bool hasUsualBounds = false;  ///< the file states no bounds: they are usualBoundsOf() its phases, the default of this program
     std::vector<PlannedContrast> planned;
     std::optional<PlannedContrast> primary;  ///< one of the planned contrasts; missing: the first
     double secondsPerPresentation = 25;
@@ -127,6 +128,8 @@ struct Protocol {
     /// `breakAfterPresentations`. A session may have more by time.
     int breaks() const;
     int answersPerParticipant() const;
+    /// Answers of one participant to one fabric under one condition: every question, under each instruction of its phase.
+    int answersPerRendering() const;
     /// Planned time without breaks.
     double minutesPerParticipant() const { return presentations() * secondsPerPresentation / 60; }
     /// At least one.
@@ -165,6 +168,13 @@ bool hasAnchors(const Protocol& protocol);
 /// The condition of mismatched images: the one that the anchors name, else the best measured one of the protocol. That is the
 /// first of h&f, h, f, t_grey and gradient that it has, at its best quality. Empty where the protocol has none of them.
 ConditionId anchorConditionOf(const Protocol& protocol, const Anchors& anchors);
+
+/// Bounds of equivalence where nobody states any: a twentieth of the scale either way, ±0.5 on the paper's scale from 0 to 10.
+std::pair<double, double> usualBoundsOn(const RatingScale& scale);
+
+/// The same for all ratings of these phases. Of several lengths of scale the shortest counts: bounds of a longer one would call
+/// clear differences equivalent. ±0.5 where nothing is rated.
+std::pair<double, double> usualBoundsOf(const std::vector<Phase>& phases);
 
 /// The scale that the participants memorise: that of the first phase with ratings; null where nothing is rated.
 const RatingScale* memorisedScaleOf(const Protocol& protocol);

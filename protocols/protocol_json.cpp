@@ -188,6 +188,8 @@ void readAnalysis(const ProtocolPart& document, Protocol& protocol)
     const json& bounds = document.raw("equivalence_bounds");
     if (bounds.is_array() && !document.faults().isRefusedWithin("equivalence_bounds"))
         protocol.equivalenceBounds = bounds.get<std::pair<double, double>>();
+    protocol.hasUsualBounds = !document.has("equivalence_bounds");
+    if (protocol.hasUsualBounds) protocol.equivalenceBounds = usualBoundsOf(protocol.phases);
     const json& planned = document.raw("planned");
     if (planned.is_array())
         for (const json& pair : planned) protocol.planned.push_back(contrastFrom(pair));

@@ -38,6 +38,7 @@ void writeProgressReport(const ProgressReport& report, const std::filesystem::pa
     for (const Table& table : report.tables) write("tables/" + table.name + ".csv", toCsv(table));
     write("results.json", report.results);
     write("index.html", progressPage(report));
+    draft.outdates(entriesOfReports());
     draft.putInPlace();
 }
 

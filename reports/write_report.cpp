@@ -16,10 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What a report consists of; nothing else in the folder is touched.
-const std::vector<std::string> entries{"index.html", "results.json", "statistics.json", "tables",          "figures",
-                                       "report.pdf", "report.docx",  "report.tex",      reproductionFolder};
-
 void write(const fs::path& file, const std::string& text) { protocols::writeWholeFile(file, text, protocols::Sync::Later); }
 
 void writeAll(const StudyAnalysis& analysis, const ReportOrigin& origin, const WriteDocuments& documents,
@@ -57,14 +53,22 @@ void writeAll(const StudyAnalysis& analysis, const ReportOrigin& origin, const W
 
 }  // namespace
 
+const std::vector<fs::path>& entriesOfReports()
+{
+    static const std::vector<fs::path> entries{"index.html", "results.json", "statistics.json", "tables",          "figures",
+                                               "report.pdf", "report.docx",  "report.tex",      reproductionFolder};
+    return entries;
+}
+
 void requireReplaceableReport(const fs::path& folder)
 {
     if (fs::exists(folder) && !fs::is_directory(folder))
         throw protocols::badInput({"the place of the report is a file", folder.string(), "a folder, or a new name", ""});
-    for (const std::string& entry : entries)
+    for (const fs::path& entry : entriesOfReports())
         if (fs::exists(folder / entry) && !isResultsFile(folder / "results.json"))
-            throw protocols::badInput({"the folder holds \"" + entry + "\" which is not of an earlier report", folder.string(),
-                                       "an empty folder, a new name, or an earlier report", "choose another folder with --out"});
+            throw protocols::badInput({"the folder holds \"" + entry.string() + "\" which is not of an earlier report",
+                                       folder.string(), "an empty folder, a new name, or an earlier report",
+                                       "choose another folder with --out"});
 }
 
 void writeReport(const StudyAnalysis& analysis, const std::filesystem::path& folder, const ReportOrigin& origin,
@@ -73,6 +77,7 @@ void writeReport(const StudyAnalysis& analysis, const std::filesystem::path& fol
     requireReplaceableReport(folder);
     protocols::FolderDraft draft(folder, protocols::Earlier::EntriesReplaced);
     writeAll(analysis, origin, documents, draft);
+    draft.outdates(entriesOfReports());
     draft.putInPlace();
 }
 

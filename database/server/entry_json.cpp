@@ -50,6 +50,13 @@ Json jsonOf(const SessionStore::FingerStretch& stretch)
             {"samples", fingerTextOf(stretch.samples)}};
 }
 
+Json jsonOf(const SessionStore::Note& note)
+{
+    Json json{{"trial", note.trial.value}, {"text", note.text}, {"is_flag", note.isFlag}};
+    if (note.attempt) json["attempt"] = *note.attempt;
+    return json;
+}
+
 }  // namespace
 
 std::string entryJson(const SessionStore::Append& entry, int before)
@@ -67,9 +74,7 @@ std::string entryJson(const SessionStore::Append& entry, int before)
               {"answers", Json::array()},
               {"finger", entry.finger ? jsonOf(*entry.finger) : Json()},
               {"voids", entry.voids ? Json(entry.voids->value) : Json()},
-              {"note", entry.note
-                           ? Json{{"trial", entry.note->trial.value}, {"text", entry.note->text}, {"is_flag", entry.note->isFlag}}
-                           : Json()},
+              {"note", entry.note ? jsonOf(*entry.note) : Json()},
               {"state", entry.slotState ? Json(nameOf(*entry.slotState)) : Json()},
               {"facts", Json::array()},
               {"stored_at", entry.storedAtNs}};

@@ -1,12 +1,20 @@
 #include "protocols/files/byte_search.h"
 
-#include <algorithm>
+#include <fcntl.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
+#include <system_error>
+
+#include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 
 namespace protocols {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr std::size_t keyBytes = 3;
 
@@ -17,7 +25,26 @@ std::size_t keyOf(const char* bytes)
     return key;
 }
 
-bool holds(const std::filesystem::path& file, const ByteSequences& sequences)
+/// Regular files in the folder and its sub-folders; links are not followed. `cannotList`: a folder, and why.
+struct Walk {
+    std::function<void(const fs::path&)> file;
+    std::function<void(const fs::path&, const std::error_code&)> cannotList;
+
+    void through(const fs::path& folder) const
+    {
+        std::error_code problem;
+        fs::directory_iterator entries(folder, problem);
+        for (const fs::directory_iterator end; !problem && entries != end; entries.increment(problem)) {
+            std::error_code gone;
+            const auto kind = entries->symlink_status(gone).type();
+            if (kind == fs::file_type::directory) through(entries->path());
+            if (kind == fs::file_type::regular) file(entries->path());
+        }
+        if (problem && problem != std::errc::no_such_file_or_directory) cannotList(folder, problem);
+    }
+};
+
+bool holds(const fs::path& file, const ByteSequences& sequences)
 {
     bool isFound = false;
     std::string carried;  // the end of the block before, for a sequence that two blocks share
@@ -60,25 +87,51 @@ bool ByteSequences::areIn(std::string_view bytes) const
     return isFound;
 }
 
-ByteSearch searchFiles(const std::filesystem::path& folder, const std::vector<std::string>& sequences,
-                       const std::vector<std::filesystem::path>& others,
+ByteSearch searchFiles(const fs::path& folder, const std::vector<std::string>& sequences, const std::vector<fs::path>& others,
                        const std::function<bool(const std::string& name)>& isLeftOut)
 {
     ByteSearch search;
     const ByteSequences wanted(sequences);
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-        if (!entry.is_regular_file() || entry.is_symlink()) continue;
-        const std::string name = entry.path().lexically_relative(folder).string();
-        if (isLeftOut && isLeftOut(name)) continue;
-        ++search.files;
-        if (holds(entry.path(), wanted)) search.found.push_back(name);
-    }
-    for (const auto& file : others) {
-        ++search.files;
-        if (holds(file, wanted)) search.found.push_back(file.string());
-    }
+    const auto look = [&](const fs::path& file, const std::string& name) {
+        try {
+            if (holds(file, wanted)) search.found.push_back(name);
+            ++search.files;
+        } catch (const Error&) {
+            std::error_code unknown;
+            if (fs::symlink_status(file, unknown).type() != fs::file_type::not_found) search.unread.push_back(name);
+        }
+    };
+    const auto nameOf = [&](const fs::path& path) { return path.lexically_relative(folder).string(); };
+    Walk{[&](const fs::path& file) {
+             if (const std::string name = nameOf(file); !isLeftOut || !isLeftOut(name)) look(file, name);
+         },
+         [&](const fs::path& unread, const std::error_code&) { search.unread.push_back(nameOf(unread)); }}
+        .through(folder);
+    for (const auto& file : others) look(file, file.string());
     std::ranges::sort(search.found);
+    std::ranges::sort(search.unread);
     return search;
+}
+
+std::vector<fs::path> filesIn(const fs::path& folder)
+{
+    std::vector<fs::path> files;
+    Walk{[&](const fs::path& file) { files.push_back(file); }, [](const fs::path&, const std::error_code&) {}}.through(folder);
+    return files;
+}
+
+std::vector<Unreadable> unreadableIn(const fs::path& folder)
+{
+    std::vector<Unreadable> unreadable;
+    const auto add = [&](const fs::path& path, const std::error_code& reason) { unreadable.push_back({path, reason.message()}); };
+    Walk{[&](const fs::path& file) {
+             // Not opened: closing a file of an open database drops its locks.
+             if (::faccessat(AT_FDCWD, file.c_str(), R_OK, AT_EACCESS) != 0 && errno != ENOENT)
+                 add(file, std::error_code(errno, std::generic_category()));
+         },
+         add}
+        .through(folder);
+    return unreadable;
 }
 
 }  // namespace protocols

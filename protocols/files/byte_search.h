@@ -30,12 +30,25 @@ private:
 };
 
 struct ByteSearch {
-    std::size_t files = 0;           ///< regular files that were read, in all sub-folders
-    std::vector<std::string> found;  ///< files that hold one of the sequences, relative to the folder; others as given
+    std::size_t files = 0;            ///< regular files that were read, in all sub-folders
+    std::vector<std::string> found;   ///< files that hold one of the sequences, relative to the folder; others as given
+    std::vector<std::string> unread;  ///< files and folders that could not be read, named in the same way
 };
 
+/// Regular files in the folder and its sub-folders, as far as it can be listed; links are not followed.
+std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder);
+
+/// A file or folder that this account cannot read, or the folder itself.
+struct Unreadable {
+    std::filesystem::path path;
+    std::string reason;
+};
+/// What searchFiles() could not read in the folder, without opening a file.
+std::vector<Unreadable> unreadableIn(const std::filesystem::path& folder);
+
 /// Compares the first comparedBytes of each sequence. Links are not followed. `others`: files elsewhere that are searched, too.
-/// `isLeftOut`: files in the folder, by their relative names, that are not opened. Throws badInput where a file cannot be read.
+/// `isLeftOut`: files in the folder, by their relative names, that are not opened. A file that vanishes
+/// meanwhile does not count.
 ByteSearch searchFiles(const std::filesystem::path& folder, const std::vector<std::string>& sequences,
                        const std::vector<std::filesystem::path>& others = {},
                        const std::function<bool(const std::string& name)>& isLeftOut = {});

@@ -138,6 +138,11 @@ fs::path FolderDraft::file(const fs::path& relative) const
     return whole;
 }
 
+void FolderDraft::outdates(const std::vector<fs::path>& entries)
+{
+    m_outdated.insert(m_outdated.end(), entries.begin(), entries.end());
+}
+
 void FolderDraft::putInPlace(const std::vector<fs::path>& last)
 {
     try {
@@ -181,6 +186,12 @@ void FolderDraft::joinPlace(const std::vector<fs::path>& last)
     closeEmptyPlace();
     std::vector<Move> moves;
     addMoves(moves, m_draft, m_place, m_earlier == Earlier::FilesJoined);
+    std::set<fs::path> changed;
+    for (const fs::path& entry : m_outdated) {
+        if (!stands(m_place / entry) || stands(m_draft / entry)) continue;
+        moves.push_back({m_place / entry, m_draft / (".outdated-" + std::to_string(moves.size())), false});
+        changed.insert((m_place / entry).parent_path());
+    }
     const auto rank = [&](const Move& move) {
         const auto found = std::find(last.begin(), last.end(), move.to.lexically_relative(m_place));
         return found == last.end() ? 0 : 1 + (found - last.begin());
@@ -188,7 +199,6 @@ void FolderDraft::joinPlace(const std::vector<fs::path>& last)
     std::sort(moves.begin(), moves.end(),
               [&](const Move& a, const Move& b) { return std::pair(rank(a), a.to) < std::pair(rank(b), b.to); });
     makeAllOrNone(moves);
-    std::set<fs::path> changed;
     for (const Move& move : moves) changed.insert(move.to.parent_path());
     for (const fs::path& folder : changed) syncFolder(folder);
 }

@@ -32,6 +32,10 @@ public:
     /// Where to write a file of the draft, with Sync::Later; makes the folders on the way.
     std::filesystem::path file(const std::filesystem::path& relative) const;
 
+    /// Entries of the place that vanish with the moves where the draft holds none of their name; relative paths. For places
+    /// whose other entries stay.
+    void outdates(const std::vector<std::filesystem::path>& entries);
+
     /// Syncs the draft, then gives it its place; `last` names the files that make the others valid. Undoes its moves and
     /// throws environmentFault where one fails.
     void putInPlace(const std::vector<std::filesystem::path>& last = {});
@@ -42,6 +46,7 @@ private:
     void joinPlace(const std::vector<std::filesystem::path>& last);
 
     std::filesystem::path m_place, m_draft;
+    std::vector<std::filesystem::path> m_outdated;     ///< relative to the place
     std::vector<std::filesystem::path> m_madeParents;  ///< innermost first; removed with an abandoned draft
     Earlier m_earlier;
     bool m_isInPlace = false;

@@ -3,10 +3,15 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <vector>
 
 namespace protocols {
 
-/// Vanishes with all it holds.
+/// Folders for temporary files, absolute: the system's present one (TMPDIR), then /tmp, where a program with another TMPDIR may
+/// have left files. Never empty.
+std::vector<std::filesystem::path> temporaryPlaces();
+
+/// Vanishes with all it holds, also where SIGINT, SIGTERM, SIGHUP, SIGQUIT or SIGPIPE ends the program.
 class TemporaryFolder {
 public:
     TemporaryFolder();  ///< throws environmentFault where no folder can be created

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "reports/cells/chance_level.h"
 #include "reports/cells/crossed_answers.h"
 #include "stats/kernels/decimal_grid.h"
 #include "stats/tests/forced_choice.h"
@@ -43,6 +44,20 @@ stats::MatchSensitivity matchesOf(const StudyData& data, const std::vector<const
     return stats::matchSensitivity(answers);
 }
 
+/// Shares and intervals stay; every test against chance becomes undefined.
+void leaveUntested(stats::BinomialTest& test, const std::string& why)
+{
+    test.why = why;
+    test.pGreater = test.logPGreater = test.pLess = test.pTwoSided = test.logPTwoSided = test.pMidGreater = test.logPMidGreater =
+        stats::Value::undefined(why);
+}
+
+void leaveUntested(stats::TTest& test, const std::string& why)
+{
+    test.why = why;
+    test.t = test.p = test.logP = test.dZ = test.hedgesGz = stats::Value::undefined(why);
+}
+
 ConditionChoices analyseCondition(const StudyData& data, const AnswerCells& cells, const std::string& question,
                                   const std::string& condition, const RightOrWrong& scoring, std::size_t people)
 {
@@ -59,6 +74,11 @@ ConditionChoices analyseCondition(const StudyData& data, const AnswerCells& cell
         trials > 0 ? stats::Value(matches / static_cast<double>(trials)) : stats::Value::undefined("there are no trials");
     choices.againstChance = stats::binomialTest(correct, trials, chance);
     choices.participantsAgainstChance = stats::oneSampleTTest(cells.participantMeans(question, condition), {.mu = chance});
+    choices.noChance = whyNoChance(scoring, responses);
+    if (!choices.noChance.empty()) {
+        leaveUntested(choices.againstChance, choices.noChance);
+        leaveUntested(choices.participantsAgainstChance, choices.noChance);
+    }
     if (scoring.isSameDifferent) {
         choices.matches = matchesOf(data, responses);
         choices.dPrime = choices.matches->dPrime.estimate;
@@ -80,15 +100,20 @@ void adjustForConditions(std::vector<ConditionChoices>& conditions)
     for (std::size_t i = 0; i < conditions.size(); ++i) conditions[i].pHolm = holm[i];
 }
 
-void analyseParticipants(ChoiceAnalysis& analysis, const AnswerCells& cells, const std::string& question)
+void analyseParticipants(ChoiceAnalysis& analysis, const AnswerCells& cells, const std::string& question,
+                         const RightOrWrong& scoring)
 {
     std::vector<double> shares;
+    std::vector<const StudyResponse*> all;
     for (const std::string& participant : cells.participants()) {
-        const stats::Value share = stats::meanOf(valuesOf(cells.ofParticipant(question, participant)));
+        const auto responses = cells.ofParticipant(question, participant);
+        all.insert(all.end(), responses.begin(), responses.end());
+        const stats::Value share = stats::meanOf(valuesOf(responses));
         analysis.participants.push_back({participant, share});
         if (share.exists()) shares.push_back(*share);
     }
     analysis.participantsAgainstChance = stats::oneSampleTTest(shares, {.mu = 1.0 / analysis.alternatives});
+    if (const std::string why = whyNoChance(scoring, all); !why.empty()) leaveUntested(analysis.participantsAgainstChance, why);
 }
 
 ChoiceConfusion confusionOf(const StudyData& data, const AnswerCells& cells, const std::string& question)
@@ -125,6 +150,12 @@ void takeMatches(std::vector<ClusteredSensitivity>& sensitivities, const StudyDa
 
 }  // namespace
 
+int shownChance(const ChoiceAnalysis& choices)
+{
+    const auto isTested = [](const ConditionChoices& one) { return one.noChance.empty(); };
+    return std::ranges::all_of(choices.conditions, isTested) ? choices.alternatives : 0;
+}
+
 DPrimeRule ruleOfDPrime(const ChoiceAnalysis& choices)
 {
     const bool isSameDifferent = !choices.conditions.empty() && choices.conditions.front().matches.has_value();
@@ -144,11 +175,13 @@ ChoiceAnalysis analyseChoices(const StudyData& data, const AnswerCells& cells, c
     const int alternatives = scoring.alternatives;
     ChoiceAnalysis analysis;
     analysis.alternatives = alternatives;
-    analyseParticipants(analysis, cells, question);
+    analyseParticipants(analysis, cells, question, scoring);
     const std::size_t people = answeringParticipants(data, analysis);
     for (const std::string& condition : data.conditions)
         analysis.conditions.push_back(analyseCondition(data, cells, question, condition, scoring, people));
     adjustForConditions(analysis.conditions);
+    std::vector<std::string> noChance;
+    for (const ConditionChoices& condition : analysis.conditions) noChance.push_back(condition.noChance);
     analysis.cochran = stats::cochranTest(cells.completeSuccesses(question));
     const stats::CrossedStudy answers = crossedAnswers(data, cells, question);
     analysis.model = stats::fitChoices(answers);
@@ -157,13 +190,13 @@ ChoiceAnalysis analyseChoices(const StudyData& data, const AnswerCells& cells, c
     analysis.confusion = confusionOf(data, cells, question);
     analysis.comparisons = comparePairs(data, cells, question);
     const stats::RepeatedMeasuresAnova anova = stats::repeatedMeasuresAnova(cells.completeBlocks(question).table);
-    analysis.claims = claimsOf(data, cells, question, alternatives, anova, analysis.linearModel, depth);
+    analysis.claims = claimsOf(data, cells, question, alternatives, anova, analysis.linearModel, depth, noChance);
     analysis.effects = choiceEffects(analysis.claims, anova, answers, analysis.crossedModel);
     analysis.sensitivities = clusteredSensitivities(analysis.claims, alternatives);
     if (scoring.isSameDifferent) takeMatches(analysis.sensitivities, data, analysis.conditions);
-    analysis.speed = analyseSpeed(data, cells, question, alternatives, analysis.claims);
+    analysis.speed = analyseSpeed(data, cells, question, scoring, analysis.claims);
     analysis.accuracyBySpeed = accuracyBySpeed(data, cells, question);
-    analysis.instructions = analyseInstructions(data, question, alternatives);
+    analysis.instructions = analyseInstructions(data, question, scoring);
     return analysis;
 }
 

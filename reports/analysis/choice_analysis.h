@@ -39,6 +39,7 @@ struct ConditionChoices {
     stats::Value dPrimeSe;
     std::optional<stats::MatchSensitivity> matches;  ///< of a same-different question
     std::vector<CountCorrect> byFabric;              ///< in the order of the study's fabrics
+    std::string noChance = {};  ///< why there is no test against 1/m (see whyNoChance()); empty: there is one
 };
 
 struct ParticipantShare {
@@ -72,6 +73,9 @@ struct ChoiceAnalysis {
     AccuracyBySpeed accuracyBySpeed;
     InstructionAnalysis instructions;  ///< empty where no block instructs the participant
 };
+
+/// m where every condition is tested against 1/m, so that figures can show it as chance; otherwise 0.
+int shownChance(const ChoiceAnalysis& choices);
 
 DPrimeRule ruleOfDPrime(const ChoiceAnalysis& choices);
 

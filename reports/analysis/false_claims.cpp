@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
+#include "reports/cells/common_units.h"
 #include "stats/kernels/decimal_grid.h"
 #include "stats/power/measured_claims.h"
 
@@ -24,6 +26,53 @@ double sdOfEffect(const stats::ChoiceModel& fitted, const std::string& effect)
     return 0;
 }
 
+using NumbersOfAnswers = std::map<const StudyResponse*, std::size_t>;
+
+std::map<std::string, std::size_t> placesByName(const std::vector<std::string>& names)
+{
+    std::map<std::string, std::size_t> places;
+    for (const std::string& name : names) places.emplace(name, places.size());
+    return places;
+}
+
+/// Nothing is added where no unit has an answer.
+void addComparedCell(std::vector<stats::ComparedCell>& cells, std::size_t participant, std::size_t fabric,
+                     const std::vector<std::vector<const StudyResponse*>>& units, const NumbersOfAnswers& numbers)
+{
+    stats::ComparedCell cell{participant, fabric, {}};
+    for (const auto& answers : units) {
+        std::vector<std::size_t> ofUnit;
+        for (const StudyResponse* answer : answers)
+            if (const auto found = numbers.find(answer); found != numbers.end()) ofUnit.push_back(found->second);
+        if (!ofUnit.empty()) cell.units.push_back(std::move(ofUnit));
+    }
+    if (!cell.units.empty()) cells.push_back(std::move(cell));
+}
+
+/// Every answer of cells that were asked more than once, and those on which each contrast compares its conditions.
+void addRepetitions(stats::StudyNull& null, const StudyData& data, const AnswerCells& cells, const std::string& question)
+{
+    if (cells.mostAnswers(question) < 2) return;
+    const auto people = placesByName(cells.participants()), fabrics = placesByName(data.fabrics);
+    NumbersOfAnswers numbers;
+    for (std::size_t c = 0; c < data.conditions.size(); ++c)
+        for (const StudyResponse* answer : cells.of(question, data.conditions[c])) {
+            if (valuesOf({answer}).empty()) continue;
+            numbers.emplace(answer, null.answers.size());
+            null.answers.push_back({c, people.at(answer->participant), fabrics.at(answer->fabric)});
+        }
+    for (const auto& [a, b] : null.contrasts) {
+        const CommonUnits units(cells, question, {data.conditions[a], data.conditions[b]});
+        stats::ComparedConditions compared{{a, b}, {}, {}};
+        for (std::size_t p = 0; p < cells.participants().size(); ++p)
+            for (const CommonUnits::FabricUnits& one : units.units(cells.participants()[p])) {
+                addComparedCell(compared.ofA, p, fabrics.at(one.fabric), one.units[0], numbers);
+                addComparedCell(compared.ofB, p, fabrics.at(one.fabric), one.units[1], numbers);
+            }
+        null.compared.push_back(std::move(compared));
+    }
+}
+
 template <class Model>
 stats::StudyNull nullOf(const StudyData& data, const AnswerCells& cells, const std::string& question, stats::AnswerValues kind,
                         const Model& model, const QuestionClaims& claims)
@@ -41,6 +90,7 @@ stats::StudyNull nullOf(const StudyData& data, const AnswerCells& cells, const s
     for (const ContrastFinding& finding : claims.contrasts)
         if (finding.generalisation == stats::Generalisation::FabricsLikeThese)
             null.contrasts.emplace_back(finding.claim.a, finding.claim.b);
+    addRepetitions(null, data, cells, question);
     return null;
 }
 

@@ -17,7 +17,7 @@ struct FalseClaimFinding {
     double fabricSd = 0;       ///< fabric x condition, likewise
     double one = 0;            ///< share of studies, one contrast: interpolated in the kept table, for the paper's size
     double any = 0;            ///< share of studies, any of all pairs: likewise
-    std::optional<stats::FalseClaims> simulated;  ///< for this study's size, missing answers and contrasts; only where asked for
+    std::optional<stats::FalseClaims> simulated;  ///< for this study's answers and contrasts; only where asked for
 };
 
 /// A question of which the report knows how its answers vary; none where its model was not fitted. Ratings: the SDs are brought

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "reports/cells/chance_level.h"
 #include "reports/cells/common_units.h"
 #include "reports/cells/response_time.h"
 #include "stats/anova/within_anova.h"
@@ -55,6 +56,13 @@ std::vector<InstructedStudy> splitByInstruction(const StudyData& data, const std
         if (part != parts.end()) part->data.responses.push_back(response);
     }
     return parts;
+}
+
+std::vector<const StudyResponse*> responsesIn(const InstructedStudy& study)
+{
+    std::vector<const StudyResponse*> responses;
+    for (const StudyResponse& response : study.data.responses) responses.push_back(&response);
+    return responses;
 }
 
 using Cells = std::vector<stats::ConditionSpeedCells>;
@@ -142,7 +150,7 @@ stats::SpeedDifference differenceOfShares(const AnswerCells& cells, const Common
 /// has nothing in common: there all choices are compared.
 std::vector<InstructionContrast> contrastsOf(const StudyData& data, const std::string& question,
                                              const std::vector<InstructedStudy>& parts, const Cells& cells,
-                                             const std::vector<std::vector<stats::Value>>& scores, int alternatives)
+                                             const std::vector<std::vector<stats::Value>>& scores, const RightOrWrong& scoring)
 {
     std::vector<std::string> ids;
     for (const InstructedStudy& part : parts) ids.push_back(part.instruction.id);
@@ -158,13 +166,16 @@ std::vector<InstructionContrast> contrastsOf(const StudyData& data, const std::s
             const bool areCrossed = haveCommonUnits(recast.cells(), units);
             pairs.push_back(areCrossed ? comparedSpeed(recast.cells(), units, cells, scores, {a, b})
                                        : stats::SpeedPair{cells[a], cells[b], scores[a], scores[b]});
+            for (const std::size_t side : {b, a})
+                if (std::string why = whyNoChance(scoring, responsesIn(parts[side])); !why.empty())
+                    pairs.back().noBits = std::move(why);
             contrasts.push_back({ids[a],
                                  ids[b],
                                  areCrossed ? differenceOfShares(recast.cells(), units) : differenceOfShares(cells[a], cells[b]),
                                  {}});
             p.push_back(contrasts.back().share.test.p);
         }
-    const auto tests = stats::speedContrasts(pairs, alternatives);
+    const auto tests = stats::speedContrasts(pairs, scoring.alternatives);
     const auto holm = stats::adjusted(p, stats::Adjustment::Holm);
     for (std::size_t i = 0; i < contrasts.size(); ++i) {
         contrasts[i].tests = tests[i];
@@ -276,7 +287,7 @@ InstructedSpeed countedUnder(const InstructedStudy& study, const AnswerCells& ce
 
 }  // namespace
 
-InstructionAnalysis analyseInstructions(const StudyData& data, const std::string& question, int alternatives)
+InstructionAnalysis analyseInstructions(const StudyData& data, const std::string& question, const RightOrWrong& scoring)
 {
     InstructionAnalysis analysis;
     const std::vector<InstructedStudy> studies = splitByInstruction(data, question);
@@ -302,11 +313,11 @@ InstructionAnalysis analyseInstructions(const StudyData& data, const std::string
             const auto responses = answers[i].of(question, data.conditions[c]);
             all.insert(all.end(), responses.begin(), responses.end());
             analysis.instructions[i].conditions.push_back(
-                conditionSpeedOf(responses, byCondition[i][c], conditionScores[i * data.conditions.size() + c], alternatives));
+                conditionSpeedOf(responses, byCondition[i][c], conditionScores[i * data.conditions.size() + c], scoring));
         }
-        analysis.instructions[i].speed = conditionSpeedOf(all, overall[i], scores[i], alternatives);
+        analysis.instructions[i].speed = conditionSpeedOf(all, overall[i], scores[i], scoring);
     }
-    analysis.contrasts = contrastsOf(data, question, studies, overallCells, scores, alternatives);
+    analysis.contrasts = contrastsOf(data, question, studies, overallCells, scores, scoring);
     const FactorCells factors(data, question, studies);
     analysis.shares = anovaOf(data, studies, factors, correctnessOf);
     analysis.logSeconds = anovaOf(data, studies, factors, logTimeOf);

@@ -45,6 +45,6 @@ struct InstructionAnalysis {
 };
 
 /// Empty where the answers name no instruction.
-InstructionAnalysis analyseInstructions(const StudyData& data, const std::string& question, int alternatives);
+InstructionAnalysis analyseInstructions(const StudyData& data, const std::string& question, const RightOrWrong& scoring);
 
 }  // namespace reports

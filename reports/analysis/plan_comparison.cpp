@@ -6,6 +6,7 @@
 
 #include "protocols/files/number_text.h"
 #include "reports/analysis/study_analysis.h"
+#include "reports/data/design_limits.h"
 #include "reports/text/plain_words.h"
 
 namespace reports {
@@ -135,7 +136,8 @@ PlanRow participantsRow(const StudyData& data, const Answered& answered)
 /// The questions in which each planned contrast was tested, with the reason where it was not.
 class ContrastSearch {
 public:
-    explicit ContrastSearch(const StudyAnalysis& analysis) : m_answered(analysis.data)
+    explicit ContrastSearch(const StudyAnalysis& analysis)
+        : m_answered(analysis.data), m_areOthersAsked(analysis.data.plannedFrom == PlanOrigin::Option)
     {
         for (const QuestionAnalysis& question : analysis.questions) {
             const QuestionClaims* claims = claimsOf(question);
@@ -156,7 +158,7 @@ public:
             const auto found = m_why.find({question, a, b});
             const bool isTested = found != m_why.end() && found->second.empty();
             (isTested ? done.testedIn : done.untested).push_back(question);
-            if (!isTested && done.why.empty()) done.why = whyNot(done, found == m_why.end() ? std::string() : found->second);
+            if (!isTested && done.why.empty()) done.why = whyNot(done, found == m_why.end() ? whyNotAsked() : found->second);
         }
         return done;
     }
@@ -167,7 +169,10 @@ private:
         return done.unanswered.empty() ? why : "no answers under " + listed(done.unanswered);
     }
 
+    std::string whyNotAsked() const { return m_areOthersAsked ? "the option --planned names other contrasts" : ""; }
+
     Answered m_answered;
+    bool m_areOthersAsked;
     std::vector<std::string> m_questions;
     std::map<std::tuple<std::string, std::string, std::string>, std::string> m_why;
 };
@@ -185,13 +190,24 @@ PlanRow primaryRow(const StudyData& data, const std::vector<ContrastDone>& contr
             accordOf(primary.untested.empty() && !primary.testedIn.empty())};
 }
 
+/// What was done where the plan has no contrast.
+PlanRow allPairsRow(const StudyData& data)
+{
+    const std::string planned = "none: all pairs";
+    if (!data.planned.empty())
+        return {"planned contrasts", planned, counted(data.planned.size(), "contrast") + " of the option --planned",
+                Accord::Deviates};
+    if (!comparesAllPairs(data)) return {"planned contrasts", planned, "none tested (needs --pairs)", Accord::Deviates};
+    return {"planned contrasts", planned, "all pairs", Accord::AsPlanned};
+}
+
 PlanRow contrastsRow(const StudyData& data, const std::vector<ContrastDone>& contrasts)
 {
     const std::size_t planned = data.plannedDesign->contrasts;
     if (data.blinded)
         return {"planned contrasts", planned == 0 ? "none: all pairs" : std::to_string(planned), "left out while blinded",
                 Accord::Unknown};
-    if (planned == 0) return {"planned contrasts", "none: all pairs", "all pairs", Accord::AsPlanned};
+    if (planned == 0) return allPairsRow(data);
     const auto whole = static_cast<std::size_t>(
         std::ranges::count_if(contrasts, [](const ContrastDone& one) { return one.untested.empty() && !one.testedIn.empty(); }));
     const auto none =

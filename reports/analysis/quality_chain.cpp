@@ -21,9 +21,10 @@ ChainAnswer answerTo(const QuestionAnalysis& question, std::size_t condition)
 ChainQuestion chainQuestion(const QuestionAnalysis& question)
 {
     if (const auto* choices = std::get_if<ChoiceAnalysis>(&question.findings))
-        return {question.question.id, true, 0, 1, 1.0 / choices->alternatives};
+        return {question.question.id, true, 0, 1,
+                shownChance(*choices) > 0 ? std::optional(1.0 / choices->alternatives) : std::nullopt};
     const auto& scale = std::get<RatingAnalysis>(question.findings).scale;
-    return {question.question.id, false, scale.min, scale.max, 0};
+    return {question.question.id, false, scale.min, scale.max};
 }
 
 bool inOrderOfPaper(const RenderingPrice& a, const RenderingPrice& b)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,9 +15,9 @@ namespace reports {
 /// One question of the chain.
 struct ChainQuestion {
     std::string id;
-    bool isChoice = false;     ///< shares correct; else means on the scale
-    double low = 0, high = 1;  ///< what figures show: 0 to 1, or the scale
-    double chance = 0;         ///< of a choice
+    bool isChoice = false;              ///< shares correct; else means on the scale
+    double low = 0, high = 1;           ///< what figures show: 0 to 1, or the scale
+    std::optional<double> chance = {};  ///< of a choice; none where it is not tested against chance
 };
 
 /// Share correct with Wilson's interval, or the mean rating with the interval over participants' means.

@@ -153,7 +153,7 @@ stats::AnswerCube answerCube(const StudyData& data, const AnswerCells& cells, co
 
 QuestionClaims claimsOf(const StudyData& data, const AnswerCells& cells, const std::string& question,
                         std::optional<int> alternatives, const stats::RepeatedMeasuresAnova& anova,
-                        const stats::RatingModel& model, Depth depth)
+                        const stats::RatingModel& model, Depth depth, const std::vector<std::string>& noChance)
 {
     QuestionClaims claims;
     if (!alternatives) claims.bounds = data.equivalenceBounds;
@@ -170,8 +170,8 @@ QuestionClaims claimsOf(const StudyData& data, const AnswerCells& cells, const s
     }
     if (alternatives) {
         const double chance = 1.0 / *alternatives;
-        const auto ofThese = stats::chanceClaims(cube, chance, Generalisation::TheseFabrics),
-                   ofAlike = stats::chanceClaims(cube, chance, Generalisation::FabricsLikeThese);
+        const auto ofThese = stats::chanceClaims(cube, chance, Generalisation::TheseFabrics, noChance),
+                   ofAlike = stats::chanceClaims(cube, chance, Generalisation::FabricsLikeThese, noChance);
         for (std::size_t c = 0; c < data.conditions.size(); ++c) {
             claims.aboveChance.push_back({data.conditions[c], Generalisation::TheseFabrics, ofThese[c]});
             claims.aboveChance.push_back({data.conditions[c], Generalisation::FabricsLikeThese, ofAlike[c]});

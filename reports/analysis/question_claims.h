@@ -60,10 +60,11 @@ struct QuestionClaims {
 };
 
 /// `anova`: the repeated-measures analysis of the participants' means; `model`: the mixed model of the same answers, in which
-/// choices count as 0 and 1. `alternatives`: answers to choose from; none for ratings.
+/// choices count as 0 and 1. `alternatives`: answers to choose from; none for ratings. `noChance`: for each condition why it is
+/// not tested against chance, see whyNoChance(); empty texts, or none for ratings.
 QuestionClaims claimsOf(const StudyData& data, const AnswerCells& cells, const std::string& question,
                         std::optional<int> alternatives, const stats::RepeatedMeasuresAnova& anova,
-                        const stats::RatingModel& model, Depth depth);
+                        const stats::RatingModel& model, Depth depth, const std::vector<std::string>& noChance = {});
 
 /// The means of the cells of a question, by condition, participant and fabric of the study. They are those of all answers of a
 /// cell, also where repetitions are missing.

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "reports/cells/chance_level.h"
 #include "reports/cells/response_time.h"
 #include "stats/claims/median_time.h"
 #include "stats/kernels/decimal_grid.h"
@@ -75,13 +76,17 @@ stats::Value meanLogTime(const std::vector<const StudyResponse*>& responses)
 
 void testContrasts(std::vector<SpeedContrast>& contrasts, const StudyData& data, const AnswerCells& cells,
                    const std::string& question, const std::vector<stats::ConditionSpeedCells>& conditions,
-                   const std::vector<ValuesByParticipant>& scores, int alternatives)
+                   const std::vector<ValuesByParticipant>& scores, const RightOrWrong& scoring)
 {
     std::vector<stats::SpeedPair> pairs;
-    for (const SpeedContrast& contrast : contrasts)
+    for (const SpeedContrast& contrast : contrasts) {
         pairs.push_back(comparedSpeed(cells, CommonUnits(cells, question, {contrast.a, contrast.b}), conditions, scores,
                                       {placeIn(data.conditions, contrast.a), placeIn(data.conditions, contrast.b)}));
-    auto tests = stats::speedContrasts(pairs, alternatives);
+        for (const std::string& condition : {contrast.b, contrast.a})
+            if (std::string why = whyNoChance(scoring, cells.of(question, condition)); !why.empty())
+                pairs.back().noBits = std::move(why);
+    }
+    auto tests = stats::speedContrasts(pairs, scoring.alternatives);
     for (std::size_t i = 0; i < contrasts.size(); ++i) contrasts[i].tests = std::move(tests[i]);
 }
 
@@ -136,7 +141,7 @@ stats::SpeedPair comparedSpeed(const AnswerCells& cells, const CommonUnits& unit
 }
 
 ConditionSpeed conditionSpeedOf(const std::vector<const StudyResponse*>& responses, const ParticipantsSpeed& under,
-                                const ValuesByParticipant& scores, int alternatives)
+                                const ValuesByParticipant& scores, const RightOrWrong& scoring)
 {
     const stats::ResponseTimes times = stats::responseTimes(responseTimesOf(responses));
     ConditionSpeed speed;
@@ -147,10 +152,12 @@ ConditionSpeed conditionSpeedOf(const std::vector<const StudyResponse*>& respons
     speed.shareCi95 = shareIntervalOf(under.cells);
     speed.bitsPerSecond = speed.share.exists() ? times.mean : speed.share;
     if (speed.share.exists() && times.mean.exists())
-        speed.bitsPerSecond = stats::bitsPerSecond(*speed.share, alternatives, *times.mean);
+        speed.bitsPerSecond = stats::bitsPerSecond(*speed.share, scoring.alternatives, *times.mean);
     std::vector<stats::ParticipantChoices> choices;
     for (const stats::SpeedCell& cell : under.cells) choices.push_back(cell.choices);
-    speed.bitsPerSecondCi95 = stats::informationRate(choices, alternatives).ci95;
+    speed.bitsPerSecondCi95 = stats::informationRate(choices, scoring.alternatives).ci95;
+    if (const std::string why = whyNoChance(scoring, responses); !why.empty())
+        speed.bitsPerSecond = speed.bitsPerSecondCi95.low = speed.bitsPerSecondCi95.high = stats::Value::undefined(why);
     speed.balancedIntegrationScore = meanScore(under.cells, scores, times.mean);
     const std::vector<double> numbers = numbersAmong(scores);
     speed.scoreCi95 = numbers.empty() ? stats::Interval{speed.balancedIntegrationScore, speed.balancedIntegrationScore}
@@ -158,8 +165,8 @@ ConditionSpeed conditionSpeedOf(const std::vector<const StudyResponse*>& respons
     return speed;
 }
 
-SpeedAnalysis analyseSpeed(const StudyData& data, const AnswerCells& cells, const std::string& question, int alternatives,
-                           const QuestionClaims& claims)
+SpeedAnalysis analyseSpeed(const StudyData& data, const AnswerCells& cells, const std::string& question,
+                           const RightOrWrong& scoring, const QuestionClaims& claims)
 {
     std::vector<ParticipantsSpeed> speeds;
     std::vector<stats::ConditionSpeedCells> conditions;
@@ -170,8 +177,7 @@ SpeedAnalysis analyseSpeed(const StudyData& data, const AnswerCells& cells, cons
     const auto scores = stats::scoresOf(conditions);
     SpeedAnalysis analysis;
     for (std::size_t c = 0; c < conditions.size(); ++c)
-        analysis.conditions.push_back(
-            conditionSpeedOf(cells.of(question, data.conditions[c]), speeds[c], scores[c], alternatives));
+        analysis.conditions.push_back(conditionSpeedOf(cells.of(question, data.conditions[c]), speeds[c], scores[c], scoring));
     const std::size_t count = claims.contrasts.size() / 2;
     if (!anyTimes(conditions))
         analysis.contrastsWhy = "there are no response times";
@@ -182,7 +188,7 @@ SpeedAnalysis analyseSpeed(const StudyData& data, const AnswerCells& cells, cons
                                 std::to_string(mostSpeedContrasts) + " are tested: plan some in the protocol";
     else {
         analysis.contrasts = contrastsOf(claims);
-        testContrasts(analysis.contrasts, data, cells, question, conditions, scores, alternatives);
+        testContrasts(analysis.contrasts, data, cells, question, conditions, scores, scoring);
     }
     return analysis;
 }

@@ -36,9 +36,10 @@ ParticipantsSpeed speedUnder(const AnswerCells& cells, const std::string& questi
 /// The same over all conditions.
 ParticipantsSpeed speedOverConditions(const AnswerCells& cells, const std::string& question);
 
-/// `scores`: the balanced integration score of each participant, standardised together with those of other conditions.
+/// `scores`: the balanced integration score of each participant, standardised together with those of other conditions. Bits per
+/// second are undefined where guessing is not right in 1/m of the responses (see whyNoChance()).
 ConditionSpeed conditionSpeedOf(const std::vector<const StudyResponse*>& responses, const ParticipantsSpeed& under,
-                                const std::vector<stats::Value>& scores, int alternatives);
+                                const std::vector<stats::Value>& scores, const RightOrWrong& scoring);
 
 /// Two conditions as the tests compare them: on the choices with a time that each participant made under both, about the same
 /// fabrics and in the same repetitions. Shares and times are those of the same choices. `conditions` and `scores`: the cells of
@@ -79,8 +80,8 @@ struct StampCounts {
 std::vector<StampCounts> stampCountsOf(const StudyData& data);
 
 /// `claims`: those of the same question; their contrasts are the family.
-SpeedAnalysis analyseSpeed(const StudyData& data, const AnswerCells& cells, const std::string& question, int alternatives,
-                           const QuestionClaims& claims);
+SpeedAnalysis analyseSpeed(const StudyData& data, const AnswerCells& cells, const std::string& question,
+                           const RightOrWrong& scoring, const QuestionClaims& claims);
 
 /// A study without a choice question: every number is undefined.
 std::vector<ConditionSpeed> speedWithoutChoices(const StudyData& data);

@@ -72,14 +72,39 @@ LeastAnswers leastAnswers(const AnswersByCondition& ofFabric, UnitMark mark, Uni
     return least;
 }
 
+/// Whether every unit has equally many answers under all conditions that have some.
+bool areEven(const AnswersByCondition& ofFabric, UnitMark mark)
+{
+    std::vector<UnitLabel> first;
+    bool isEven = true;
+    for (const auto& answers : ofFabric) {
+        if (answers.empty()) continue;
+        std::vector<UnitLabel> labels = sortedLabels(answers, mark);
+        isEven = isEven && (first.empty() || labels == first);
+        first = std::move(labels);
+    }
+    return isEven;
+}
+
+/// The units of the answers; all are one where they are even.
+std::vector<std::vector<const StudyResponse*>> countedUnits(const std::vector<const StudyResponse*>& answers, UnitMark mark,
+                                                            bool isEven)
+{
+    if (answers.empty()) return {};
+    if (isEven) return {answers};
+    std::map<UnitLabel, std::vector<const StudyResponse*>> byLabel;
+    for (const StudyResponse* response : answers) byLabel[unitLabelOf(*response, mark)].push_back(response);
+    std::vector<std::vector<const StudyResponse*>> units;
+    for (auto& [label, ofUnit] : byLabel) units.push_back(std::move(ofUnit));
+    return units;
+}
+
 /// Mean over the answers. Where a unit has more of them under some condition, units count equally.
 stats::Value meanOfUnits(const std::vector<const StudyResponse*>& answers, UnitMark mark, bool isEven)
 {
     if (isEven) return stats::meanOf(valuesOf(answers));
-    std::map<UnitLabel, std::vector<const StudyResponse*>> units;
-    for (const StudyResponse* response : answers) units[unitLabelOf(*response, mark)].push_back(response);
     std::vector<double> means;
-    for (const auto& [label, ofUnit] : units)
+    for (const auto& ofUnit : countedUnits(answers, mark, isEven))
         if (const stats::Value mean = stats::meanOf(valuesOf(ofUnit)); mean.exists()) means.push_back(*mean);
     return means.size() == 1 ? stats::Value(means.front()) : stats::meanOf(means);
 }
@@ -161,16 +186,21 @@ std::vector<CommonUnits::FabricMeans> CommonUnits::fabrics(const std::string& pa
 {
     std::vector<FabricMeans> fabrics;
     for (const auto& [fabric, ofFabric] : byFabricName(answers(participant))) {
-        std::vector<UnitLabel> first;
-        bool isEven = true;
-        for (const auto& answers : ofFabric) {
-            if (answers.empty()) continue;
-            std::vector<UnitLabel> labels = sortedLabels(answers, m_mark);
-            isEven = isEven && (first.empty() || labels == first);
-            first = std::move(labels);
-        }
+        const bool isEven = areEven(ofFabric, m_mark);
         FabricMeans one{std::string(fabric), {}};
         for (const auto& answers : ofFabric) one.means.push_back(meanOfUnits(answers, m_mark, isEven));
+        fabrics.push_back(std::move(one));
+    }
+    return fabrics;
+}
+
+std::vector<CommonUnits::FabricUnits> CommonUnits::units(const std::string& participant) const
+{
+    std::vector<FabricUnits> fabrics;
+    for (const auto& [fabric, ofFabric] : byFabricName(answers(participant))) {
+        const bool isEven = areEven(ofFabric, m_mark);
+        FabricUnits one{std::string(fabric), {}};
+        for (const auto& answers : ofFabric) one.units.push_back(countedUnits(answers, m_mark, isEven));
         fabrics.push_back(std::move(one));
     }
     return fabrics;

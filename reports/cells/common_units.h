@@ -56,6 +56,14 @@ public:
     /// In the order of the fabrics' names.
     std::vector<FabricMeans> fabrics(const std::string& participant) const;
 
+    /// The answers behind the means of a fabric: by condition its units, which count equally, with their answers.
+    struct FabricUnits {
+        std::string fabric;
+        std::vector<std::vector<std::vector<const StudyResponse*>>> units;
+    };
+    /// In the order of the fabrics' names.
+    std::vector<FabricUnits> units(const std::string& participant) const;
+
     /// Means over these fabrics, by condition; empty where no unit is common. Only for UnitNeeds::EveryCondition.
     std::vector<double> means(const std::string& participant) const;
 

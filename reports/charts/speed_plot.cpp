@@ -59,7 +59,8 @@ private:
     std::size_t legendEntries() const
     {
         const auto named = std::ranges::count_if(m_plot.lines, [](const SpeedLine& line) { return !line.name.empty(); });
-        return m_plot.points.size() + static_cast<std::size_t>(named) + 1 + (m_plot.deadlines.empty() ? 0 : 1);
+        return m_plot.points.size() + static_cast<std::size_t>(named) + (m_plot.alternatives > 0 ? 1 : 0) +
+               (m_plot.deadlines.empty() ? 0 : 1);
     }
 
     /// The legend stands on the right of the plot; in a narrow figure it stands below, in two columns.
@@ -113,8 +114,10 @@ private:
         m_drawing.line({plotLeft, plotTop}, {plotLeft, bottom}, ChartColours::ink, 1.5);
         m_drawing.text({plotLeft - 56, plotTop + plotHeight / 2}, "share correct", {.size = 15, .rotation = -90});
         m_drawing.text({plotLeft + m_plotWidth / 2, bottom + 54}, "response time, s", {.size = 15});
-        const double chance = 1.0 / m_plot.alternatives;
-        m_drawing.line({plotLeft, y(chance)}, {right, y(chance)}, ChartColours::ink, 1.4, "7 5");
+        if (m_plot.alternatives > 0) {
+            const double chance = 1.0 / m_plot.alternatives;
+            m_drawing.line({plotLeft, y(chance)}, {right, y(chance)}, ChartColours::ink, 1.4, "7 5");
+        }
         for (const double deadline : m_plot.deadlines)
             m_drawing.line({x(deadline), plotTop}, {x(deadline), bottom}, ChartColours::ink, 1.4, "2 4");
     }
@@ -202,7 +205,7 @@ private:
         }
         for (std::size_t i = 0; i < m_plot.lines.size(); ++i)
             if (!m_plot.lines[i].name.empty()) legendStroke(m_plot.lines[i].name, dashesOfLines[i % 4], 1.8);
-        legendStroke("chance, 1/" + std::to_string(m_plot.alternatives), "7 5", 1.4);
+        if (m_plot.alternatives > 0) legendStroke("chance, 1/" + std::to_string(m_plot.alternatives), "7 5", 1.4);
         if (!m_plot.deadlines.empty()) legendStroke("deadline", "2 4", 1.4);
     }
 

@@ -32,7 +32,7 @@ struct SpeedPlot {
     std::vector<SpeedPoint> points = {};
     std::vector<SpeedLine> lines = {};
     std::vector<double> deadlines = {};  ///< s, drawn as vertical lines
-    int alternatives = 2;                ///< chance is 1/alternatives
+    int alternatives = 2;                ///< chance is 1/alternatives; 0: there is no line of chance
     PointSigns signs = PointSigns::Numbers;
 };
 

@@ -19,13 +19,6 @@
 namespace reports {
 namespace {
 
-/// A twentieth of the scale either way: 0.5 on the paper's scale from 0 to 10.
-std::pair<double, double> usualBoundsOn(const protocols::RatingScale& scale)
-{
-    const double bound = (scale.max.inScaleUnits() - scale.min.inScaleUnits()) / 20;
-    return {-bound, bound};
-}
-
 /// Under this name JSON files give the reasons of missing numbers.
 constexpr const char* reservedName = "why";
 
@@ -74,12 +67,22 @@ private:
     std::string nameOf(std::size_t row) const { return protocols::rowName(m_table, row); }
     const std::string& cell(std::size_t row, std::size_t column) const { return m_table.rows[row][column]; }
 
+    /// The usual bounds are those of the ratings that the protocol describes, or else of the scale that the caller names.
+    void readBounds()
+    {
+        const auto& protocol = m_options.protocol;
+        if (protocol) m_data.equivalenceBounds = protocol->equivalenceBounds;
+        if (protocol && !protocol->hasUsualBounds) m_data.boundsFrom = PlanOrigin::Protocol;
+        const bool hasScale = protocol && memorisedScaleOf(*protocol) != nullptr;
+        if (m_data.boundsFrom == PlanOrigin::Program && !hasScale && m_options.scale)
+            m_data.equivalenceBounds = protocols::usualBoundsOn(*m_options.scale);
+    }
+
     void readProtocol()
     {
+        readBounds();
         if (!m_options.protocol) return;
         m_data.name = m_options.protocol->name;
-        m_data.equivalenceBounds = m_options.protocol->equivalenceBounds;
-        m_data.boundsStated = true;
         for (const protocols::PlannedContrast& contrast : contrastsInOrder(*m_options.protocol))
             m_data.planned.emplace_back(contrast.a.value, contrast.b.value);
         readDesign(*m_options.protocol);
@@ -90,10 +93,11 @@ private:
     {
         if (m_options.equivalenceBounds) {
             m_data.equivalenceBounds = *m_options.equivalenceBounds;
-            m_data.boundsStated = true;
+            m_data.boundsFrom = PlanOrigin::Option;
         }
-        if (m_options.scale && !m_data.boundsStated) m_data.equivalenceBounds = usualBoundsOn(*m_options.scale);
-        if (!m_options.planned.empty()) m_data.planned = m_options.planned;
+        if (m_options.planned.empty()) return;
+        m_data.planned = m_options.planned;
+        m_data.plannedFrom = PlanOrigin::Option;
     }
 
     /// The rows of an export stand in the order of time, which differs from study to study. So the conditions of the protocol, or
@@ -169,7 +173,9 @@ private:
             for (const auto& asked : phase.questions) design.questions.push_back(asked.id.value);
         design.contrastPairs = m_data.planned;
         design.contrasts = m_data.planned.size();
-        design.equivalenceBounds = protocol.equivalenceBounds;
+        design.equivalenceBounds = m_data.equivalenceBounds;
+        design.hasUsualBounds = protocol.hasUsualBounds;
+        design.answersPerRendering = static_cast<std::size_t>(protocol.answersPerRendering());
         design.protocolSha256 = m_data.protocolInUse = m_options.protocolSha256;
     }
 

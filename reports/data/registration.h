@@ -7,14 +7,16 @@
 #include <utility>
 #include <vector>
 
+#include "protocols/answer_kind.h"
+
 namespace reports {
 
 /// A plan in the log of the study.
 struct Registration {
-    int number = 1;      ///< from 1; the later ones are amendments
-    std::string time;    ///< ISO 8601
-    std::string sha256;  ///< of the registered JSON
-    std::size_t answersBefore = 0;
+    int number = 1;                 ///< from 1; the later ones are amendments
+    std::string time;               ///< ISO 8601
+    std::string sha256;             ///< of the registered JSON
+    std::size_t answersBefore = 0;  ///< given before it; those that were erased since count, too
     bool afterUnblinding = false;
     std::vector<std::string> changes;  ///< parts of the plan that an amendment changed: "planned", "equivalence_bounds"
     bool isFollowed = false;           ///< the analysis follows this one
@@ -29,6 +31,17 @@ bool isInTime(const Registration& registration);
 /// Name of the bounds among the parts of a plan that a protocol changed (StudyData::protocolChanges).
 inline constexpr const char* equivalenceBoundsChanged = "equivalence bounds";
 
+/// What states the bounds of equivalence, or the planned contrasts, that a report uses.
+enum class PlanOrigin {
+    Program,         ///< nobody: the default of this program
+    Option,          ///< the call of the report, by --bounds or --planned
+    Protocol,        ///< the protocol, or the version of it that counts
+    RegisteredPlan,  ///< the registered plan alone: the latest protocol states something else, or nothing
+};
+
+/// The rule of bounds that nobody states: "a twentieth of the scale either way", or of the shortest one of these questions.
+std::string usualBoundsRule(const std::vector<protocols::AnswerKind>& questions);
+
 /// The numbers and names of a plan.
 struct PlannedDesign {
     std::size_t participants = 0;
@@ -40,9 +53,15 @@ struct PlannedDesign {
     std::size_t contrasts = 0;
     std::vector<std::pair<std::string, std::string>> contrastPairs;  ///< the primary one first; empty while blinded
     std::pair<double, double> equivalenceBounds{-0.5, 0.5};
+    bool hasUsualBounds = false;  ///< the protocol states no bounds
     std::string protocolSha256;
+    /// Of one participant to one fabric under one condition, over questions and instructions; 0: one to each question.
+    std::size_t answersPerRendering = 0;
 
-    std::size_t answers() const { return participants * fabrics * conditions * questions.size(); }
+    std::size_t answers() const
+    {
+        return participants * fabrics * conditions * (answersPerRendering != 0 ? answersPerRendering : questions.size());
+    }
 };
 
 }  // namespace reports

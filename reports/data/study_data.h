@@ -156,8 +156,9 @@ struct StudyData {
     std::map<std::string, std::string> groupOf;  ///< group of each participant; empty: there are no groups
     std::vector<QuestionInfo> questions;
     std::pair<double, double> equivalenceBounds{-0.5, 0.5};
-    bool boundsStated = false;  ///< a protocol stated them; false: they are the default of this program
+    PlanOrigin boundsFrom = PlanOrigin::Program;
     std::vector<std::pair<std::string, std::string>> planned;  ///< the primary one first; empty while blinded
+    PlanOrigin plannedFrom = PlanOrigin::Protocol;             ///< what states them, where there are any
     std::optional<PlannedDesign> plannedDesign;                ///< none: neither a registered plan nor a protocol is known
     bool hasLog = false;                            ///< false: nobody could have registered a plan that this program knows
     std::vector<Registration> registrations;        ///< in their order

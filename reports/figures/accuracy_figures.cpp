@@ -84,6 +84,7 @@ private:
         m_drawing.line({left, m_top}, {left, m_bottom}, ChartColours::ink, 1.5);
         m_drawing.text({left - 56, (m_top + m_bottom) / 2}, "share correct", {.size = 15, .rotation = -90});
         m_drawing.text({(left + m_right) / 2, m_bottom + 54}, "response time, s", {.size = 15});
+        if (m_alternatives < 1) return;
         const double chance = 1.0 / m_alternatives;
         m_drawing.line({left, y(chance)}, {m_right, y(chance)}, ChartColours::ink, 1.4, "7 5");
     }
@@ -105,7 +106,8 @@ private:
         m_drawing.circle({mean.x + 15, mean.y}, 6, ChartColours::blue, ChartColours::white);
         words(mean, "mean of participants, 95 % interval");
         if (m_accuracy.participants.size() <= mostThinLines) stroke(place(310, 1), ChartColours::slate, 1, "", "one participant");
-        stroke(place(500, 2), ChartColours::ink, 1.4, "7 5", "chance, 1/" + std::to_string(m_alternatives));
+        if (m_alternatives > 0)
+            stroke(place(500, 2), ChartColours::ink, 1.4, "7 5", "chance, 1/" + std::to_string(m_alternatives));
     }
 
     void drawParticipant(const ParticipantSpeed& one)
@@ -135,7 +137,7 @@ private:
     }
 
     const AccuracyBySpeed& m_accuracy;
-    int m_alternatives;
+    int m_alternatives;  ///< 0: there is no line of chance
     bool m_isNarrow;
     double m_right, m_top, m_bottom;  ///< of the plot, px
     double m_longest;
@@ -158,7 +160,7 @@ std::vector<Figure> accuracyFigures(const StudyAnalysis& analysis, FigureWidth w
                                              "Whiskers: 95 % interval over participants, for these fabrics."),
                       .section = PageSection::Speed,
                       .question = question.id()};
-        figure.svg = AccuracyPlot(accuracy, question.findings.alternatives, question.id() + ": share correct by response time",
+        figure.svg = AccuracyPlot(accuracy, shownChance(question.findings), question.id() + ": share correct by response time",
                                   figure.caption, width)
                          .drawn();
         figures.push_back(std::move(figure));

@@ -103,7 +103,7 @@ std::vector<ChainPanel> panelsOf(const QualityChain& chain)
                              return PanelPoint{row.answers[q].value, row.answers[q].ci95};
                          }),
                          question.low, question.high};
-        if (question.isChoice) panel.chance = question.chance;
+        panel.chance = question.chance;
         panels.push_back(std::move(panel));
     }
     const auto bits = pointsOf([](const ChainRow& row) { return PanelPoint{row.bitsPerSecond, row.bitsPerSecondCi95}; });
@@ -237,6 +237,7 @@ std::vector<Figure> chainFigures(const StudyAnalysis& analysis, FigureWidth widt
     if (chain.rows.empty()) return {};
     const std::vector<ChainPanel> panels = panelsOf(chain);
     const std::string intervals = answerIntervalsText(chain);
+    const bool hasChance = std::ranges::any_of(panels, [](const ChainPanel& panel) { return panel.chance.has_value(); });
     Figure figure{
         .name = "chain",
         .caption = stampedCaption(
@@ -244,8 +245,8 @@ std::vector<Figure> chainFigures(const StudyAnalysis& analysis, FigureWidth widt
             "Speed against accuracy, from milliseconds to people. Upper panels, over fabrics: median time of the signals "
             "of one image; error of the signal and difference under a simulated finger, both from the accurate rendering "
             "of the same condition. Other panels: participants' answers. Whiskers: 95 % intervals" +
-                (intervals.empty() ? "" : ". " + intervals) +
-                ". Dashed line: chance. A missing point has its reason in the table."),
+                (intervals.empty() ? "" : ". " + intervals) + (hasChance ? ". Dashed line: chance." : ".") +
+                " A missing point has its reason in the table."),
         .section = PageSection::Chain};
     figure.svg = ChainPlot(chain, panels, "Speed against accuracy, from milliseconds to people", figure.caption, width).drawn();
     return {std::move(figure)};

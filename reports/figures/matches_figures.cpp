@@ -19,11 +19,12 @@ stats::Interval inMatches(const stats::Interval& share, double participants)
     return {*share.low * participants, *share.high * participants};
 }
 
-/// A mean share and its 95 % interval with participants and fabrics as samples; of participants alone where there is one fabric.
-/// The interval may leave 0 to 1.
+/// A mean share and its 95 % interval with participants and fabrics as samples; of participants alone where fabrics cannot be
+/// one. The interval may leave 0 to 1.
 struct DrawnShare {
     stats::Value estimate;
     stats::Interval ci95;
+    stats::Generalisation generalisation = stats::Generalisation::FabricsLikeThese;  ///< what the interval holds for
 };
 
 DrawnShare shareOf(const ChoiceAnalysis& choices, const std::string& condition)
@@ -31,7 +32,7 @@ DrawnShare shareOf(const ChoiceAnalysis& choices, const std::string& condition)
     DrawnShare share;
     for (const ChanceFinding& finding : choices.claims.aboveChance) {
         const stats::Interval& ci = finding.claim.mean.ci95;
-        if (finding.condition == condition && ci.low.exists()) share = {finding.claim.mean.estimate, ci};
+        if (finding.condition == condition && ci.low.exists()) share = {finding.claim.mean.estimate, ci, finding.generalisation};
     }
     return share;
 }
@@ -74,6 +75,31 @@ void drawBar(PlotFrame& plot, std::size_t i, const ConditionChoices& choices, co
     drawNumber(plot, foot, fixed(*matches, 1), whisker);
 }
 
+/// What the whiskers of a figure are; empty texts where it has none.
+struct WhiskerText {
+    std::string caption, remark;
+};
+
+WhiskerText whiskerText(const std::vector<std::string>& conditions, const std::vector<DrawnShare>& shares)
+{
+    std::size_t drawn = 0;
+    std::vector<std::string> overParticipants;
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        if (!shares[i].ci95.low.exists()) continue;
+        ++drawn;
+        if (shares[i].generalisation == stats::Generalisation::TheseFabrics) overParticipants.push_back(conditions[i]);
+    }
+    if (drawn == 0) return {};
+    if (overParticipants.empty())
+        return {" Whiskers: its 95 % interval with participants and fabrics as samples.",
+                "whiskers: 95 % interval, participants and fabrics"};
+    if (overParticipants.size() == drawn)
+        return {" Whiskers: its 95 % interval over participants, for these fabrics.", "whiskers: 95 % interval, participants"};
+    return {" Whiskers: its 95 % interval with participants and fabrics as samples; under " + listed(overParticipants) +
+                " over participants, for these fabrics.",
+            "whiskers: 95 % interval, see the caption"};
+}
+
 void drawChanceLine(PlotFrame& plot, double chance, const std::string& people)
 {
     const std::string dashes = "7 5";
@@ -87,24 +113,28 @@ Figure matchesFigure(const StudyAnalysis& analysis, const std::string& id, const
 {
     const std::size_t people = answeringParticipants(analysis.data, choices);
     const auto participants = static_cast<double>(std::max<std::size_t>(1, people));
-    const std::string m = std::to_string(choices.alternatives);
-    Figure figure{.name = "matches_" + id,
-                  .caption = stampedCaption(analysis.data,
-                                            id + ": correct matches per rendering, of " + counted(people, "participant") +
-                                                ". Bars: mean share correct times the number of participants. Whiskers: its 95 % "
-                                                "interval with participants and fabrics as samples. Dashed line: chance, 1/" +
-                                                m + "."),
-                  .section = PageSection::Matches,
-                  .question = id};
+    const int m = shownChance(choices);
+    std::vector<DrawnShare> shares;
+    for (const std::string& condition : analysis.data.conditions) shares.push_back(shareOf(choices, condition));
+    const WhiskerText whiskers = whiskerText(analysis.data.conditions, shares);
+    const std::string chance =
+        m > 0 ? " Dashed line: chance, 1/" + std::to_string(m) + "." : " No line of chance: the pairs were not half the same.";
+    Figure figure{
+        .name = "matches_" + id,
+        .caption = stampedCaption(analysis.data, id + ": correct matches per rendering, of " + counted(people, "participant") +
+                                                     ". Bars: mean share correct times the number of participants." +
+                                                     whiskers.caption + chance),
+        .section = PageSection::Matches,
+        .question = id};
     PlotFrame plot(analysis.data.conditions, 0, participants, id + ": matches per rendering by condition", figure.caption,
                    {width, width == FigureWidth::OneColumn ? 2 : 1});
     plot.drawFrame("matches per rendering (of " + std::to_string(people) + ")");
     plot.drawRightAxis(participants, "share correct");
     for (std::size_t i = 0; i < plot.conditions().size(); ++i)
-        drawBar(plot, i, choices.conditions[i], shareOf(choices, plot.conditions()[i]), participants,
+        drawBar(plot, i, choices.conditions[i], shares[i], participants,
                 plot.hasGroups() ? groupColour(*groupOf(plot.conditions()[i])) : plainColour());
-    drawChanceLine(plot, participants / choices.alternatives, std::to_string(people));
-    plot.drawRemark("whiskers: 95 % interval, participants and fabrics");
+    if (m > 0) drawChanceLine(plot, participants / m, std::to_string(people));
+    if (!whiskers.remark.empty()) plot.drawRemark(whiskers.remark);
     figure.svg = plot.drawing().finished();
     return figure;
 }

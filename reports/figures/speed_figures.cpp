@@ -30,7 +30,7 @@ bool anyTimes(const std::vector<SpeedPoint>& points)
 
 Figure conditionsFigure(const StudyAnalysis& analysis, const AnalysedQuestion<ChoiceAnalysis>& question, FigureWidth width)
 {
-    SpeedPlot plot{.title = question.id() + ": speed against accuracy", .alternatives = question.findings.alternatives};
+    SpeedPlot plot{.title = question.id() + ": speed against accuracy", .alternatives = shownChance(question.findings)};
     for (std::size_t c = 0; c < analysis.data.conditions.size(); ++c)
         plot.points.push_back(pointOf(analysis.data.conditions[c], question.findings.speed.conditions[c]));
     if (!question.findings.accuracyBySpeed.bins.empty())
@@ -55,7 +55,7 @@ Figure conditionsFigure(const StudyAnalysis& analysis, const AnalysedQuestion<Ch
 Figure instructionsFigure(const StudyAnalysis& analysis, const AnalysedQuestion<ChoiceAnalysis>& question, FigureWidth width)
 {
     SpeedPlot plot{.title = question.id() + ": speed against accuracy by instruction",
-                   .alternatives = question.findings.alternatives,
+                   .alternatives = shownChance(question.findings),
                    .signs = PointSigns::Shapes};
     for (const InstructedSpeed& under : question.findings.instructions.instructions) {
         plot.points.push_back(pointOf(under.instruction.id, under.speed));

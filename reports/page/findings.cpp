@@ -32,11 +32,22 @@ std::vector<std::string> aboveChance(const ChoiceAnalysis& choices, Generalisati
     return labels;
 }
 
+/// The conditions that are not tested, because guessing is not right in 1/m of the answers.
+std::vector<std::string> withoutChance(const StudyAnalysis& analysis, const ChoiceAnalysis& choices)
+{
+    std::vector<std::string> labels;
+    for (std::size_t c = 0; c < choices.conditions.size(); ++c)
+        if (!choices.conditions[c].noChance.empty()) labels.push_back(htmlLabel(analysis.data.conditions[c]));
+    return labels;
+}
+
 /// Names the conditions without any variation, for which no test exists.
 std::string withoutVariation(const ChoiceAnalysis& choices, double share, const std::string& answers)
 {
     std::vector<std::string> labels;
-    for (const ChanceFinding& finding : choices.claims.aboveChance) {
+    for (std::size_t i = 0; i < choices.claims.aboveChance.size(); ++i) {
+        if (!choices.conditions[i / 2].noChance.empty()) continue;  // each condition stands there twice
+        const ChanceFinding& finding = choices.claims.aboveChance[i];
         const stats::CrossedMean& mean = finding.claim.mean;
         const bool isConstant = !mean.why.empty() && mean.values > 1 && mean.estimate.exists() && *mean.estimate == share;
         if (finding.generalisation == Generalisation::FabricsLikeThese && isConstant)
@@ -49,18 +60,25 @@ std::string withoutVariation(const ChoiceAnalysis& choices, double share, const 
 
 std::string chanceSentence(const StudyAnalysis& analysis, const std::string& id, const ChoiceAnalysis& choices)
 {
-    const std::size_t conditions = analysis.data.conditions.size();
+    const std::vector<std::string> untested = withoutChance(analysis, choices);
+    const std::size_t tested = analysis.data.conditions.size() - untested.size();
+    const std::string m = std::to_string(choices.alternatives);
+    const std::string reason = untested.empty() ? ""
+                                                : " There is no test against chance (1/" + m + ") under " + listed(untested) +
+                                                      ": the pairs were not half the same, so guessing is not right in half of "
+                                                      "them. Read d\u2032 and its interval.";
+    if (tested == 0 && !untested.empty()) return id + ":" + reason;
     const std::vector<std::string> alike = aboveChance(choices, Generalisation::FabricsLikeThese),
                                    these = aboveChance(choices, Generalisation::TheseFabrics);
-    std::string text = id + ": matching is shown to be above chance (1/" + std::to_string(choices.alternatives) + ") in " +
-                       std::to_string(alike.size()) + " of " + counted(conditions, "condition") + " for fabrics like these";
+    std::string text = id + ": matching is shown to be above chance (1/" + m + ") in " + std::to_string(alike.size()) + " of " +
+                       counted(tested, untested.empty() ? "condition" : "tested condition") + " for fabrics like these";
     text += alike.empty() ? "." : ": " + listed(alike) + ".";
     if (these == alike)
         text += " For these fabrics only the result is the same.";
     else
         text += " For these fabrics only it is in " + std::to_string(these.size()) +
                 (these.empty() ? "." : ": " + listed(these) + ".");
-    return text + withoutVariation(choices, 1, "right") + withoutVariation(choices, 0, "wrong");
+    return text + withoutVariation(choices, 1, "right") + withoutVariation(choices, 0, "wrong") + reason;
 }
 
 /// The smallest and the largest of the conditions' values; empty for fewer than two.

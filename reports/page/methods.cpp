@@ -8,6 +8,7 @@
 #include "protocols/files/number_text.h"
 #include "reports/cells/finger_motion.h"
 #include "reports/cells/response_time.h"
+#include "reports/data/design_limits.h"
 #include "reports/page/anchor_text.h"
 #include "reports/page/plan_section.h"
 #include "reports/text/number_text.h"
@@ -49,12 +50,6 @@ std::string chanceSentence(const ChoiceQuestions& questions)
     return text + ", where m is the number of answers to choose from: " + listed(each) + "." + origin;
 }
 
-std::string boundsText(const StudyData& data)
-{
-    return typeset(protocols::shortest(data.equivalenceBounds.first)) + " and " +
-           typeset(protocols::shortest(data.equivalenceBounds.second));
-}
-
 bool anyPlanned(const StudyAnalysis& analysis)
 {
     return std::ranges::any_of(analysis.questions, [](const QuestionAnalysis& question) {
@@ -90,6 +85,16 @@ std::string leftOutSentence(const StudyAnalysis& analysis)
     return text;
 }
 
+std::string testedFamilySentence(const StudyAnalysis& analysis)
+{
+    if (anyPlanned(analysis))
+        return " The planned contrasts of a question are one family, in the order and with the sign of " +
+               contrastsSource(analysis.data) + ", the primary one first.";
+    const std::string none = " No planned contrast applies to these answers: ";
+    return none + (comparesAllPairs(analysis.data) ? "all pairs of a question are one family."
+                                                   : "no difference is tested, because all pairs are too many.");
+}
+
 std::string claimsParagraph(const StudyAnalysis& analysis, bool hasChoices)
 {
     std::string text =
@@ -109,10 +114,7 @@ std::string claimsParagraph(const StudyAnalysis& analysis, bool hasChoices)
             " Choices count as 0 and 1 in these tests, and the model is always that of the differences. Odds and effects come "
             "from the logistic mixed models, whose tests reject "
             "too often with few fabrics.";
-    text += !anyPlanned(analysis) ? " No planned contrast applies to these answers: all pairs of a question are one family."
-                                  : " The planned contrasts of a question are one family, in the order and with the sign of the "
-                                    "protocol, the primary one first.";
-    return text +
+    return text + testedFamilySentence(analysis) +
            " Holm's correction is taken within the family: once for the differences, once for the equivalences, separately for "
            "each generalisation. The verdict is &ldquo;different&rdquo; or &ldquo;equivalent&rdquo; if the corrected p is below "
            ".05. It is &ldquo;different, within the bounds&rdquo; if both are, and &ldquo;not decided&rdquo; if neither is." +
@@ -129,29 +131,45 @@ std::string unitParagraph()
            "the mean of these means differs from that of all ratings. Figures show it with its interval, and tables have both.";
 }
 
+/// Shares of pairs that were the same, over the conditions.
+struct SameShares {
+    std::optional<double> least = {}, most = {};
+
+    void add(double share)
+    {
+        least = std::min(least.value_or(1), share);
+        most = std::max(most.value_or(0), share);
+    }
+    std::string text() const
+    {
+        const std::string low = percentText(*least, 1), high = percentText(*most, 1);
+        return low == high ? low : low + " to " + high;
+    }
+};
+
 /// What a share correct of 1/2 means, by the share of pairs that were the same under each condition.
 std::string halfSentences(const AnalysedQuestion<ChoiceAnalysis>& question)
 {
-    std::optional<double> least, most;
+    SameShares tested, untested;
     for (const ConditionChoices& condition : question.findings.conditions) {
         if (!condition.matches) continue;
         const auto same = static_cast<double>(condition.matches->counts.same);
         const double pairs = same + static_cast<double>(condition.matches->counts.different);
-        if (!(pairs > 0)) continue;
-        least = std::min(least.value_or(1), same / pairs);
-        most = std::max(most.value_or(0), same / pairs);
+        if (pairs > 0) (condition.noChance.empty() ? tested : untested).add(same / pairs);
     }
-    const std::string tested = " The share correct of " + protocols::escapedMarkup(question.id()) + " is tested against 1/2";
-    if (!least)
-        return tested +
+    const std::string share = " The share correct of " + protocols::escapedMarkup(question.id());
+    const std::string isTested = share + " is tested against 1/2";
+    if (!tested.least && !untested.least)
+        return isTested +
                ". The answers do not show how many pairs were the same: guessing gives 1/2 only where half of them were.";
-    if (*least == 0.5 && *most == 0.5)
-        return tested +
-               ", because half of the pairs were the same. Whoever feels no difference gets half of them right on average.";
-    const std::string low = percentText(*least, 1), high = percentText(*most, 1);
-    return tested + ", but " + (low == high ? low : low + " to " + high) +
-           " of the pairs were the same. A participant who prefers one of the two words is then not right in half of them. "
-           "d\u2032 is the measure to read.";
+    const std::string measure = " Whoever guesses is then not right in half of them. d\u2032 is the measure to read.";
+    if (!tested.least)
+        return share + " is not tested against 1/2, because " + untested.text() + " of the pairs were the same." + measure;
+    const bool isHalf = *tested.least == 0.5 && *tested.most == 0.5;
+    const std::string because = isTested + ", because " + (isHalf ? "half" : "about half (" + tested.text() + ")") +
+                                " of the pairs were the same. Whoever feels no difference gets half of them right on average.";
+    if (!untested.least) return because;
+    return because + " There is no test under conditions where " + untested.text() + " were the same." + measure;
 }
 
 /// Empty where no question asks for same or different.
@@ -206,7 +224,7 @@ std::string matchesParagraph(const StudyData& data, const ChoiceQuestions& quest
            "exact binomial test and "
            "Wilson's interval beside it count the trials as independent, which they are not; they describe." +
            shareSentences(questions) + " The CSV file also has the two-sided t test of the participants' shares against " +
-           chanceText(questions) + ". Choices have no equivalence test, because the protocol states no bounds for them." +
+           chanceText(questions) + ". Choices have no equivalence test, because the bounds are scale points." +
            hitsSentences(questions);
 }
 
@@ -222,29 +240,21 @@ std::string pairsParagraph()
            "these fabrics only. d<sub>z</sub> is the mean difference divided by the SD of the differences.";
 }
 
-/// Empty where the latest protocol has the bounds of the plan.
-std::string laterBoundsSentence(const StudyData& data)
-{
-    if (std::ranges::find(data.protocolChanges, equivalenceBoundsChanged) == data.protocolChanges.end()) return "";
-    return " The latest version of the protocol states other bounds. They are not used, because they came after the plan.";
-}
-
 std::string equivalenceParagraph(const StudyData& data)
 {
-    const std::string bounds = boundsText(data) + " scale points";
-    return "<b>Different and equivalent are two questions.</b> A t test asks whether two means differ. A small p shows that they "
-           "do. A large p shows only that no difference was found, which is common with few participants. Neither shows that two "
-           "renderings, or generated and measured signals, are alike. Published work has read p &lt; 0.05 of a t test as "
-           "&ldquo;the averages are close&rdquo;, which reverses the meaning of the test. Likeness is tested here by two "
-           "one-sided tests. " +
-           (data.boundsStated ? planSource(data) + " states their bounds: " + bounds + "." + laterBoundsSentence(data)
-                              : "Their bounds are the default of this program, a twentieth of the scale either way, " + bounds +
-                                    ": no protocol stated any.") +
-           " Both tests must reject at 5 %. Without a correction they do so exactly when the 90 % interval lies inside the "
-           "bounds. A "
-           "difference can be real and too small to matter. The tables of all pairs carry verdicts of an older form: the first "
-           "part "
-           "is the corrected t test, the second the equivalence test without a correction.";
+    const std::string text =
+        "<b>Different and equivalent are two questions.</b> A t test asks whether two means differ. A small p shows that they "
+        "do. A large p shows only that no difference was found, which is common with few participants. Neither shows that two "
+        "renderings, or generated and measured signals, are alike. Published work has read p &lt; 0.05 of a t test as "
+        "&ldquo;the averages are close&rdquo;, which reverses the meaning of the test. Likeness is tested here by two "
+        "one-sided tests. " +
+        boundsSentence(data) +
+        " Both tests must reject at 5 %. Without a correction they do so exactly when the 90 % interval lies inside the "
+        "bounds. A difference can be real and too small to matter.";
+    if (!comparesAllPairs(data)) return text;
+    return text +
+           " The tables of all pairs carry verdicts of an older form: the first part is the corrected t test, the second the "
+           "equivalence test without a correction.";
 }
 
 std::string omnibusParagraph(bool hasChoices, bool hasRatings)
@@ -414,7 +424,7 @@ std::vector<std::string> methodParagraphs(const StudyAnalysis& analysis)
     if (hasChoices || hasRatings) paragraphs.push_back(unitParagraph());
     if (hasChoices || hasRatings) paragraphs.push_back(claimsParagraph(analysis, hasChoices));
     if (hasChoices) paragraphs.push_back(matchesParagraph(analysis.data, choices));
-    if (hasChoices || hasRatings) paragraphs.push_back(pairsParagraph());
+    if ((hasChoices || hasRatings) && comparesAllPairs(analysis.data)) paragraphs.push_back(pairsParagraph());
     if (hasRatings) paragraphs.push_back(equivalenceParagraph(analysis.data));
     if (hasChoices || hasRatings) paragraphs.push_back(omnibusParagraph(hasChoices, hasRatings));
     if (hasChoices || hasRatings) paragraphs.push_back(measuredSizesParagraph());

@@ -1,10 +1,13 @@
 #include "reports/page/plan_section.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include "protocols/files/markup_text.h"
+#include "protocols/files/number_text.h"
 #include "reports/page/html_parts.h"
 #include "reports/text/condition_label.h"
+#include "reports/text/number_text.h"
 #include "reports/text/plain_words.h"
 
 namespace reports {
@@ -68,6 +71,64 @@ std::string deviationSentence(const PlanComparison& plan)
     return "The study differs from its plan in: " + listed(items) + ".";
 }
 
+std::string withCapital(std::string sentence)
+{
+    sentence.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
+    return sentence;
+}
+
+/// Of bounds or contrasts that something states, within a sentence.
+std::string statedBy(PlanOrigin origin, const StudyData& data, const std::string& option)
+{
+    switch (origin) {
+        case PlanOrigin::Program:
+            return "this program";
+        case PlanOrigin::Option:
+            return "the option <code>" + option + "</code>";
+        case PlanOrigin::RegisteredPlan:
+            return "the registered plan";
+        case PlanOrigin::Protocol:
+            break;
+    }
+    return data.planVersion > 0 ? "version " + std::to_string(data.planVersion) + " of the protocol" : "the protocol";
+}
+
+std::string usualRuleOf(const StudyData& data)
+{
+    std::vector<protocols::AnswerKind> kinds;
+    for (const QuestionInfo& question : data.questions) kinds.push_back(question.kind);
+    return usualBoundsRule(kinds);
+}
+
+/// Why the bounds are the default of this program.
+std::string whyUsualBounds(const StudyData& data)
+{
+    if (!data.plannedDesign) return "No protocol and no option stated any.";
+    return withCapital(statedBy(PlanOrigin::Protocol, data, "")) + " states none.";
+}
+
+std::string boundsSource(const StudyData& data) { return withCapital(statedBy(data.boundsFrom, data, "--bounds")); }
+
+std::string typesetBounds(const std::pair<double, double>& bounds)
+{
+    return typeset(protocols::shortest(bounds.first)) + " and " + typeset(protocols::shortest(bounds.second));
+}
+
+/// Empty where the latest protocol has the bounds of the plan.
+std::string laterBoundsSentence(const StudyData& data)
+{
+    if (std::ranges::find(data.protocolChanges, equivalenceBoundsChanged) == data.protocolChanges.end()) return "";
+    return " The latest version of the protocol has other bounds. They are not used, because they came after the plan.";
+}
+
+/// Empty where the bounds of the call are those of the protocol, or no protocol states any.
+std::string replacedBoundsSentence(const StudyData& data)
+{
+    if (data.boundsFrom != PlanOrigin::Option || !data.plannedDesign || data.plannedDesign->hasUsualBounds) return "";
+    const auto& planned = data.plannedDesign->equivalenceBounds;
+    return planned == data.equivalenceBounds ? "" : " They replace those of the protocol, " + typesetBounds(planned) + ".";
+}
+
 }  // namespace
 
 std::string planLead(const StudyAnalysis& analysis)
@@ -79,12 +140,23 @@ std::string planLead(const StudyAnalysis& analysis)
     return html;
 }
 
-std::string planSource(const StudyData& data)
+std::string boundsSentence(const StudyData& data)
 {
-    const bool isOther = std::ranges::find(data.protocolChanges, equivalenceBoundsChanged) != data.protocolChanges.end();
-    if (data.planVersion > 0) return "Version " + std::to_string(data.planVersion) + " of the protocol";
-    return isOther && !data.registrations.empty() ? "The registered plan" : "The protocol";
+    const std::string bounds = typesetBounds(data.equivalenceBounds) + " scale points";
+    const std::string stated =
+        data.boundsFrom == PlanOrigin::Program
+            ? "Their bounds are the default of this program: " + bounds + ", " + usualRuleOf(data) + ". " + whyUsualBounds(data)
+            : boundsSource(data) + " states their bounds: " + bounds + ".";
+    return stated + replacedBoundsSentence(data) + laterBoundsSentence(data);
 }
+
+std::string boundsLead(const StudyData& data)
+{
+    if (data.boundsFrom != PlanOrigin::Program) return boundsSource(data) + " states the bounds of equivalence.";
+    return "The bounds of equivalence are the default of this program, " + usualRuleOf(data) + ". " + whyUsualBounds(data);
+}
+
+std::string contrastsSource(const StudyData& data) { return statedBy(data.plannedFrom, data, "--planned"); }
 
 std::vector<std::string> planFindings(const StudyAnalysis& analysis)
 {

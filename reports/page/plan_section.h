@@ -14,7 +14,12 @@ std::string planLead(const StudyAnalysis& analysis);
 /// Sentences for the summary, as HTML: the registration, and the number of deviations. None where no plan is known.
 std::vector<std::string> planFindings(const StudyAnalysis& analysis);
 
-/// What states the bounds of equivalence: "The protocol", "Version 2 of the protocol", "The registered plan".
-std::string planSource(const StudyData& data);
+/// The bounds of equivalence and what states them, or which default they are, as HTML.
+std::string boundsSentence(const StudyData& data);
+/// The same without the bounds.
+std::string boundsLead(const StudyData& data);
+
+/// What states the planned contrasts, within a sentence: "the protocol", "the option --planned".
+std::string contrastsSource(const StudyData& data);
 
 }  // namespace reports

@@ -70,14 +70,11 @@ std::string questionTexts(const StudyAnalysis& analysis)
 
 std::string claimsLead(const StudyData& data)
 {
-    const std::string bounds = data.boundsStated ? planSource(data) + " states the bounds of equivalence."
-                                                 : "No protocol came with the answers: the bounds of equivalence are the default "
-                                                   "of this program, a twentieth of the scale.";
     return paragraph(
         "Each contrast has two rows. &ldquo;These fabrics&rdquo; asks what other participants would show on the same fabrics. "
         "&ldquo;Fabrics like these&rdquo; asks what other participants would show on other fabrics of this kind; it is the "
         "verdict of the summary. &ldquo;Not decided&rdquo; means that these data cannot tell. " +
-        bounds);
+        boundsLead(data));
 }
 
 /// What the numbers are, then one sentence a question on other fabrics.

@@ -85,6 +85,15 @@ std::string overallSentence(const QuestionAnalysis& question, const QuestionClai
     return text.empty() ? text : text + ".";
 }
 
+/// What stands in place of a test against chance.
+std::string dPrimePart(const ChoiceAnalysis& choices, const ChanceFinding& finding)
+{
+    for (const ClusteredSensitivity& one : choices.sensitivities)
+        if (one.condition == finding.condition && one.generalisation == finding.generalisation && one.dPrime.exists())
+            return "; " + equation("<i>d</i>\u2032", fixed(*one.dPrime, 2)) + intervalPart("95", one.ci95, false);
+    return {};
+}
+
 std::string chanceSentence(const ChoiceAnalysis& choices, const ConditionChoices& counts, const ChanceFinding& finding)
 {
     const stats::ChanceClaim& claim = finding.claim;
@@ -95,6 +104,7 @@ std::string chanceSentence(const ChoiceAnalysis& choices, const ConditionChoices
         text += " (" + fixed(100.0 * double(counts.count.correct) / double(counts.count.trials), 1) + "%)";
     text += "; for " + wordsOf(finding.generalisation) + ", ";
     if (!claim.mean.why.empty()) return text + whyNot(claim.mean.why) + ".";
+    if (!claim.above.p.exists()) return text + whyNot(claim.above.p.why()) + dPrimePart(choices, finding) + ".";
     return text + "the share was " + (claim.isAbove ? "" : "not shown to be ") + "above chance (" + withoutZero(chance) + "), " +
            equation("<i>M</i>", withoutZero(*claim.mean.estimate)) + intervalPart("95", claim.mean.ci95, true) + ", " +
            tEquation(claim.mean.df, claim.above.t) + ", " + pEquation(claim.pAdjusted) + ".";

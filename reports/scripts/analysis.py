@@ -128,10 +128,12 @@ def interval(numbers, confidence):
 
 def matches(question, condition, chance):
     own = values[question, condition]
-    p = stats.binomtest(int(sum(own)), len(own), chance, alternative="greater").pvalue if own else math.nan
-    shares = list(means_of(question, condition).values())
-    return {"correct": sum(own), "trials": len(own), "proportion": mean(own), "p_chance": p,
-            "p_chance_participants": t_test(shares, chance)}
+    numbers = {"correct": sum(own), "trials": len(own), "proportion": mean(own)}
+    if chance is None or not own:
+        return numbers
+    numbers["p_chance"] = stats.binomtest(int(sum(own)), len(own), chance, alternative="greater").pvalue
+    numbers["p_chance_participants"] = t_test(list(means_of(question, condition).values()), chance)
+    return numbers
 
 
 def ratings(question, condition):
@@ -272,7 +274,7 @@ expected = rows_of("expected.csv")
 if not expected:
     print("the report has no numbers of choices or ratings: there is nothing to compute\nreproduced: 0 of 0")
     sys.exit(0)
-compute = {"matches": lambda r: matches(r["question"], r["a"], float(r["low"])),
+compute = {"matches": lambda r: matches(r["question"], r["a"], float(r["low"]) if r["low"] else None),
            "ratings": lambda r: ratings(r["question"], r["a"]),
            "comparison": lambda r: comparison(r["question"], r["a"], r["b"]),
            "equivalence": lambda r: equivalence(r["question"], r["a"], r["b"], float(r["low"]), float(r["high"])),

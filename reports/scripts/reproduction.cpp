@@ -102,15 +102,17 @@ void addClaimNumbers(std::string& text, const std::string& question, const Quest
 
 void addChanceNumbers(std::string& text, const std::string& question, const ChoiceAnalysis& choices)
 {
-    for (const ChanceFinding& finding : choices.claims.aboveChance)
-        NumberRows(text, "above_chance_" + nameOf(finding.generalisation), question, finding.condition, "")
-            .within(1.0 / choices.alternatives, "")
-            .put("estimate", finding.claim.mean.estimate)
+    for (std::size_t i = 0; i < choices.claims.aboveChance.size(); ++i) {
+        const ChanceFinding& finding = choices.claims.aboveChance[i];
+        NumberRows rows(text, "above_chance_" + nameOf(finding.generalisation), question, finding.condition, "");
+        if (choices.conditions[i / 2].noChance.empty()) rows.within(1.0 / choices.alternatives, "");  // each stands there twice
+        rows.put("estimate", finding.claim.mean.estimate)
             .put("se", finding.claim.mean.se)
             .put("df", finding.claim.mean.df)
             .put("p", finding.claim.above.p)
             .put("p_holm", finding.claim.pAdjusted)
             .ends("ci95", finding.claim.mean.ci95);
+    }
 }
 
 void addLinearModelNumbers(std::string& text, const std::string& question, const stats::RatingModel& fitted)
@@ -182,9 +184,9 @@ void addNumbers(std::string& text, const StudyAnalysis& analysis, const std::str
 {
     for (std::size_t c = 0; c < analysis.data.conditions.size(); ++c) {
         const ConditionChoices& one = choices.conditions[c];
-        NumberRows(text, "matches", question, analysis.data.conditions[c], "")
-            .within(1.0 / choices.alternatives, "")
-            .count("correct", one.count.correct)
+        NumberRows rows(text, "matches", question, analysis.data.conditions[c], "");
+        if (one.noChance.empty()) rows.within(1.0 / choices.alternatives, "");
+        rows.count("correct", one.count.correct)
             .count("trials", one.count.trials)
             .put("proportion", one.againstChance.estimate)
             .put("p_chance", one.againstChance.pGreater)
@@ -307,8 +309,8 @@ std::string codebookCsv(const StudyData& data)
         {"expected.csv", "a", "text", "", "", "condition, or the first of a pair; empty for a whole model"},
         {"expected.csv", "b", "text", "", "", "second condition of a pair; differences are a - b"},
         {"expected.csv", "low", "number", "", "",
-         "chance of a match, the lower bound of equivalence, the lowest rating, the number of alternatives, or the unit to which "
-         "an ordinal model rounds ratings"},
+         "chance of a match (empty where it is not tested), the lower bound of equivalence, the lowest rating, the number of "
+         "alternatives, or the unit to which an ordinal model rounds ratings"},
         {"expected.csv", "high", "number", "", "",
          "upper bound of equivalence, the highest rating, or the number of answers that are compared: 2 for right and wrong"},
         {"expected.csv", "quantity", "text", "", "",

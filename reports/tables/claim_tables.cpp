@@ -98,6 +98,13 @@ TableCell sensitivityCell(const ClusteredSensitivity& sensitivity)
     return cell;
 }
 
+/// A mean that could be tested may have no test, because guessing is not right in 1/m of the answers.
+std::string aboveChanceText(const stats::ChanceClaim& claim)
+{
+    if (claim.isAbove) return "yes";
+    return claim.mean.why.empty() && !claim.above.p.exists() ? "not tested" : "not shown";
+}
+
 Table chanceTable(const std::string& id, const ChoiceAnalysis& choices)
 {
     Table table{"above_chance_" + lowerCase(id),
@@ -105,7 +112,8 @@ Table chanceTable(const std::string& id, const ChoiceAnalysis& choices)
                     ", with participants and fabrics as samples, Holm's correction over the conditions; " +
                     (ruleOfDPrime(choices) == DPrimeRule::OfHits
                          ? "d′ of hits and false alarms, with intervals by the jackknife"
-                         : "d′ of that share, whose interval is that of the share in units of d′"),
+                         : "d′ of that share, whose interval is that of the share in units of d′") +
+                    (shownChance(choices) > 0 ? "" : "; not tested where the pairs were not half the same"),
                 {"condition",
                  "holds for",
                  "share",
@@ -129,8 +137,8 @@ Table chanceTable(const std::string& id, const ChoiceAnalysis& choices)
             {conditionCell(finding.condition), oneLineCell(wordsOf(finding.generalisation)), numberCell(mean.estimate, 2),
              numberCell(mean.ci95.low, 2), numberCell(mean.ci95.high, 2), intervalCell(mean.ci95, 2), numberCell(mean.df, 1),
              pCell(finding.claim.above.p, finding.claim.above.logP), pCell(finding.claim.pAdjusted),
-             textCell(finding.claim.isAbove ? "yes" : "not shown"), numberCell(sensitivity.dPrime, 2),
-             numberCell(sensitivity.ci95.low, 2), numberCell(sensitivity.ci95.high, 2), sensitivityCell(sensitivity)});
+             textCell(aboveChanceText(finding.claim)), numberCell(sensitivity.dPrime, 2), numberCell(sensitivity.ci95.low, 2),
+             numberCell(sensitivity.ci95.high, 2), sensitivityCell(sensitivity)});
     }
     return table;
 }

@@ -28,11 +28,13 @@ Interval withinUnit(const Interval& interval)
     return {std::max(0.0, *interval.low), std::min(1.0, *interval.high)};
 }
 
-MeanTest withoutBounds()
+MeanTest untestedMean(const std::string& why)
 {
-    const Value none = Value::undefined("no equivalence bounds apply to this question");
+    const Value none = Value::undefined(why);
     return {none, none, none};
 }
+
+MeanTest withoutBounds() { return untestedMean("no equivalence bounds apply to this question"); }
 
 }  // namespace
 
@@ -90,7 +92,8 @@ std::vector<ContrastClaim> contrastClaims(const AnswerCube& answers, std::span<c
     return claims;
 }
 
-std::vector<ChanceClaim> chanceClaims(const AnswerCube& answers, double chance, Generalisation generalisation)
+std::vector<ChanceClaim> chanceClaims(const AnswerCube& answers, double chance, Generalisation generalisation,
+                                      std::span<const std::string> untested)
 {
     std::vector<ChanceClaim> claims;
     std::vector<Value> p;
@@ -98,6 +101,7 @@ std::vector<ChanceClaim> chanceClaims(const AnswerCube& answers, double chance, 
     for (std::size_t c = 0; c < answers.conditions(); ++c) {
         ChanceClaim claim{crossedMean(answers.tableUnder(c), generalisation, quantiles), {}, {}, false};
         claim.above = testOfMean(claim.mean, chance, Tail::Greater);
+        if (c < untested.size() && !untested[c].empty()) claim.above = untestedMean(untested[c]);
         claim.mean.ci90 = withinUnit(claim.mean.ci90);
         claim.mean.ci95 = withinUnit(claim.mean.ci95);
         p.push_back(claim.above.p);

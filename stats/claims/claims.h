@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -60,7 +61,9 @@ struct ChanceClaim {
     bool isAbove = false;
 };
 
-/// One family: all conditions. `chance`: 1 / m.
-std::vector<ChanceClaim> chanceClaims(const AnswerCube& answers, double chance, Generalisation generalisation);
+/// One family: all conditions. `chance`: 1 / m. `untested`: for each condition the reason why it is not tested; empty where it
+/// is. An untested condition is no member of the family, and keeps its mean and interval.
+std::vector<ChanceClaim> chanceClaims(const AnswerCube& answers, double chance, Generalisation generalisation,
+                                      std::span<const std::string> untested = {});
 
 }  // namespace stats

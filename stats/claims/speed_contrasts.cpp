@@ -25,6 +25,16 @@ SpeedDifference speedDifference(const ValuesByParticipant& a, const ValuesByPart
     return {pairedTTest(x, y), {}};
 }
 
+SpeedDifference uncomparedSpeed(const std::string& why)
+{
+    const Value none = Value::undefined(why);
+    TTest test;
+    test.why = why;
+    test.estimate = test.sd = test.se = test.t = test.df = test.p = test.logP = test.dZ = test.hedgesGz = none;
+    test.ci = {none, none};
+    return {test, none};
+}
+
 void adjustMeasure(std::vector<SpeedContrastTests>& contrasts, SpeedDifference SpeedContrastTests::*measure)
 {
     std::vector<Value> p;
@@ -104,7 +114,9 @@ std::vector<SpeedContrastTests> speedContrasts(std::span<const SpeedPair> pairs,
 {
     std::vector<SpeedContrastTests> tests;
     for (const SpeedPair& pair : pairs)
-        tests.push_back({speedDifference(pseudoRates(pair.a, alternatives), pseudoRates(pair.b, alternatives)),
+        tests.push_back({pair.noBits.empty()
+                             ? speedDifference(pseudoRates(pair.a, alternatives), pseudoRates(pair.b, alternatives))
+                             : uncomparedSpeed(pair.noBits),
                          speedDifference(pair.scoresOfA, pair.scoresOfB), speedDifference(logTimes(pair.a), logTimes(pair.b))});
     adjustMeasure(tests, &SpeedContrastTests::bitsPerSecond);
     adjustMeasure(tests, &SpeedContrastTests::score);

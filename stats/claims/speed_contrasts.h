@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "stats/claims/claims.h"
@@ -48,6 +49,7 @@ struct SpeedContrastTests {
 struct SpeedPair {
     ConditionSpeedCells a, b;
     std::vector<Value> scoresOfA, scoresOfB;  ///< balanced integration scores
+    std::string noBits = {};                  ///< why bits per second are not compared; empty: they are
 };
 
 /// The pair with these cells, in the order of the conditions' participants. The scores are standardised over all cells, where a

@@ -10,6 +10,23 @@
 
 namespace stats {
 
+/// One answer of a study: its cell.
+struct AskedAnswer {
+    std::size_t condition = 0, participant = 0, fabric = 0;
+};
+
+/// Answers of a cell that a comparison takes, by unit; units count equally. The numbers are places in StudyNull::answers.
+struct ComparedCell {
+    std::size_t participant = 0, fabric = 0;
+    std::vector<std::vector<std::size_t>> units;
+};
+
+/// Two conditions, compared on the answers that have a partner under the other one.
+struct ComparedConditions {
+    ContrastPair contrast;
+    std::vector<ComparedCell> ofA, ofB;
+};
+
 /// SDs of the random effects: scale points (ratings) or log odds (choices). Fabrics and participants are drawn anew for each
 /// study.
 struct StudyNull {
@@ -22,6 +39,9 @@ struct StudyNull {
     double fabricConditionSd = 0;
     double residualSd = 1;                             ///< ratings only
     AnswerCube asked{AnswerValues::Ratings, 0, 0, 0};  ///< cells without a value stay missing
+    /// Every answer, by condition, where cells have several. Empty: one answer in each cell that `asked` has.
+    std::vector<AskedAnswer> answers;
+    std::vector<ComparedConditions> compared;  ///< by contrast, where cells have several answers
     std::vector<ContrastPair> contrasts;
 };
 

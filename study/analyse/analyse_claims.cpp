@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "stats/claims/claims.h"
+#include "stats/kernels/decimal_grid.h"
 #include "stats/tests/repeated_measures.h"
 #include "study/analyse/analyse_answer.h"
 #include "study/analyse/analyse_inputs.h"
@@ -192,24 +194,52 @@ ordered_json aboveChanceJson(const ClaimFamily& family, double chance)
     return list;
 }
 
-/// Repeated-measures ANOVA of the means of the participants who have answers under all conditions.
+/// A participant's means under the conditions, over the fabrics that were answered under all of them: a missing answer must not
+/// make a difference of fabrics look like one of conditions. Empty without such a fabric.
+std::vector<double> commonMeans(const stats::AnswerCube& cube, std::size_t participant)
+{
+    std::vector<std::vector<double>> common(cube.conditions());
+    for (std::size_t f = 0; f < cube.fabrics(); ++f) {
+        std::vector<double> cells;
+        for (std::size_t c = 0; c < cube.conditions(); ++c) cells.push_back(cube.at(c, participant, f));
+        if (std::any_of(cells.begin(), cells.end(), [](double cell) { return std::isnan(cell); })) continue;
+        for (std::size_t c = 0; c < cube.conditions(); ++c) common[c].push_back(cells[c]);
+    }
+    std::vector<double> means;
+    if (common.front().empty()) return means;
+    // A mean that is not finite stays one, so that the test refuses it.
+    for (const std::vector<double>& cells : common)
+        means.push_back(stats::meanOf(cells).orElse(std::numeric_limits<double>::infinity()));
+    return means;
+}
+
+/// Repeated-measures ANOVA of the means of the participants who have a fabric under all conditions.
 stats::RepeatedMeasuresAnova anovaOfParticipants(const stats::AnswerCube& cube)
 {
     std::vector<std::vector<double>> rows;
-    for (std::size_t p = 0; p < cube.participants(); ++p) {
-        std::vector<double> means;
-        for (std::size_t c = 0; c < cube.conditions(); ++c) {
-            double sum = 0, count = 0;
-            for (std::size_t f = 0; f < cube.fabrics(); ++f)
-                if (const double value = cube.at(c, p, f); !std::isnan(value)) {
-                    sum += value;
-                    ++count;
-                }
-            means.push_back(sum / count);
-        }
-        if (std::none_of(means.begin(), means.end(), [](double mean) { return std::isnan(mean); })) rows.push_back(means);
-    }
+    for (std::size_t p = 0; p < cube.participants(); ++p)
+        if (auto means = commonMeans(cube, p); !means.empty()) rows.push_back(std::move(means));
     return stats::repeatedMeasuresAnova(stats::blockTableOf(rows).table);
+}
+
+/// One row for each cell, with the mean of its repetitions, where the first of them stood. Rows that are no cell's first are
+/// left out.
+stats::CrossedStudy rowsOfCells(const stats::CrossedStudy& rows, const stats::AnswerCube& cube)
+{
+    stats::CrossedStudy cells{rows.participant, rows.fabric, rows.condition, {}};
+    for (stats::Factor* factor : {&cells.participant, &cells.fabric, &cells.condition}) factor->of.clear();
+    std::vector<bool> wasTaken(cube.conditions() * cube.participants() * cube.fabrics());
+    for (std::size_t row = 0; row < rows.values.size(); ++row) {
+        const std::size_t c = rows.condition.of[row], p = rows.participant.of[row], f = rows.fabric.of[row];
+        const std::size_t cell = (c * cube.participants() + p) * cube.fabrics() + f;
+        if (std::isnan(rows.values[row]) || wasTaken[cell]) continue;
+        wasTaken[cell] = true;
+        cells.condition.of.push_back(c);
+        cells.participant.of.push_back(p);
+        cells.fabric.of.push_back(f);
+        cells.values.push_back(cube.at(c, p, f));
+    }
+    return cells;
 }
 
 ordered_json omnibusJson(const ClaimFamily& family)
@@ -222,7 +252,7 @@ ordered_json omnibusJson(const ClaimFamily& family)
     these.put("df1", exists ? stats::Value(*anova.df1 * *anova.epsilonGg) : none);
     these.put("df2", exists ? stats::Value(*anova.df2 * *anova.epsilonGg) : none);
     these.putProbability("p", exists ? anova.pGg : none, anova.logPGg);
-    const stats::FTest test = stats::fitRatings(family.rows).condition;
+    const stats::FTest test = stats::fitRatings(rowsOfCells(family.rows, family.cube)).condition;
     alike.putText("generalises_to", textOf(Generalisation::FabricsLikeThese)).put("statistic", test.f).put("df1", test.df1);
     alike.put("df2", test.df2).putProbability("p", test.p, test.logP);
     return {these.json(), alike.json()};

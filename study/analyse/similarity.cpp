@@ -76,12 +76,29 @@ ordered_json ofTraces(const std::filesystem::path& a, const std::filesystem::pat
     return json;
 }
 
+std::string depthText(const GreyImage& image)
+{
+    if (!image.range) return "floating-point values";
+    return *image.range == 255 ? "8 bits" : "16 bits";
+}
+
+/// The same surface has other numbers in another depth, so that the errors would be those of the depth.
+void requireOneDepth(const GreyImage& first, const GreyImage& second, const std::filesystem::path& a,
+                     const std::filesystem::path& b)
+{
+    if (first.range == second.range) return;
+    throw protocols::badInput({"the images differ in depth: " + depthText(first) + " and " + depthText(second), bothNames(a, b),
+                               "two images of one depth, or --range L where both have the same units",
+                               "convert one of them, or add --range"});
+}
+
 ordered_json ofImages(const std::filesystem::path& a, const std::filesystem::path& b, std::optional<double> wantedRange)
 {
     const auto first = readGrey(a), second = readGrey(b);
     if (first.values.size() != second.values.size())
         throw protocols::badInput(
             {"the images differ in size", bothNames(a, b), "equal width and height", "crop or resample one of them"});
+    if (!wantedRange) requireOneDepth(first, second, a, b);
     const auto range = wantedRange ? wantedRange : second.range;
     if (!range)
         throw protocols::badInput(

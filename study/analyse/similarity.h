@@ -8,8 +8,8 @@
 namespace study::analyse {
 
 /// Schema vis2hap.metrics/1, `b` being the truth. CSV files with one column are traces; all other files are images. SSIM
-/// takes the dynamic range from the depth of `b` unless `range` states it. Throws badInput: a trace beside an image, different
-/// sizes, an image of floating-point values without `range`.
+/// takes the dynamic range from the depth of both unless `range` states it. Throws badInput: a trace beside an image, different
+/// sizes; without `range` also images of different depths or of floating-point values.
 nlohmann::ordered_json similarityOf(const std::filesystem::path& a, const std::filesystem::path& b, std::optional<double> range);
 
 }  // namespace study::analyse

@@ -2,11 +2,14 @@
 // unblinding, before it progress and rounded means. With --participant ID the data of one person, for this person.
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/safe_text.h"
+#include "protocols/files/whole_file.h"
 #include "reports/text/plain_words.h"
 #include "study/commands/command_line.h"
 #include "study/commands/parts/text_checks.h"
@@ -38,7 +41,7 @@ int exportStudy(const ExportCall& call)
     const auto& [study, out, format, participant, withLog, withSamples, passphrase, isPublic, licence, authors] = call;
     const auto store = records::openStudy(study);
     StateForFiles state(store);
-    const std::string whyNoMeans =
+    const auto written =
         exports::writeExport(store, out, {format, withLog, withSamples, isPublic, licence, authors}, passphraseFrom(passphrase));
     const auto leftOut = isPublic ? exports::answersLeftOut(store) : exports::LeftOutAnswers();
     const std::size_t answers = store.answerCount() - leftOut.ofWithdrawn - leftOut.inWords;
@@ -47,7 +50,12 @@ int exportStudy(const ExportCall& call)
     state.record("export", out);
     std::printf("%s: %s as %s%s\n", protocols::printable(out).c_str(), reports::counted(answers, "answer").c_str(),
                 format.c_str(), isBlinded ? ", blinded (no condition, no true piece)" : "");
-    if (!whyNoMeans.empty()) std::printf("  %s\n", protocols::printable(whyNoMeans).c_str());
+    if (!written.whyNoMeans.empty()) std::printf("  %s\n", protocols::printable(written.whyNoMeans).c_str());
+    for (const auto& name : written.removed)
+        std::printf("  removed %s of an earlier export: these answers were erased since\n", protocols::printable(name).c_str());
+    if (!written.left.empty())
+        std::printf("note: %s also holds %s, which this export did not write: an earlier one may hold what was erased since\n",
+                    protocols::printable(out).c_str(), reports::listed(written.left).c_str());
     std::printf("  log head %s\n", head.c_str());
     if (withLog) std::printf("  log.csv holds the log, acts.csv what was exported and saved; log.txt says how to check both\n");
     if (isPublic)
@@ -70,14 +78,31 @@ std::string countsOf(const ordered_json& data)
            reports::counted(data["notes"].size(), "note");
 }
 
+/// The folder goes to a person. Throws badInput where it holds anything but an earlier export about this person.
+void requireOwnHandOver(const std::string& out, const ordered_json& data)
+{
+    namespace fs = std::filesystem;
+    if (!fs::exists(out) || (fs::is_directory(out) && fs::is_empty(out))) return;
+    const auto earlier =
+        ordered_json::parse(protocols::readIfPossible(fs::path(out) / "your-data.json").value_or(""), nullptr, false);
+    const auto isSame = [&](const char* field) { return earlier.value(field, ordered_json()) == data[field]; };
+    if (earlier.is_object() && isSame("schema") && isSame("study") && isSame("participant")) return;
+    throw protocols::badInput(
+        {"the data of one person need a folder of their own", out,
+         "a new or an empty folder, or that of an earlier export about " + data["participant"].get<std::string>(),
+         "name another folder with --out"});
+}
+
 /// The data of one person, as the law of data protection asks for them.
 int exportPerson(const ExportCall& call)
 {
     const auto store = records::openStudy(call.study);
     StateForFiles state(store);
     const auto data = records::participantData(store, protocols::ParticipantId(call.participant));
+    requireOwnHandOver(call.out, data);
     protocols::FolderDraft draft(call.out, protocols::Earlier::FilesJoined);
     records::writeParticipantData(store, data, draft.path());
+    draft.outdates({"your-finger-samples.csv"});  // of an earlier export, before an erasure
     draft.putInPlace();
     state.record("export", call.out);
     std::printf("%s: data of %s: %s%s\n", protocols::printable(call.out).c_str(), protocols::printable(call.participant).c_str(),

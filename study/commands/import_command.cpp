@@ -65,6 +65,7 @@ void writeSpectrograms(const std::filesystem::path& out, const std::filesystem::
             if (!std::filesystem::exists(plots / (name + ".svg"))) continue;
             const auto record = readFriction(dataset, fabric.id, index);
             if (record.values.size() < static_cast<std::size_t>(rendering::signals::shortestTrace)) continue;
+            if (record.isCoefficient() && !(record.mean() > 0)) continue;  // the import has warned of its axis
             const auto trace = rendering::signals::frictionTrace(record, sample.string());
             rendering::signals::SpectrogramParameters parameters;
             parameters.sampleRateHz = trace.sampleRateHz;

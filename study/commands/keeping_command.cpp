@@ -33,6 +33,7 @@ int erase(const std::string& study, const database::Erasure& erasure)
                 erasure.answersToo ? "facts, debriefing, answers and notes" : "facts and debriefing",
                 erasure.participant.value.c_str());
     for (const auto& file : record.found) std::printf("  still in %s\n", protocols::printable(file).c_str());
+    for (const auto& file : record.unread) std::printf("  not searched, because it could not be read: %s\n", file.c_str());
     if (record.shortTexts > 0)
         std::printf("  not searched for: %s of less than 8 bytes\n", reports::counted(record.shortTexts, "removed text").c_str());
     if (record.sharedTexts > 0)
@@ -46,8 +47,8 @@ int erase(const std::string& study, const database::Erasure& erasure)
                     static_cast<long long>(entry));
     std::printf("  %s: what was removed, where it was searched, and which copies may exist\n",
                 protocols::printable(certificate.string()).c_str());
-    return static_cast<int>(record.found.empty() && record.interrupted.empty() ? protocols::ExitCode::Done
-                                                                               : protocols::ExitCode::WorkFailed);
+    const bool isComplete = record.found.empty() && record.unread.empty() && record.interrupted.empty();
+    return static_cast<int>(isComplete ? protocols::ExitCode::Done : protocols::ExitCode::WorkFailed);
 }
 
 int backup(const std::string& study, const std::string& out)

@@ -179,6 +179,7 @@ int run(int argc, char** argv)
         return static_cast<int>(ExitCode::BadInput);
     }
     requireOpenFiles();
+    study::commands::requireFilledArguments(app);
     study::commands::requireSafeOutputs(app);
     // Qt gets no options, because it would read ours: to Qt, --display names a screen of the X server.
     int programNameAlone = 1;

@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
-#include <vector>
+#include <iterator>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/foreign/text_encoding.h"
@@ -25,12 +25,16 @@ constexpr std::size_t shortestPassphrase = 8;
 
 constexpr int endingSignals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 
-termios terminalBefore{};  // for the handler, which may use nothing else
+// For the handler, which may use nothing else.
+termios terminalBefore{};
+void (*handlersBefore[std::size(endingSignals)])(int) = {};
 
+/// A handler from before may have files to remove.
 void showAgainAndEnd(int number)
 {
     ::tcsetattr(STDIN_FILENO, TCSAFLUSH, &terminalBefore);
-    std::signal(number, SIG_DFL);
+    for (std::size_t i = 0; i < std::size(endingSignals); ++i)
+        if (endingSignals[i] == number) std::signal(number, handlersBefore[i]);
     (void)::raise(number);
 }
 
@@ -40,10 +44,11 @@ public:
     Unechoed()
     {
         if (::tcgetattr(STDIN_FILENO, &terminalBefore) != 0) return;
-        for (const int number : endingSignals) {
-            m_handlers.push_back(std::signal(number, showAgainAndEnd));
-            if (m_handlers.back() == SIG_IGN) std::signal(number, SIG_IGN);  // as `nohup` wants it
+        for (std::size_t i = 0; i < std::size(endingSignals); ++i) {
+            handlersBefore[i] = std::signal(endingSignals[i], SIG_IGN);
+            if (handlersBefore[i] != SIG_IGN) std::signal(endingSignals[i], showAgainAndEnd);  // SIG_IGN: as `nohup` wants it
         }
+        m_handles = true;
         termios hidden = terminalBefore;
         hidden.c_lflag &= ~static_cast<tcflag_t>(ECHO);
         m_isHidden = ::tcsetattr(STDIN_FILENO, TCSAFLUSH, &hidden) == 0;
@@ -51,14 +56,13 @@ public:
     ~Unechoed()
     {
         if (m_isHidden) ::tcsetattr(STDIN_FILENO, TCSAFLUSH, &terminalBefore);
-        for (std::size_t i = 0; i < m_handlers.size(); ++i) std::signal(endingSignals[i], m_handlers[i]);
+        for (std::size_t i = 0; m_handles && i < std::size(endingSignals); ++i) std::signal(endingSignals[i], handlersBefore[i]);
     }
     Unechoed(const Unechoed&) = delete;
     Unechoed& operator=(const Unechoed&) = delete;
 
 private:
-    std::vector<void (*)(int)> m_handlers;  ///< those before, in the order of endingSignals
-    bool m_isHidden = false;
+    bool m_handles = false, m_isHidden = false;
 };
 
 bool hasTerminal() { return ::isatty(STDIN_FILENO) != 0 && ::isatty(STDERR_FILENO) != 0; }

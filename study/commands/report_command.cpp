@@ -168,7 +168,8 @@ void addReport(CLI::App& app, Action& action)
         ->check(CLI::Range(2, 100));
     command->add_option("--map", call->map, "with --from: MEANING=COLUMN, where a column has another name, e.g. correct=hit")
         ->allow_extra_args(false);
-    command->add_option("--bounds", call->bounds, "with --from: bounds of equivalence, LOW,HIGH (default: -0.5,0.5)");
+    command->add_option("--bounds", call->bounds,
+                        "with --from: bounds of equivalence, LOW,HIGH (default: the protocol's, or a twentieth of the scale)");
     command->add_option("--planned", call->planned, "with --from: a planned contrast A,B; the first is the primary one")
         ->allow_extra_args(false);
     command->add_option("--scale", call->scale,

@@ -263,10 +263,20 @@ void requirePublishable(const database::StudyStore& store, const ExportForm& for
     if (form.withLog || form.withSamples) refuse("--public leaves out the log and the samples of fingers", "neither option");
 }
 
+/// Files in the folder that this export does not replace.
+std::vector<std::string> leftFrom(const fs::path& out, const fs::path& draft)
+{
+    std::vector<std::string> left;
+    for (const char* name : {"answers.csv", "participants.csv", "codebook.csv", "conditions.csv", "export.json",
+                             "finger_samples.csv", "log.csv", "acts.csv", "log.txt"})
+        if (fs::exists(out / name) && !fs::exists(draft / name)) left.emplace_back(name);
+    return left;
+}
+
 }  // namespace
 
-std::string writeExport(const database::StudyStore& store, const fs::path& out, const ExportForm& form,
-                        const database::Passphrase& passphrase)
+WrittenExport writeExport(const database::StudyStore& store, const fs::path& out, const ExportForm& form,
+                          const database::Passphrase& passphrase)
 {
     auto facts = store.facts();
     const auto protocol = records::protocolOf(facts);
@@ -285,15 +295,17 @@ std::string writeExport(const database::StudyStore& store, const fs::path& out, 
     std::optional<ExportedAnswers> answers;
     if (naming && form.format != "script") answers.emplace(store, protocol, *naming, form.isPublic);
     const Export job{store, facts, protocol, answers ? &*answers : nullptr, draft.path()};
-    std::string whyNoMeans;
+    WrittenExport written;
     bool isWithoutMeans = false;
-    if (form.format == "script")
+    if (form.format == "script") {
         players::writeScripts(job.store, naming ? &*naming : nullptr, job.out);
-    else if (blinded) {
+        written.removed = players::scriptsOfErased(job.store, out);
+        draft.outdates({written.removed.begin(), written.removed.end()});
+    } else if (blinded) {
         const auto data = form.withMeans ? records::studyData(store, passphrase) : std::nullopt;
         const auto aggregates = records::aggregatesOf(data);
         writeBlinded(job, form, aggregates);
-        if (data) whyNoMeans = aggregates.why;
+        if (data) written.whyNoMeans = aggregates.why;
         isWithoutMeans = form.format == "csv" && !aggregates.why.empty();
     } else
         writeOpen(job, form);
@@ -301,9 +313,11 @@ std::string writeExport(const database::StudyStore& store, const fs::path& out, 
     const std::string beside = isDataset ? "data/raw/" : "";
     if (form.withSamples) write(job, (beside + "finger_samples.csv").c_str(), records::fingerSamplesCsv(store, {}, naming));
     if (form.withLog) records::writeExportedLog(store, draft.path() / beside);
+    if (isWithoutMeans) draft.outdates({"conditions.csv"});  // of an earlier export: its means are given out no more
+    written.left = leftFrom(out, draft.path());
+    if (isWithoutMeans) std::erase(written.left, "conditions.csv");
     draft.putInPlace();
-    if (isWithoutMeans) fs::remove(out / "conditions.csv");  // of an earlier export: its means are given out no more
-    return whyNoMeans;
+    return written;
 }
 
 }  // namespace study::exports

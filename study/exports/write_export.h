@@ -21,9 +21,14 @@ struct ExportForm {
     bool withMeans = true;  ///< rounded means of a blinded study, where its key is known
 };
 
-/// `out`: a folder that need not exist; a public export and "psych-ds" take a new or empty one only. Returns one sentence that
-/// says why the export of a blinded study has no means although its key is known; else nothing.
-std::string writeExport(const database::StudyStore& store, const std::filesystem::path& out, const ExportForm& form,
+struct WrittenExport {
+    std::string whyNoMeans = {};            ///< a sentence where a blinded study has no means although its key is known
+    std::vector<std::string> removed = {};  ///< scripts of earlier exports, of participants whose answers were erased since
+    std::vector<std::string> left = {};     ///< files of the names of an export that lay there before, and stayed as they were
+};
+
+/// `out`: a folder that need not exist; a public export and "psych-ds" take a new or empty one only.
+WrittenExport writeExport(const database::StudyStore& store, const std::filesystem::path& out, const ExportForm& form,
                         const database::Passphrase& passphrase);
 
 }  // namespace study::exports

@@ -6,6 +6,7 @@
 
 #include "protocols/files/number_text.h"
 #include "protocols/files/safe_text.h"
+#include "reports/data/registration.h"
 #include "reports/data/study_data.h"
 #include "reports/text/number_text.h"
 #include "reports/text/plain_words.h"
@@ -31,6 +32,20 @@ std::string nameOf(const protocols::PlannedContrast& contrast) { return contrast
 std::string boundsOf(const StudyPlan& plan)
 {
     return shortest(plan.protocol.equivalenceBounds.first) + " and " + shortest(plan.protocol.equivalenceBounds.second);
+}
+
+/// Empty where the protocol states its bounds.
+std::string usualBoundsText(const StudyPlan& plan)
+{
+    const auto& protocol = plan.protocol;
+    if (!protocol.hasUsualBounds) return "";
+    std::vector<protocols::AnswerKind> kinds;
+    for (const auto& phase : protocol.phases)
+        for (const auto& question : phase.questions) kinds.push_back(question.kind);
+    // Bounds that an earlier version of this program registered stay, and it had another default.
+    const bool isOfNow = protocol.equivalenceBounds == usualBoundsOf(protocol.phases);
+    return " The protocol states none: they are the default of this program" +
+           (isOfNow ? ", " + reports::usualBoundsRule(kinds) : std::string()) + ".";
 }
 
 std::string words(Generalisation generalisation)
@@ -97,12 +112,19 @@ std::string headOf(const StudyPlan& plan, const RegistrationStamp& stamp)
            reports::listed(stamp.changes) + ".\n";
 }
 
+/// Empty where all answers before the plan are still there.
+std::string erasedText(const RegistrationStamp& stamp)
+{
+    if (stamp.erasedBefore == 0) return "";
+    return "; " + std::to_string(stamp.erasedBefore) + " of them had already been erased";
+}
+
 std::string dataSoFar(const RegistrationStamp& stamp)
 {
     std::string text = stamp.answersBefore == 0
                            ? "No answer had been stored when this plan was registered.\n"
                            : counted(stamp.answersBefore, "answer") + (stamp.answersBefore == 1 ? " was" : " were") +
-                                 " stored before this plan was registered.\n";
+                                 " stored before this plan was registered" + erasedText(stamp) + ".\n";
     text += stamp.afterUnblinding ? "The study was unblinded before: the conditions of the answers could be known.\n"
                                   : "The study was blinded: nobody could know the condition of an answer from the program.\n";
     return text;
@@ -258,7 +280,9 @@ std::string analyses(const StudyPlan& plan)
         text += item(
             "Choices enter these tests as 1 and 0. Above chance: the same tests of the share under one condition, "
             "one-sided against 1/m. Choices have no bounds of equivalence.");
-    if (numbers) text += item("Equivalence: two one-sided tests at the bounds " + boundsOf(plan) + " scale points.");
+    if (numbers)
+        text +=
+            item("Equivalence: two one-sided tests at the bounds " + boundsOf(plan) + " scale points." + usualBoundsText(plan));
     text += "Level: alpha = " + shortest(stats::claimAlpha) + ".\n";
     text += std::string("Correction: Holm's, within the family of one question and one population: once for the differences") +
             (numbers ? ", once for the equivalences" : "") + (choices ? ", once over the conditions for \"above chance\"" : "") +

@@ -1,5 +1,6 @@
 #include "study/making/preregistration.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
@@ -63,26 +64,40 @@ std::vector<std::string> changesBetween(const ordered_json& before, const ordere
     return changes;
 }
 
-/// The plan in the registered JSON. Throws workFailed where somebody altered it.
-ordered_json registeredPart(const database::StudyStore& store, const PreregistrationRecord& record)
+/// The registered JSON, with the object "plan". Throws workFailed where somebody altered it.
+ordered_json registeredJson(const database::StudyStore& store, const PreregistrationRecord& record)
 {
-    const auto json = protocols::storedOrderedJson(record.json);
-    if (json.is_object() && json.contains("plan") && json["plan"].is_object()) return json["plan"];
+    auto json = protocols::storedOrderedJson(record.json);
+    if (json.is_object() && json.contains("plan") && json["plan"].is_object()) return json;
     throw protocols::workFailed({"registered plan " + std::to_string(record.number) + " cannot be read",
                                  store.folder().folder.string(), "a plan of schema vis2hap.preregistration/1",
                                  "see `vis2hap verify`; restore the study from a backup"});
 }
 
+/// A protocol without bounds keeps those that were registered for it. An earlier version of this program had another default.
+void keepRegisteredBounds(StudyPlan& plan, const ordered_json& registered)
+{
+    const ordered_json::json_pointer protocol("/study/protocol_sha256"), low("/plan/equivalence_bounds/0"),
+        high("/plan/equivalence_bounds/1");
+    if (!plan.protocol.hasUsualBounds || !registered.contains(protocol) || registered.at(protocol) != plan.version.sha256) return;
+    if (!registered.contains(high) || !registered.at(low).is_number() || !registered.at(high).is_number()) return;
+    plan.protocol.equivalenceBounds = {registered.at(low), registered.at(high)};
+    plan.power = analyse::questionPowers(plan.protocol);
+}
+
 RegistrationStamp stampFor(const database::StudyStore& store, const PreregistrationCall& call,
                            const std::vector<PreregistrationRecord>& earlier, std::vector<std::string> changes)
 {
+    // By the log: an erasure takes answers away, but not that they were given.
+    const std::size_t given = store.eventsAfter(0, "answered"), kept = store.answerCount();
     RegistrationStamp stamp{static_cast<int>(earlier.size()) + 1,
                             call.wallTime,
                             call.who,
-                            store.answers().size(),
+                            given,
                             store.unblinding().has_value(),
                             {},
-                            std::move(changes)};
+                            std::move(changes),
+                            given - std::min(given, kept)};
     for (const auto& record : earlier) stamp.earlierHashes.push_back(record.jsonSha256());
     return stamp;
 }
@@ -127,15 +142,17 @@ void writeFiles(const database::StudyStore& store, const PreregistrationCall& ca
 Preregistered preregister(database::StudyStore& store, const PreregistrationCall& call)
 {
     requireUtf8(call.who);
-    const StudyPlan plan = planOf(store, call.program);
-    const ordered_json planned = plannedPart(plan);
+    StudyPlan plan = planOf(store, call.program);
     std::vector<PreregistrationRecord> records = preregistrationsOf(store);
     for (const auto& record : records)
         for (const auto& one : filesOf(store.folder(), record)) requireUnaltered(one);
 
     Preregistered done;
-    const ordered_json before = records.empty() ? ordered_json() : registeredPart(store, records.back());
-    if (!records.empty()) done.changes = changesBetween(before, planned);
+    if (!records.empty()) {
+        const ordered_json before = registeredJson(store, records.back());
+        keepRegisteredBounds(plan, before);
+        done.changes = changesBetween(before["plan"], plannedPart(plan));
+    }
     done.isNew = records.empty() || !done.changes.empty();
     makeOut(call);
     if (done.isNew) {

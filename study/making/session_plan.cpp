@@ -78,10 +78,12 @@ ordered_json detected(const std::string& question, const std::string& claim, con
 }
 
 /// The largest difference that fits the scale is its length.
-ordered_json ratingPower(const Protocol& protocol, const protocols::Question& question, const protocols::RatingScale& scale)
+ordered_json ratingPower(const Protocol& protocol, const Phase& phase, const protocols::Question& question,
+                         const protocols::RatingScale& scale)
 {
     const stats::StudyDesign design = designOf(protocol);
-    const stats::RatingTruth truth = analyse::ratingTruthOf(scale);
+    stats::RatingTruth truth = analyse::ratingTruthOf(scale);
+    truth.residual /= phase.runs();  // the tests take the mean over the instructions
     const auto power = [&](double effect) {
         return stats::tTestPower(protocol.participants, effect / truth.sdOfDifference(design));
     };
@@ -92,10 +94,10 @@ ordered_json ratingPower(const Protocol& protocol, const protocols::Question& qu
     return detected(question.id.value, "difference of two conditions, these fabrics", smallest, "scale points");
 }
 
-ordered_json choicePower(const Protocol& protocol, const protocols::Question& question)
+ordered_json choicePower(const Protocol& protocol, const Phase& phase, const protocols::Question& question)
 {
     const double chance = 1.0 / protocols::alternativesOf(question.kind);
-    const stats::BinomialPlan plan{.trials = static_cast<long long>(protocol.participants) * protocol.fabricCount,
+    const stats::BinomialPlan plan{.trials = static_cast<long long>(protocol.participants) * protocol.fabricCount * phase.runs(),
                                    .chance = chance};
     const auto power = [&](double above) { return stats::binomialPower(plan, std::min(1.0, chance + above)); };
     const stats::Value above = stats::smallestDetectable(power, 1 - chance);
@@ -163,8 +165,8 @@ ordered_json detectableEffects(const Protocol& protocol)
     for (const Phase& phase : protocol.phases)
         for (const protocols::Question& question : phase.questions) {
             if (const auto* rating = std::get_if<protocols::Rating>(&question.kind); rating && protocol.conditions.size() > 1)
-                rows.push_back(ratingPower(protocol, question, rating->scale));
-            if (protocols::alternativesOf(question.kind) > 1) rows.push_back(choicePower(protocol, question));
+                rows.push_back(ratingPower(protocol, phase, question, rating->scale));
+            if (protocols::alternativesOf(question.kind) > 1) rows.push_back(choicePower(protocol, phase, question));
         }
     return rows;
 }

@@ -11,6 +11,7 @@
 #include "stats/tests/equivalence.h"
 #include "stats/tests/t_tests.h"
 #include "study/analyse/statistic_json.h"
+#include "study/evaluation/friction_comparison.h"
 
 namespace study::making {
 
@@ -90,30 +91,59 @@ ordered_json tTest(const std::string& signal, const FabricMeans& pairs)
     return json;
 }
 
-void addFriction(const std::map<protocols::FabricId, FabricSignals>& signals, ordered_json& json, ordered_json& tests)
+bool hasBothFrictions(const FabricSignals& signals)
 {
+    return signals.traces.contains(Signal::GeneratedTrace) && signals.traces.contains(Signal::MeasuredTrace) &&
+           signals.generatedMeanFriction && signals.measuredMeanFriction;
+}
+
+/// The generated trace at the spacing of the measured one, so that samples of one number lie at one place.
+std::vector<double> generatedAtMeasured(const FabricSignals& signals)
+{
+    const evaluation::Trace generated{signals.traces.at(Signal::GeneratedTrace), signals.generatedTraceMmPerSample.value_or(0)};
+    return evaluation::atSpacing(generated, signals.traceMmPerSample.value_or(0)).values;
+}
+
+/// Both traces of all fabrics, as far as both reach, and their means.
+struct FrictionPairs {
     std::vector<double> generated, measured;
     FabricMeans means;
+    std::string whyNone = "the study's conditions do not compute both the generated and the measured friction";
+};
+
+FrictionPairs frictionPairs(const std::map<protocols::FabricId, FabricSignals>& signals)
+{
+    FrictionPairs pairs;
     for (const auto& [fabric, of] : signals) {
-        const auto g = of.traces.find(Signal::GeneratedTrace), m = of.traces.find(Signal::MeasuredTrace);
-        if (g == of.traces.end() || m == of.traces.end() || !of.generatedMeanFriction || !of.measuredMeanFriction) continue;
-        const auto length = std::min(g->second.size(), m->second.size());
-        generated.insert(generated.end(), g->second.begin(), g->second.begin() + static_cast<std::ptrdiff_t>(length));
-        measured.insert(measured.end(), m->second.begin(), m->second.begin() + static_cast<std::ptrdiff_t>(length));
-        means.generated.push_back(*of.generatedMeanFriction);
-        means.measured.push_back(*of.measuredMeanFriction);
+        if (!hasBothFrictions(of)) continue;
+        if (of.measuredQuantity != "mu") {
+            pairs.whyNone = "the friction records contain " + of.measuredQuantity + ", not a coefficient of friction";
+            continue;
+        }
+        const std::vector<double> g = generatedAtMeasured(of);
+        const std::vector<double>& m = of.traces.at(Signal::MeasuredTrace);
+        const auto length = static_cast<std::ptrdiff_t>(std::min(g.size(), m.size()));
+        pairs.generated.insert(pairs.generated.end(), g.begin(), g.begin() + length);
+        pairs.measured.insert(pairs.measured.end(), m.begin(), m.begin() + length);
+        pairs.means.generated.push_back(*of.generatedMeanFriction);
+        pairs.means.measured.push_back(*of.measuredMeanFriction);
     }
-    if (measured.empty()) {
-        const auto none =
-            stats::Value::undefined("the study's conditions do not compute both the generated and the measured friction");
+    return pairs;
+}
+
+void addFriction(const std::map<protocols::FabricId, FabricSignals>& signals, ordered_json& json, ordered_json& tests)
+{
+    const FrictionPairs pairs = frictionPairs(signals);
+    if (pairs.measured.empty()) {
+        const auto none = stats::Value::undefined(pairs.whyNone);
         put(json, "friction_mae", none);
         put(json, "friction_mae_over_mean", none);
         return;
     }
-    const auto error = stats::traceError(generated, measured);
+    const auto error = stats::traceError(pairs.generated, pairs.measured);
     put(json, "friction_mae", error.mae);
     put(json, "friction_mae_over_mean", error.maeOverMean);
-    tests.push_back(tTest("friction", means));
+    tests.push_back(tTest("friction", pairs.means));
 }
 
 void addHeight(const std::map<protocols::FabricId, FabricSignals>& signals, ordered_json& json, ordered_json& tests)

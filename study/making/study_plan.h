@@ -16,10 +16,11 @@ struct RegistrationStamp {
     int number = 1;                 ///< from 1; the later ones are amendments
     std::string time;               ///< ISO 8601
     std::string who;                ///< may be empty
-    std::size_t answersBefore = 0;  ///< stored answers
+    std::size_t answersBefore = 0;  ///< given before; those that were erased since count, too
     bool afterUnblinding = false;
     std::vector<std::string> earlierHashes;  ///< SHA-256 of the JSON of each earlier registration
     std::vector<std::string> changes;        ///< parts of the plan that differ from the registration before
+    std::size_t erasedBefore = 0;            ///< of the answers before
 };
 
 /// "before the first answer", "after 12 answers", "after 12 answers and after the unblinding".

@@ -19,6 +19,22 @@ namespace {
 using namespace session;
 using nlohmann::ordered_json;
 
+constexpr const char* scriptSchema = "vis2hap.script/1";
+
+std::string scriptNameOf(const protocols::ParticipantId& participant)
+{
+    return protocols::fileNameOf(participant.value) + ".json";
+}
+
+/// Participants whose answers were erased.
+std::set<protocols::ParticipantId> erasedIn(const database::StudyStore& store)
+{
+    std::set<protocols::ParticipantId> erased;
+    for (const auto& erasure : store.erasures())
+        if (erasure.answersToo) erased.insert(erasure.participant);
+    return erased;
+}
+
 ordered_json jsonOf(const GivenAnswer& answer)
 {
     return std::visit(protocols::Overloaded{[](const std::string& text) { return ordered_json(text); },
@@ -144,14 +160,24 @@ private:
 
 }  // namespace
 
+std::vector<std::string> scriptsOfErased(const database::StudyStore& store, const std::filesystem::path& folder)
+{
+    std::vector<std::string> names;
+    for (const auto& participant : erasedIn(store)) {
+        const std::string name = scriptNameOf(participant);
+        const auto script = nlohmann::json::parse(protocols::readIfPossible(folder / name).value_or(""), nullptr, false);
+        const bool isScript = script.is_object() && script.value("schema", nlohmann::json()) == scriptSchema;
+        if (isScript && script.value("participant", nlohmann::json()) == participant.value) names.push_back(name);
+    }
+    return names;
+}
+
 void writeScripts(const database::StudyStore& store, const records::Naming* naming, const std::filesystem::path& out)
 {
-    std::set<protocols::ParticipantId> erased;
-    for (const auto& erasure : store.erasures())
-        if (erasure.answersToo) erased.insert(erasure.participant);
+    const auto erased = erasedIn(store);
     for (const auto& enrolment : store.enrolments()) {
         if (erased.contains(enrolment.participant)) continue;
-        ordered_json script{{"schema", "vis2hap.script/1"},
+        ordered_json script{{"schema", scriptSchema},
                             {"participant", enrolment.participant.value},
                             {"answers", ordered_json::array()},
                             {"events", ordered_json::array()}};
@@ -161,7 +187,7 @@ void writeScripts(const database::StudyStore& store, const records::Naming* nami
         const Plan plan = readPlan(store, enrolment.participant);
         Recorder recorder(plan, enrolment.participant, naming, script, hasVoids);
         for (const auto& record : log) recorder.follow(record);
-        const auto file = out / (protocols::fileNameOf(enrolment.participant.value) + ".json");
+        const auto file = out / scriptNameOf(enrolment.participant);
         if (std::filesystem::exists(file))
             throw protocols::environmentFault({"the file system takes the names of two scripts for one", file.string(),
                                                "a folder that tells capital letters from small ones",

@@ -92,6 +92,7 @@ std::filesystem::path writeErasureCertificate(const database::StudyStore& store,
     if (record.shortTexts > 0)
         text +=
             line("Not searched for, because they have less than 8 bytes", reports::counted(record.shortTexts, "removed text"));
+    for (const auto& name : record.unread) text += line("Not searched, because it could not be read", name);
     text += line("Found in", whereFound(record.found));
     for (const auto& file : database::rescueFilesOfOthers(store.folder()))
         text += line("Rows not read, because another account owns it", file.string());

@@ -1,5 +1,6 @@
 #include "study/records/registered_plan.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -32,8 +33,16 @@ reports::PlannedDesign designOf(const protocols::Protocol& protocol, const datab
     for (const auto& contrast : contrastsInOrder(protocol)) design.contrastPairs.emplace_back(contrast.a.value, contrast.b.value);
     design.contrasts = design.contrastPairs.size();
     design.equivalenceBounds = protocol.equivalenceBounds;
+    design.hasUsualBounds = protocol.hasUsualBounds;
+    design.answersPerRendering = static_cast<std::size_t>(protocol.answersPerRendering());
     design.protocolSha256 = protocolSha256;
     return design;
+}
+
+reports::PlannedDesign designOf(const database::ProtocolVersion& version, const database::StudyStore& store)
+{
+    return designOf(protocols::keptProtocolFromJson(version.json, "the study's protocol", store.facts().programVersion), store,
+                    version.sha256);
 }
 
 /// Throws std::out_of_range for a number that no study has.
@@ -62,6 +71,17 @@ reports::PlannedDesign designIn(const json& registered)
     return design;
 }
 
+/// Adds what the registered JSON does not tell, by the version of the protocol that it names.
+void addFromProtocol(reports::PlannedDesign& design, const database::StudyStore& store)
+{
+    const auto versions = store.protocolVersions();
+    const auto named = std::ranges::find(versions, design.protocolSha256, &database::ProtocolVersion::sha256);
+    if (named == versions.end()) return;
+    const reports::PlannedDesign stated = designOf(*named, store);
+    design.hasUsualBounds = stated.hasUsualBounds;
+    design.answersPerRendering = stated.answersPerRendering;
+}
+
 /// Runs `read` on the registered JSON.
 template <class Read>
 auto readFrom(const database::StudyStore& store, const database::PreregistrationRecord& record, const Read& read)
@@ -80,20 +100,14 @@ auto readFrom(const database::StudyStore& store, const database::Preregistration
     }
 }
 
-/// By the log: an erasure takes answers away, but not that they were given.
-bool isInTime(const database::StudyStore& store, const database::PreregistrationRecord& record)
-{
-    const auto answered = store.firstEventOfKind("answered");
-    return record.answersBefore == 0 && !record.afterUnblinding && (!answered || record.event < *answered);
-}
+bool isInTime(const database::PreregistrationRecord& record) { return record.answersBefore == 0 && !record.afterUnblinding; }
 
 /// The last plan that was registered in time; if there is none, the first one. Null where none is registered.
-const database::PreregistrationRecord* followedOf(const database::StudyStore& store,
-                                                  const std::vector<database::PreregistrationRecord>& records)
+const database::PreregistrationRecord* followedOf(const std::vector<database::PreregistrationRecord>& records)
 {
     const database::PreregistrationRecord* followed = records.empty() ? nullptr : &records.front();
     for (const auto& record : records)
-        if (isInTime(store, record)) followed = &record;
+        if (isInTime(record)) followed = &record;
     return followed;
 }
 
@@ -110,11 +124,17 @@ std::vector<reports::Registration> registrationsOf(const database::StudyStore& s
     return registrations;
 }
 
+/// Where neither protocol states bounds, an earlier version of this program may have had another default.
+bool differInBounds(const reports::PlannedDesign& planned, const reports::PlannedDesign& used)
+{
+    return planned.equivalenceBounds != used.equivalenceBounds && !(planned.hasUsualBounds && used.hasUsualBounds);
+}
+
 /// The parts of a plan that an amended protocol can change.
 std::vector<std::string> changesOfPlan(const reports::PlannedDesign& planned, const reports::PlannedDesign& used)
 {
     std::vector<std::string> changes;
-    if (planned.equivalenceBounds != used.equivalenceBounds) changes.emplace_back(reports::equivalenceBoundsChanged);
+    if (differInBounds(planned, used)) changes.emplace_back(reports::equivalenceBoundsChanged);
     if (planned.contrastPairs != used.contrastPairs) changes.emplace_back("planned contrasts");
     return changes;
 }
@@ -132,23 +152,31 @@ struct CountingPlan {
     const database::PreregistrationRecord* followed = nullptr;
 };
 
-reports::PlannedDesign designOf(const database::ProtocolVersion& version, const database::StudyStore& store)
-{
-    return designOf(protocols::keptProtocolFromJson(version.json, "the study's protocol", store.facts().programVersion), store,
-                    version.sha256);
-}
-
 CountingPlan countingPlan(const database::StudyStore& store, const std::vector<database::PreregistrationRecord>& records)
 {
-    CountingPlan plan{designOf(versionBeforeAnswers(store), store), followedOf(store, records)};
+    CountingPlan plan{designOf(versionBeforeAnswers(store), store), followedOf(records)};
     if (plan.followed == nullptr) return plan;
     reports::PlannedDesign registered = readFrom(store, *plan.followed, designIn);
+    addFromProtocol(registered, store);
     // A plan after answers binds nobody: it may not change what the protocol stated before them.
-    if (store.protocolVersions().size() == 1 || isInTime(store, *plan.followed) || changesOfPlan(plan.design, registered).empty())
+    if (store.protocolVersions().size() == 1 || isInTime(*plan.followed) || changesOfPlan(plan.design, registered).empty())
         plan.design = std::move(registered);
     else
         plan.followed = nullptr;
     return plan;
+}
+
+/// What states the bounds and the contrasts of the plan. `latest`: what the latest protocol states.
+void describeOrigins(const CountingPlan& plan, const reports::PlannedDesign& latest, reports::StudyData& data)
+{
+    using reports::PlanOrigin;
+    const bool isRegistered = plan.followed != nullptr;
+    data.boundsFrom = plan.design.hasUsualBounds ? PlanOrigin::Program : PlanOrigin::Protocol;
+    // A registered text names its bounds also where they were the default.
+    if (isRegistered && (plan.design.hasUsualBounds || differInBounds(plan.design, latest)))
+        data.boundsFrom = PlanOrigin::RegisteredPlan;
+    const bool hasOthers = plan.design.contrastPairs != latest.contrastPairs;
+    data.plannedFrom = isRegistered && hasOthers ? PlanOrigin::RegisteredPlan : PlanOrigin::Protocol;
 }
 
 }  // namespace
@@ -158,12 +186,15 @@ void describePlan(const database::StudyStore& store, reports::StudyData& data)
     const auto records = preregistrationsOf(store);
     const auto versions = store.protocolVersions();
     const auto& latest = versions.back();
-    auto [design, followed] = countingPlan(store, records);
+    CountingPlan plan = countingPlan(store, records);
+    reports::PlannedDesign& design = plan.design;
+    const reports::PlannedDesign used = designOf(latest, store);
     data.hasLog = true;
-    data.registrations = registrationsOf(store, records, followed);
-    data.planVersion = versions.size() > 1 && followed == nullptr ? versionBeforeAnswers(store).version : 0;
+    data.registrations = registrationsOf(store, records, plan.followed);
+    data.planVersion = versions.size() > 1 && plan.followed == nullptr ? versionBeforeAnswers(store).version : 0;
     data.protocolInUse = latest.sha256;
-    data.protocolChanges = changesBetween(design, designOf(latest, store));
+    data.protocolChanges = changesBetween(design, used);
+    describeOrigins(plan, used, data);
     data.equivalenceBounds = design.equivalenceBounds;
     if (data.blinded) {
         design.conditionIds.clear();

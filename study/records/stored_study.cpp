@@ -40,15 +40,11 @@ std::vector<reports::InstructionInfo> instructionsOf(const protocols::Phase& pha
 /// Answers of one participant, without those to catch trials and anchors.
 std::size_t answersOf(const protocols::Protocol& protocol)
 {
-    std::size_t answers = 0;
-    for (const auto& phase : protocol.phases)
-        answers += phase.questions.size() * static_cast<std::size_t>(protocol.presentationsPerPhase() * phase.runs());
-    return answers;
+    return static_cast<std::size_t>(protocol.presentationsPerPhase() * protocol.answersPerRendering());
 }
 
 void describeProtocol(const protocols::Protocol& protocol, reports::StudyData& data)
 {
-    data.boundsStated = true;
     for (const auto& phase : protocol.phases)
         data.answersPerCell = std::max(data.answersPerCell, static_cast<std::size_t>(phase.runs()));
     for (const auto& phase : protocol.phases)

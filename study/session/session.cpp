@@ -264,8 +264,7 @@ Outcome correct(const Plan& plan, const State& state, const Corrected& event, Ev
 Outcome note(const State& state, const Noted& event)
 {
     if (event.text.empty() && !event.isFlag) return Refusal{"The note is empty."};
-    if (event.isFlag && state.answers.empty() && !std::holds_alternative<Presenting>(state.stage))
-        return Refusal{"There is no presentation to flag yet."};
+    if (event.isFlag && !presentationMeant(state)) return Refusal{"There is no presentation to flag yet."};
     return SessionStep{state, {}};
 }
 

@@ -66,14 +66,6 @@ int voidedTrial(const State& before, const State& next)
     return next.order[place].index;
 }
 
-/// The trial that a remark concerns now: the one being presented, or the one answered last.
-std::optional<int> trialNotedOn(const State& state)
-{
-    if (const auto* presenting = std::get_if<Presenting>(&state.stage)) return presenting->index;
-    if (state.answers.empty()) return std::nullopt;
-    return state.answers.back().index;
-}
-
 }  // namespace
 
 SessionStore::Append entryOf(const Plan& plan, const State& before, const State& next, const EventBody& body, std::int64_t atNs)
@@ -88,7 +80,8 @@ SessionStore::Append entryOf(const Plan& plan, const State& before, const State&
         if (!voided->why.empty()) entry.note = {*entry.voids, voided->why, false};
     }
     if (const auto* noted = std::get_if<Noted>(&body))
-        if (const auto trial = trialNotedOn(before)) entry.note = {trialOf(plan, *trial).number, noted->text, noted->isFlag};
+        if (const auto meant = presentationMeant(before))
+            entry.note = {trialOf(plan, meant->index).number, noted->text, noted->isFlag, meant->attempt};
     if (const auto* given = std::get_if<FactsGiven>(&body)) entry.facts.assign(given->facts.begin(), given->facts.end());
     if (const auto* debriefed = std::get_if<Debriefed>(&body))
         if (!debriefed->text.empty()) entry.facts.emplace_back(debriefingFact, debriefed->text);

@@ -104,6 +104,18 @@ int attemptSoFar(const State& state, int index)
                                           [&](const PlaceInOrder& place) { return place.index == index; }));
 }
 
+std::optional<Presented> presentationMeant(const State& state)
+{
+    const auto presentedAt = [&](int position) { return Presented{placeAt(state, position).index, attemptAt(state, position)}; };
+    if (state.order.empty()) return std::nullopt;
+    const bool isOver = state.position == static_cast<int>(state.order.size());
+    const bool hasBegun = !isOver && (std::holds_alternative<Presenting>(state.stage) ||
+                                      answersTo(state, placeAt(state, state.position).index) > 0);
+    if (hasBegun) return presentedAt(state.position);
+    if (state.position == 0) return std::nullopt;
+    return presentedAt(state.position - 1);
+}
+
 bool blockEndsBefore(const State& state, int position)
 {
     if (position <= 0 || position >= static_cast<int>(state.order.size())) return false;

@@ -35,6 +35,15 @@ int attemptAt(const State& state, int position);
 /// The same for a trial up to the present place: the attempt that its current answers belong to.
 int attemptSoFar(const State& state, int index);
 
+/// A presentation by its trial (place in the list) and its attempt (from 1).
+struct Presented {
+    int index = 0;
+    int attempt = 1;
+};
+
+/// The presentation that a remark concerns now: the present one, or the last one, also where that was voided.
+std::optional<Presented> presentationMeant(const State& state);
+
 /// Whether order[position - 1] ends a block or phase.
 bool blockEndsBefore(const State& state, int position);
 

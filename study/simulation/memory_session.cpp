@@ -47,7 +47,8 @@ void MemorySession::keep(const database::StudyStore::Append& entry)
 {
     for (const AnswerRecord& record : entry.answers) keepAnswer(record);
     if (entry.note)
-        m_remarks.push_back({entry.note->trial.value, attemptOf(entry.note->trial.value), std::nullopt, entry.note->text});
+        m_remarks.push_back({entry.note->trial.value, entry.note->attempt.value_or(attemptOf(entry.note->trial.value)),
+                             std::nullopt, entry.note->text});
     if (entry.voids) ++m_voids[entry.voids->value];
 }
 

@@ -21,23 +21,21 @@ using players::SimulatedParticipant;
 class AnswerPlaces {
 public:
     explicit AnswerPlaces(const MemoryStudy& study)
-        : m_fabricCount(study.fabrics.size()), m_conditionCount(study.protocol.conditions.size())
     {
-        for (const auto& phase : study.protocol.phases)
-            for (const auto& question : phase.questions) {
-                const std::size_t place = m_questions.size();
-                m_questions[question.id] = {place, &question.kind};
-            }
+        for (const QuestionPlaces& places : placesOfQuestions(study)) {
+            m_questions.emplace(places.question, places);
+            m_count += places.count();
+        }
         std::map<protocols::FabricId, std::size_t> fabrics;
         for (std::size_t i = 0; i < study.fabrics.size(); ++i) fabrics[study.fabrics[i]] = i;
         std::map<protocols::ConditionId, std::size_t> conditions;
         for (std::size_t i = 0; i < study.protocol.conditions.size(); ++i) conditions[study.protocol.conditions[i]] = i;
         for (const auto& [code, entry] : study.images)
             if (const auto condition = conditions.find(entry.condition); condition != conditions.end())
-                m_images[code.value] = {condition->second * m_fabricCount + fabrics.at(entry.fabric), &entry.fabric};
+                m_images[code.value] = {condition->second, fabrics.at(entry.fabric), &entry.fabric};
     }
 
-    std::size_t count() const { return m_questions.size() * m_conditionCount * m_fabricCount; }
+    std::size_t count() const { return m_count; }
 
     struct Place {
         std::size_t at = 0;
@@ -50,14 +48,30 @@ public:
         const auto& trial = list[static_cast<std::size_t>(answer.record.trial.value) - 1];
         const auto image = m_images.find(trial.sealedCode.value);
         if (image == m_images.end()) return std::nullopt;
-        const auto& [question, kind] = m_questions.at(answer.record.question);
-        return Place{question * m_conditionCount * m_fabricCount + image->second.first, kind, image->second.second};
+        const QuestionPlaces& places = m_questions.at(answer.record.question);
+        const Image& shown = image->second;
+        return Place{places.at(shown.condition, shown.fabric, runOf(trial, *places.phase)), places.kind, shown.truth};
     }
 
 private:
-    std::size_t m_fabricCount, m_conditionCount;
-    std::map<protocols::QuestionId, std::pair<std::size_t, const protocols::AnswerKind*>> m_questions;
-    std::map<std::string, std::pair<std::size_t, const protocols::FabricId*>> m_images;  ///< by open file code
+    struct Image {
+        std::size_t condition = 0, fabric = 0;
+        const protocols::FabricId* truth = nullptr;
+    };
+    /// The place of the trial's instruction in its phase; 0 where the phase gives none.
+    static std::size_t runOf(const protocols::BlindedTrial& trial, const protocols::Phase& phase)
+    {
+        if (phase.instructions.empty()) return 0;
+        const auto run = std::ranges::find(phase.instructions, trial.instruction, &protocols::BlockInstruction::id);
+        if (run == phase.instructions.end())
+            throw protocols::workFailed({"trial " + std::to_string(trial.number.value) + " has an instruction of no block",
+                                         trial.instruction.value, "an instruction of its phase", "run vis2hap verify"});
+        return static_cast<std::size_t>(run - phase.instructions.begin());
+    }
+
+    std::size_t m_count = 0;
+    std::map<protocols::QuestionId, QuestionPlaces> m_questions;
+    std::map<std::string, Image> m_images;  ///< by open file code
 };
 
 std::int16_t numberOf(const database::AnswerRecord& record, const AnswerPlaces::Place& place)
@@ -126,6 +140,19 @@ void requirePlaces(const MemoryStudy& study)
 }
 
 }  // namespace
+
+std::vector<QuestionPlaces> placesOfQuestions(const MemoryStudy& study)
+{
+    std::vector<QuestionPlaces> places;
+    std::size_t first = 0;
+    for (const auto& phase : study.protocol.phases)
+        for (const auto& question : phase.questions) {
+            places.push_back({question.id, &phase, &question.kind, first, study.protocol.conditions.size(), study.fabrics.size(),
+                              static_cast<std::size_t>(phase.runs())});
+            first += places.back().count();
+        }
+    return places;
+}
 
 protocols::ParticipantId simulatedId(int number)
 {

@@ -14,7 +14,27 @@
 
 namespace study::simulation {
 
-/// The valid answers of one participant as numbers. Rows are questions, conditions and fabrics in the order of the study.
+/// Where the numbers of one question stand among those of a participant. A phase with instructions repeats its list under each of
+/// them, so a question has one number for each condition x fabric x run.
+struct QuestionPlaces {
+    protocols::QuestionId question;
+    const protocols::Phase* phase = nullptr;  ///< whose question it is
+    const protocols::AnswerKind* kind = nullptr;
+    std::size_t first = 0;  ///< place of the first number
+    std::size_t conditions = 0, fabrics = 0;
+    std::size_t runs = 1;  ///< instructions of the phase, or one
+
+    std::size_t count() const { return conditions * fabrics * runs; }
+    std::size_t at(std::size_t condition, std::size_t fabric, std::size_t run) const
+    {
+        return first + (condition * fabrics + fabric) * runs + run;
+    }
+};
+
+/// In the order of the questions; one behind the other. They point into the study's protocol.
+std::vector<QuestionPlaces> placesOfQuestions(const MemoryStudy& study);
+
+/// The valid answers of one participant as numbers. Rows are questions, conditions, fabrics and runs in the order of the study.
 struct SimulatedAnswers {
     static constexpr std::int16_t none = std::numeric_limits<std::int16_t>::min();
 
@@ -23,8 +43,8 @@ struct SimulatedAnswers {
     int voided = 0;       ///< presentations
     int corrections = 0;  ///< of valid answers
     int refusals = 0;     ///< steps that the session refused
-    /// [question x condition x fabric]: a rating in tenths of a scale point, 1 for right, 0 for wrong; none where nothing valid
-    /// was answered, and for words.
+    /// [question x condition x fabric x run]: a rating in tenths of a scale point, 1 for right, 0 for wrong; none where nothing
+    /// valid was answered, and for words.
     std::vector<std::int16_t> values;
     /// The response times of the same answers, s; NaN where there is none.
     std::vector<double> seconds;

@@ -31,46 +31,56 @@ const char* const leftOut =
     "and the claims that rest on them, Bayes factors, agreement, order effects, confusion of fabrics, conditional accuracy, "
     "speed "
     "contrasts, quality flags, anchors, words and figures. `vis2hap simulate` and `vis2hap report` give them.";
+const char* const instructionsLeftOut =
+    "The blocks instruct the participant. A simulation in memory averages over the instructions, as the main tables of a report "
+    "do. It leaves out what the instructions change: speed and accuracy under each of them, their differences, and late answers.";
 
-/// The numbers of one question, sorted for its tests.
+/// The numbers of one question, sorted for its tests. Those of one cell (condition x fabric) are averaged as in the report.
 class QuestionCells {
 public:
-    QuestionCells(const MemoryStudy& study, const std::vector<const SimulatedAnswers*>& participants, std::size_t question,
-                  double perUnit)
+    QuestionCells(const QuestionPlaces& places, const std::vector<const SimulatedAnswers*>& participants, double perUnit)
         : m_participants(participants),
-          m_fabrics(study.fabrics.size()),
-          m_conditions(study.protocol.conditions.size()),
-          m_first(question * m_conditions * m_fabrics),
+          m_places(places),
           m_perUnit(perUnit),
-          m_isComplete(participants.size(), true)
+          m_isComplete(participants.size(), true),
+          m_hasRepetitions(mostAnswers() > 1)
     {
-        for (std::size_t c = 0; c < m_conditions; ++c) {
+        for (std::size_t c = 0; c < conditions(); ++c) {
             auto& means = m_means.emplace_back();
             for (std::size_t p = 0; p < participants.size(); ++p) {
                 const auto values = valuesOf(c, p);
-                means.push_back(stats::meanOf(values));
-                if (values.size() != m_fabrics) m_isComplete[p] = false;
+                means.push_back(stats::meanOf(m_places.runs == 1 ? values : cellMeans(c, p)));
+                if (values.size() != answersUnder()) m_isComplete[p] = false;
             }
         }
     }
 
-    std::size_t conditions() const { return m_conditions; }
-    std::size_t fabrics() const { return m_fabrics; }
+    std::size_t conditions() const { return m_places.conditions; }
+    std::size_t fabrics() const { return m_places.fabrics; }
     std::size_t participants() const { return m_participants.size(); }
+    /// Answers of a complete participant under a condition.
+    std::size_t answersUnder() const { return m_places.fabrics * m_places.runs; }
 
     std::vector<double> valuesOf(std::size_t condition, std::size_t participant) const
     {
         std::vector<double> values;
-        for (std::size_t f = 0; f < m_fabrics; ++f)
-            if (const auto value = valueAt(condition, participant, f)) values.push_back(*value);
+        for (std::size_t f = 0; f < fabrics(); ++f) addCell(values, condition, participant, f);
+        return values;
+    }
+    /// Of one cell.
+    std::vector<double> valuesOf(std::size_t condition, std::size_t participant, std::size_t fabric) const
+    {
+        std::vector<double> values;
+        addCell(values, condition, participant, fabric);
         return values;
     }
     std::vector<double> secondsOf(std::size_t condition, std::size_t participant) const
     {
         std::vector<double> seconds;
-        for (std::size_t f = 0; f < m_fabrics; ++f)
-            if (const double time = m_participants[participant]->seconds[at(condition, f)]; !std::isnan(time))
-                seconds.push_back(time);
+        for (std::size_t f = 0; f < fabrics(); ++f)
+            for (std::size_t r = 0; r < m_places.runs; ++r)
+                if (const double time = m_participants[participant]->seconds[m_places.at(condition, f, r)]; !std::isnan(time))
+                    seconds.push_back(time);
         return seconds;
     }
     std::vector<double> allValues(std::size_t condition) const
@@ -80,12 +90,6 @@ public:
     std::vector<double> allSeconds(std::size_t condition) const
     {
         return gathered([&](std::size_t p) { return secondsOf(condition, p); });
-    }
-    std::optional<double> valueAt(std::size_t condition, std::size_t participant, std::size_t fabric) const
-    {
-        const auto value = m_participants[participant]->values[at(condition, fabric)];
-        if (value == SimulatedAnswers::none) return std::nullopt;
-        return value / m_perUnit;
     }
 
     std::vector<double> means(std::size_t condition) const
@@ -99,7 +103,7 @@ public:
     {
         AnswerCells::PairedMeans paired;
         for (std::size_t p = 0; p < participants(); ++p) {
-            if (m_isComplete[p] && m_fabrics > 0) {
+            if (m_isComplete[p] && fabrics() > 0) {
                 paired.a.push_back(*m_means[a][p]);
                 paired.b.push_back(*m_means[b][p]);
             } else if (const auto both = commonMeans({a, b}, p); !both.empty()) {
@@ -112,8 +116,8 @@ public:
     stats::BlockTable completeBlocks() const
     {
         stats::BlockTable table;
-        table.conditions = m_conditions;
-        std::vector<std::size_t> all(m_conditions);
+        table.conditions = conditions();
+        std::vector<std::size_t> all(conditions());
         std::iota(all.begin(), all.end(), std::size_t{0});
         for (std::size_t p = 0; p < participants(); ++p) {
             const auto row = commonMeans(all, p);
@@ -122,38 +126,80 @@ public:
         }
         return table;
     }
-    /// Blocks of participant and fabric that are answered in every condition.
+    /// Blocks of participant, fabric and run that are answered in every condition.
     stats::BlockTable completeSuccesses() const
     {
         stats::BlockTable table;
-        table.conditions = m_conditions;
+        table.conditions = conditions();
         for (std::size_t p = 0; p < participants(); ++p)
-            for (std::size_t f = 0; f < m_fabrics; ++f) addRow(table, [&](std::size_t c) { return valueAt(c, p, f); });
+            for (std::size_t f = 0; f < fabrics(); ++f)
+                for (std::size_t r = 0; r < m_places.runs; ++r) addRow(table, [&](std::size_t c) { return valueAt(c, p, f, r); });
         return table;
     }
     std::size_t answered() const
     {
         std::size_t count = 0;
-        for (std::size_t c = 0; c < m_conditions; ++c) count += allValues(c).size();
+        for (std::size_t c = 0; c < conditions(); ++c) count += allValues(c).size();
         return count;
     }
 
 private:
+    std::optional<double> valueAt(std::size_t condition, std::size_t participant, std::size_t fabric, std::size_t run) const
+    {
+        const auto value = m_participants[participant]->values[m_places.at(condition, fabric, run)];
+        if (value == SimulatedAnswers::none) return std::nullopt;
+        return value / m_perUnit;
+    }
+    void addCell(std::vector<double>& values, std::size_t condition, std::size_t participant, std::size_t fabric) const
+    {
+        for (std::size_t r = 0; r < m_places.runs; ++r)
+            if (const auto value = valueAt(condition, participant, fabric, r)) values.push_back(*value);
+    }
+    /// Means of the fabrics that the participant answered.
+    std::vector<double> cellMeans(std::size_t condition, std::size_t participant) const
+    {
+        std::vector<double> means;
+        for (std::size_t f = 0; f < fabrics(); ++f)
+            if (const Value mean = stats::meanOf(valuesOf(condition, participant, f)); mean.exists()) means.push_back(*mean);
+        return means;
+    }
+    /// Most answers of one participant in one cell.
+    std::size_t mostAnswers() const
+    {
+        std::size_t most = 0;
+        for (std::size_t p = 0; p < participants() && most < m_places.runs; ++p)
+            for (std::size_t c = 0; c < conditions(); ++c)
+                for (std::size_t f = 0; f < fabrics(); ++f) most = std::max(most, valuesOf(c, p, f).size());
+        return most;
+    }
+    /// The numbers of a fabric under each of these conditions, where all have one: in runs that are answered under all of them.
+    /// Where no cell holds several answers, runs need not match.
+    std::vector<std::vector<double>> commonValues(const std::vector<std::size_t>& conditions, std::size_t participant,
+                                                  std::size_t fabric) const
+    {
+        std::vector<std::vector<double>> values(conditions.size());
+        for (std::size_t r = 0; r < m_places.runs; ++r) {
+            const auto isThere = [&](std::size_t c) { return valueAt(c, participant, fabric, r).has_value(); };
+            if (m_hasRepetitions && !std::ranges::all_of(conditions, isThere)) continue;
+            for (std::size_t i = 0; i < values.size(); ++i)
+                if (const auto value = valueAt(conditions[i], participant, fabric, r)) values[i].push_back(*value);
+        }
+        if (std::ranges::any_of(values, [](const auto& own) { return own.empty(); })) return {};
+        return values;
+    }
     /// Means over the fabrics that the participant answered under each of these conditions; empty without such a fabric.
     std::vector<double> commonMeans(const std::vector<std::size_t>& conditions, std::size_t participant) const
     {
-        std::vector<std::vector<double>> values(conditions.size());
-        for (std::size_t f = 0; f < m_fabrics; ++f) {
-            const auto isThere = [&](std::size_t c) { return valueAt(c, participant, f).has_value(); };
-            if (!std::ranges::all_of(conditions, isThere)) continue;
-            for (std::size_t i = 0; i < values.size(); ++i) values[i].push_back(*valueAt(conditions[i], participant, f));
+        std::vector<std::vector<double>> cells(conditions.size());
+        for (std::size_t f = 0; f < fabrics(); ++f) {
+            const auto values = commonValues(conditions, participant, f);
+            for (std::size_t i = 0; i < values.size(); ++i) cells[i].push_back(*stats::meanOf(values[i]));
         }
         std::vector<double> means;
-        for (const auto& own : values)
+        for (const auto& own : cells)
             if (!own.empty()) means.push_back(*stats::meanOf(own));
         return means;
     }
-    std::size_t at(std::size_t condition, std::size_t fabric) const { return m_first + condition * m_fabrics + fabric; }
 
     template <class Part>
     std::vector<double> gathered(const Part& part) const
@@ -170,18 +216,19 @@ private:
     void addRow(stats::BlockTable& table, const NumberUnder& numberUnder) const
     {
         const std::size_t before = table.values.size();
-        for (std::size_t c = 0; c < m_conditions; ++c)
+        for (std::size_t c = 0; c < conditions(); ++c)
             if (const auto number = numberUnder(c)) table.values.push_back(*number);
-        if (table.values.size() == before + m_conditions && m_conditions > 0)
+        if (table.values.size() == before + conditions() && conditions() > 0)
             ++table.blocks;
         else
             table.values.resize(before);
     }
 
     const std::vector<const SimulatedAnswers*>& m_participants;
-    std::size_t m_fabrics, m_conditions, m_first;
+    QuestionPlaces m_places;
     double m_perUnit;
     std::vector<bool> m_isComplete;           ///< whether the participant answered everything
+    bool m_hasRepetitions;                    ///< whether some cell holds several answers
     std::vector<std::vector<Value>> m_means;  ///< [condition][participant]
 };
 
@@ -204,7 +251,7 @@ reports::ConditionRatings ratingsUnder(const QuestionCells& cells, std::size_t c
     under.mean = stats::meanOf(ratings);
     under.sd = stats::describe(ratings).sd;
     under.participants = means.size();
-    const bool isComplete = ratings.size() == cells.participants() * cells.fabrics();
+    const bool isComplete = ratings.size() == cells.participants() * cells.answersUnder();
     under.meanOfParticipants = isComplete ? under.mean : stats::meanOf(means);
     under.ci95 = stats::describe(means).ci95;
     if (means.size() < 2) under.ci95.low = under.ci95.high = Value::undefined("needs the means of at least 2 participants");
@@ -235,9 +282,9 @@ reports::ConditionChoices choicesUnder(const QuestionCells& cells, std::size_t c
     for (std::size_t f = 0; f < cells.fabrics(); ++f) {
         reports::CountCorrect count;
         for (std::size_t p = 0; p < cells.participants(); ++p)
-            if (const auto value = cells.valueAt(condition, p, f)) {
+            for (const double value : cells.valuesOf(condition, p, f)) {
                 ++count.trials;
-                count.correct += *value == 1;
+                count.correct += value == 1;
             }
         under.byFabric.push_back(count);
         under.count.trials += count.trials;
@@ -319,13 +366,18 @@ StudyData describedStudy(const MemoryStudy& study, const std::vector<SimulatedAn
     data.blinded = false;
     data.simulated = true;
     data.stamps = {evidence};
-    data.boundsStated = true;
+    if (!study.protocol.hasUsualBounds) data.boundsFrom = reports::PlanOrigin::Protocol;
     data.equivalenceBounds = study.protocol.equivalenceBounds;
     for (const auto& fabric : study.fabrics) data.fabrics.push_back(fabric.value);
     for (const auto& condition : study.protocol.conditions) data.conditions.push_back(condition.value);
     for (const auto& contrast : contrastsInOrder(study.protocol)) data.planned.emplace_back(contrast.a.value, contrast.b.value);
     for (const auto& phase : study.protocol.phases)
-        for (const auto& question : phase.questions) data.questions.push_back({question.id.value, question.text, question.kind});
+        for (const auto& question : phase.questions) {
+            const auto runs = static_cast<std::size_t>(phase.runs());
+            data.questions.push_back({question.id.value, question.text, question.kind});
+            data.questions.back().answersPerCell = runs;
+            data.answersPerCell = std::max(data.answersPerCell, runs);
+        }
     for (const SimulatedAnswers& one : answers) {
         (one.hasWithdrawn ? data.withdrawn : data.participants).push_back(simulatedId(one.number).value);
         data.voided += one.hasWithdrawn ? 0 : static_cast<std::size_t>(one.voided);
@@ -345,24 +397,29 @@ StudyAnalysis analysisOf(const MemoryStudy& study, const std::vector<SimulatedAn
         if (!one.hasWithdrawn) analysed.push_back(&one);
     analysis.speed = reports::speedWithoutChoices(data);
     bool hasSpeed = false;
+    const auto places = placesOfQuestions(study);
+    const auto addCells = [&](const QuestionPlaces& question, const QuestionCells& cells) {
+        analysis.completeness.present += cells.answered();
+        analysis.completeness.expected += analysed.size() * question.count();
+    };
     for (std::size_t q = 0; q < data.questions.size(); ++q) {
         const auto addChoices = [&](const reports::RightOrWrong& choice) {
-            const QuestionCells cells(study, analysed, q, 1);
-            analysis.completeness.present += cells.answered();
+            const QuestionCells cells(places[q], analysed, 1);
+            addCells(places[q], cells);
             auto choices = choicesOf(data, cells, choice);
             if (!std::exchange(hasSpeed, true)) analysis.speed = choices.speed.conditions;
             analysis.questions.push_back({data.questions[q], std::move(choices), {}, {}});
         };
         const auto addRatings = [&](const reports::NumberOnScale& scale) {
-            const QuestionCells cells(study, analysed, q, 10);
-            analysis.completeness.present += cells.answered();
+            const QuestionCells cells(places[q], analysed, 10);
+            addCells(places[q], cells);
             analysis.questions.push_back({data.questions[q], ratingsOf(data, cells, scale), {}, {}});
         };
         std::visit(protocols::Overloaded{addChoices, addRatings, [](const reports::OpenWords&) {}},
                    reports::scoringOf(data.questions[q].kind));
     }
-    analysis.completeness.expected = analysed.size() * data.fabrics.size() * data.conditions.size() * analysis.questions.size();
     analysis.designLimits = {evidence, leftOut};
+    if (hasInstructions(study.protocol)) analysis.designLimits.emplace_back(instructionsLeftOut);
     analysis.screening.why = "left out of a simulation in memory";
     analysis.data = std::move(data);
     return analysis;

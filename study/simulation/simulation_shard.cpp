@@ -56,18 +56,11 @@ bool isPossible(const protocols::AnswerKind& kind, std::int16_t value)
 
 bool isPossibleTime(double seconds) { return std::isnan(seconds) || (std::isfinite(seconds) && seconds >= 0); }
 
-std::vector<const protocols::AnswerKind*> kindsIn(const protocols::Protocol& protocol)
-{
-    std::vector<const protocols::AnswerKind*> kinds;
-    for (const auto& phase : protocol.phases)
-        for (const auto& question : phase.questions) kinds.push_back(&question.kind);
-    return kinds;
-}
-
 SimulatedAnswers answersOfOne(const ordered_json& json, const MemoryStudy& study)
 {
-    const auto kinds = kindsIn(study.protocol);
-    const std::size_t ofQuestion = study.protocol.conditions.size() * study.fabrics.size(), values = kinds.size() * ofQuestion;
+    const auto questions = placesOfQuestions(study);
+    std::size_t values = 0;
+    for (const QuestionPlaces& question : questions) values += question.count();
     SimulatedAnswers one;
     one.number = countIn(json, "participant");
     one.hasWithdrawn = json.at("withdrawn").get<bool>();
@@ -76,9 +69,10 @@ SimulatedAnswers answersOfOne(const ordered_json& json, const MemoryStudy& study
     one.refusals = countIn(json, "refusals");
     one.values = numbersFrom<std::int16_t>(json.at("values"), values);
     one.seconds = numbersFrom<double>(json.at("seconds"), values);
-    for (std::size_t i = 0; i < values; ++i)
-        if (!isPossible(*kinds[i / ofQuestion], one.values[i]) || !isPossibleTime(one.seconds[i]))
-            throw ordered_json::other_error::create(501, "an impossible answer", nullptr);
+    for (const QuestionPlaces& question : questions)
+        for (std::size_t i = question.first; i < question.first + question.count(); ++i)
+            if (!isPossible(*question.kind, one.values[i]) || !isPossibleTime(one.seconds[i]))
+                throw ordered_json::other_error::create(501, "an impossible answer", nullptr);
     return one;
 }
 

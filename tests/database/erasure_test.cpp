@@ -1,12 +1,15 @@
 // Erasures: what the log, the files and later certificates keep of a person, and who holds an erasure up.
 #include "database/erasure.h"
 
+#include <unistd.h>
+
 #include <QTest>
 #include <filesystem>
 
 #include "database/sqlite_connection.h"
 #include "protocols/files/byte_search.h"
 #include "protocols/files/sha256.h"
+#include "protocols/files/temporary_folder.h"
 #include "protocols/files/whole_file.h"
 #include "study/records/erasure_certificate.h"
 #include "tests/support/error_text.h"
@@ -101,6 +104,47 @@ private Q_SLOTS:
         protocols::writeWholeFile(folder.folder / "notes" / "copy.txt", "he made an unmistakable remark today");
         const auto record = session.store.erase({protocols::ParticipantId("S01"), true, "Ada", "asked for it", {}});
         QCOMPARE(record.found, std::vector<std::string>{"notes/copy.txt"});
+    }
+
+    /// Afterwards nobody could search it: what was removed is known no more.
+    void aFileThatCannotBeReadHoldsAnErasureUp()
+    {
+        const StudyFolder folder = newStudy();
+        const std::filesystem::path file = folder.folder / "notes.txt";
+        OpenSession session(folder, "S01");
+        session.playUntilAnswers(3);
+        protocols::writeWholeFile(file, "of another account");
+        std::filesystem::permissions(file, std::filesystem::perms::none);
+        const auto erase = [&] {
+            return session.store.erase({protocols::ParticipantId("S01"), true, "Ada", "asked for it", {}});
+        };
+        const bool isRoot = ::geteuid() == 0;  // root may read every file
+        if (isRoot) {
+            std::vector<std::filesystem::path> own{folder.folder.parent_path()};
+            for (const auto& entry : std::filesystem::recursive_directory_iterator(own.front())) own.push_back(entry.path());
+            for (const auto& path : own)
+                if (::lchown(path.c_str(), 65534, 65534) != 0) QSKIP("this file system knows no owners");
+            QCOMPARE(::chown(file.c_str(), 0, 0), 0);
+            QCOMPARE(::seteuid(65534), 0);
+        }
+        const QString told = errorOf(erase);
+        if (isRoot) QCOMPARE(::seteuid(0), 0);
+        QVERIFY2(told.contains("notes.txt") && told.contains("nothing was erased"), qPrintable(told));
+        QCOMPARE(session.store.answers().size(), 3u);
+        std::filesystem::remove(file);
+        QCOMPARE(erase().answers, 3);
+    }
+
+    /// A program that was killed while it read the study of a server, or one of an earlier version.
+    void aCopyThatAKilledProgramLeftIsFound()
+    {
+        const StudyFolder folder = newStudy();
+        OpenSession session(folder, "S01");
+        session.playUntilAnswers(3);
+        const protocols::TemporaryFolder left;
+        session.store.copyTo(left.path() / "study.db");
+        const auto record = session.store.erase({protocols::ParticipantId("S01"), true, "Ada", "asked for it", {}});
+        QCOMPARE(record.found, std::vector<std::string>{(left.path() / "study.db").string()});
     }
 
     /// The texts are gone after the first erasure, and the file is not.

@@ -156,6 +156,27 @@ private Q_SLOTS:
         QVERIFY(protocol.planned.empty());
     }
 
+    /// Half a point would be half of a scale from 0 to 1, and nothing of one from 0 to 100.
+    void boundsThatNobodyStatesAreATwentiethOfTheShortestScale()
+    {
+        const auto read = [](const QString& part, const QString& by) {
+            return protocolFromJson(smallProtocol(part, by).toStdString(), "small.json");
+        };
+        const Protocol usual = read({}, {}), stated = read("\"name\"", "\"equivalence_bounds\": [-0.5, 0.5], \"name\"");
+        QVERIFY(usual.hasUsualBounds && !stated.hasUsualBounds && !paper().hasUsualBounds);
+        QCOMPARE(usual.equivalenceBounds, stated.equivalenceBounds);
+        QCOMPARE(read("\"max\": 10", "\"max\": 1").equivalenceBounds, std::pair(-0.05, 0.05));
+        QCOMPARE(read("\"max\": 10", "\"max\": 100").equivalenceBounds, std::pair(-5.0, 5.0));
+        QCOMPARE(read(R"({"questions": ["Q2"], "scale": {"min": 0, "max": 10}})",
+                      R"({"questions": ["Q2"], "scale": {"min": 0, "max": 10}},
+                         {"questions": ["Q3"], "scale": {"min": 1, "max": 5, "step": 1}})")
+                     .equivalenceBounds,
+                 std::pair(-0.2, 0.2));
+        QCOMPARE(read(R"(, {"questions": ["Q2"], "scale": {"min": 0, "max": 10}})", "").equivalenceBounds, std::pair(-0.5, 0.5));
+        const auto kept = keptProtocolFromJson(smallProtocol("\"max\": 10", "\"max\": 1").toStdString(), "kept", "0.5.0");
+        QVERIFY(kept.hasUsualBounds && kept.equivalenceBounds == std::pair(-0.05, 0.05));
+    }
+
     void fabricsMayBeNamed()
     {
         const QString json = smallProtocol("\"fabrics\": 3", "\"fabrics\": [\"F02\", \"F05\", \"F07\"]");

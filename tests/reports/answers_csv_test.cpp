@@ -308,6 +308,36 @@ private Q_SLOTS:
         QCOMPARE(reports::readAnswersCsv(file, options).equivalenceBounds, std::pair(-0.1, 0.2));
     }
 
+    /// The page names what states the bounds, so the origin comes with them.
+    void boundsAndContrastsSayWhoStatesThem()
+    {
+        using reports::PlanOrigin;
+        QTemporaryDir folder;
+        const auto file = written(folder, "participant,fabric,condition,rating\nS1,F1,a,1\nS1,F1,b,0\n");
+        reports::AnswersCsvOptions options;
+        QCOMPARE(reports::readAnswersCsv(file, options).boundsFrom, PlanOrigin::Program);
+        protocols::RatingScale scale;
+        scale.max = protocols::Tenths{10};
+        const protocols::AnswerKind unit = protocols::Rating{scale};
+        protocols::Protocol protocol;
+        protocol.phases = {{{{protocols::QuestionId("rating"), "How?", unit}}, unit}};
+        protocol.equivalenceBounds = usualBoundsOf(protocol.phases);
+        protocol.hasUsualBounds = true;
+        options.protocol = protocol;
+        const auto usual = reports::readAnswersCsv(file, options);
+        QVERIFY(usual.boundsFrom == PlanOrigin::Program && usual.equivalenceBounds == std::pair(-0.05, 0.05));
+        QVERIFY(usual.plannedDesign->hasUsualBounds && usual.plannedDesign->equivalenceBounds == std::pair(-0.05, 0.05));
+        options.protocol->hasUsualBounds = false;
+        const auto stated = reports::readAnswersCsv(file, options);
+        QVERIFY(stated.boundsFrom == PlanOrigin::Protocol && stated.plannedFrom == PlanOrigin::Protocol);
+        options.equivalenceBounds = {-0.2, 0.2};
+        options.planned = {{"a", "b"}};
+        const auto called = reports::readAnswersCsv(file, options);
+        QVERIFY(called.boundsFrom == PlanOrigin::Option && called.plannedFrom == PlanOrigin::Option);
+        QCOMPARE(called.equivalenceBounds, std::pair(-0.2, 0.2));
+        QCOMPARE(called.plannedDesign->equivalenceBounds, std::pair(-0.05, 0.05));
+    }
+
     /// As in a protocol, each pair of conditions comes once. Twice it would count twice in Holm's correction.
     void plannedContrastsAreDifferentPairs_data()
     {

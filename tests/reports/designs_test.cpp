@@ -317,6 +317,35 @@ private Q_SLOTS:
                      .contains("simulated"));
     }
 
+    /// Two conditions that share their repetitions on one fabric only cannot be compared for fabrics like these. Studies that
+    /// were simulated with whole cells had such a test all the same.
+    void falseClaimsAreSimulatedOnTheAnswersThatAreCompared()
+    {
+        StudyData data = builders::emptyStudy(6, 3, {"a", "b", "c"}, {{"Q2", "", builders::onScale}});
+        data.answersPerCell = 2;
+        data.planned = {{"a", "b"}};
+        for (int p = 0; p < 6; ++p)
+            for (int f = 0; f < 3; ++f)
+                for (int c = 0; c < 3; ++c)
+                    for (int r = 0; r < 2; ++r) {
+                        const bool isMissing = f > 0 && c < 2 && r != c;  // a has the first one there, b the second one
+                        if (isMissing) continue;
+                        data.responses.push_back(builders::rated(data.participants[static_cast<std::size_t>(p)],
+                                                                 data.fabrics[static_cast<std::size_t>(f)],
+                                                                 data.conditions[static_cast<std::size_t>(c)], "Q2",
+                                                                 (40 + (p * 13 + f * 29 + c * 17 + r * 7) % 31) / 10.0));
+                        data.responses.back().repetition = (c < 2 ? "morning " : "evening ") + std::to_string(r);
+                    }
+        const auto analysis = reports::analyse(data, {.depth = Depth::Quick, .resimulated = 50});
+        QCOMPARE(analysis.falseClaims.size(), std::size_t{1});
+        const auto& simulated = analysis.falseClaims.front().simulated;
+        QVERIFY(simulated.has_value());
+        QCOMPARE(simulated->first.studies, std::size_t{50});
+        QCOMPARE(simulated->first.undefined, std::size_t{50});
+        for (const reports::ContrastFinding& finding : reports::claimsOf(analysis.questions.front())->contrasts)
+            if (finding.generalisation == stats::Generalisation::FabricsLikeThese) QVERIFY(!finding.claim.difference.p.exists());
+    }
+
     void progressRunsFromTheFirstToTheLastStep()
     {
         std::vector<int> done;

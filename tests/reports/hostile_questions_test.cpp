@@ -8,6 +8,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/foreign/foreign_table.h"
 #include "protocols/files/whole_file.h"
+#include "reports/cells/chance_level.h"
 #include "reports/data/answers_csv.h"
 #include "reports/figures/report_figures.h"
 #include "reports/json/results_json.h"
@@ -265,7 +266,88 @@ private Q_SLOTS:
         });
         writeReport(analyse(data), path("report"));
         QVERIFY(page().find("because half of the pairs") == std::string::npos);
-        QVERIFY(page().find("tested against 1/2, but 45 % of the pairs were the same") != std::string::npos);
+        QVERIFY(page().find("is not tested against 1/2, because 45 % of the pairs were the same") != std::string::npos);
+    }
+
+    // 80 % of the pairs are the same, and people say "same" at random, but mostly: three quarters of that are right.
+    void guessersAmongUnevenPairsAreNotAboveChance()
+    {
+        const auto studyWith = [](int sameOfTen) {
+            StudyData data = builders::emptyStudy(6, 10, conditions, {{"Same", "Is it the same?", protocols::SameDifferent{}}});
+            for (std::size_t c = 0; c < conditions.size(); ++c)
+                for (int p = 0; p < 6; ++p)
+                    for (int f = 0; f < 10; ++f) {
+                        const bool wasSame = (f + p) % 10 < sameOfTen;
+                        const bool saidSame = (p * 37 + f * 11 + static_cast<int>(c) * 5 + p * f) % 14 != 0;
+                        StudyResponse response = builders::right(data.participants[static_cast<std::size_t>(p)],
+                                                                 data.fabrics[static_cast<std::size_t>(f)], conditions[c], "Same",
+                                                                 wasSame == saidSame);
+                        response.seconds = 2 + (p + f) % 5;
+                        std::get<ChosenAnswer>(response.content).answer = saidSame ? "same" : "different";
+                        data.responses.push_back(response);
+                    }
+            return data;
+        };
+        const std::string why = "guessing is not right in half of the answers: 48 of 60 pairs were the same";
+        const StudyAnalysis analysis = analyse(studyWith(8));
+        const Json results = resultsJson(analysis), &one = results["questions"]["Same"]["f"];
+        QVERIFY(one["proportion"].get<double>() > 0.7 && one["ci95"][0].is_number());
+        for (const char* test : {"p_chance", "p_chance_participants"})
+            QVERIFY(one[test].is_null() && one["why"][test].get<std::string>() == why);
+        QCOMPARE(results["above_chance"].size(), 2 * conditions.size());
+        for (const Json& row : results["above_chance"]) {
+            QVERIFY(row["estimate"].is_number() && row["p"].is_null() && row["p_adjusted"].is_null());
+            QVERIFY(row["above_chance"] == false && row["why"]["p"].get<std::string>() == why);
+        }
+        QVERIFY(results["speed_accuracy"]["f"]["bits_per_second"].is_null());
+        const Json statistics = statisticsJson(analysis);
+        QVERIFY(statistics["same_sensitivity"]["f"]["d_prime"].is_number());
+        QVERIFY(statistics["same_sensitivity"]["f"]["clustered"][0]["d_prime_low"].is_number());
+        writeReport(analysis, path("report"));
+        const std::string page = protocols::readWholeFile(path("report") / "index.html");
+        QVERIFY(page.find("shown to be above chance") == std::string::npos);
+        QVERIFY(page.find("Same: There is no test against chance (1/2) under") != std::string::npos);
+        QVERIFY(page.find("there is no test (" + why + "); <i>d</i>\u2032") != std::string::npos);
+        QVERIFY(page.find("No line of chance: the pairs were not half the same.") != std::string::npos);
+        QVERIFY(page.find("chance, 1/2") == std::string::npos);
+        const auto table = protocols::readForeignTable(path("report") / "tables" / "above_chance_same.csv").table;
+        QCOMPARE(table.rows[0][*table.column("above chance")], std::string("not tested"));
+        // Halves are tested as before.
+        for (const Json& row : resultsJson(analyse(studyWith(5)))["above_chance"]) QVERIFY(row["p"].is_number());
+    }
+
+    void halvesMayDifferByOddNumbers_data()
+    {
+        QTest::addColumn<int>("same");
+        QTest::addColumn<int>("different");
+        QTest::addColumn<int>("lists");
+        QTest::addColumn<bool>("isTested");
+        QTest::newRow("halves") << 30 << 30 << 1 << true;
+        QTest::newRow("one more") << 5 << 4 << 1 << true;
+        QTest::newRow("two more of few") << 5 << 3 << 1 << false;
+        QTest::newRow("one more in each of two instructions") << 3 << 2 << 2 << true;
+        QTest::newRow("two more of many, as after a session that ended") << 33 << 31 << 1 << true;
+        QTest::newRow("four more of many") << 34 << 30 << 1 << false;
+        QTest::newRow("4 of 7 for everybody") << 40 << 30 << 1 << false;
+        QTest::newRow("only the same") << 9 << 0 << 1 << false;
+        QTest::newRow("no answers") << 0 << 0 << 1 << true;
+    }
+    void halvesMayDifferByOddNumbers()
+    {
+        QFETCH(const int, same);
+        QFETCH(const int, different);
+        QFETCH(const int, lists);
+        std::vector<StudyResponse> answers;
+        for (int list = 0; list < lists; ++list)
+            for (int pair = 0; pair < same + different; ++pair) {
+                answers.push_back(builders::right("P01", "F01", "f", "Same", pair < same));
+                answers.back().instruction = std::to_string(list);
+                std::get<ChosenAnswer>(answers.back().content).answer = "same";
+            }
+        std::vector<const StudyResponse*> responses;
+        for (const StudyResponse& one : answers) responses.push_back(&one);
+        QTEST(whyNoChance(RightOrWrong{2, true}, responses).empty(), "isTested");
+        QVERIFY(whyNoChance(RightOrWrong{2, false}, responses).empty());
     }
 
     void everyQuestionKeepsItsOwnScale()

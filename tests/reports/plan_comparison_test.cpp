@@ -247,6 +247,86 @@ private Q_SLOTS:
         QVERIFY(registrationIn(data)["deviations"].is_null());
     }
 
+    /// Each cell is answered once under each instruction.
+    void answersUnderEachInstructionArePlanned()
+    {
+        StudyData data = plannedStudy();
+        data.plannedDesign->answersPerRendering = 12;
+        QVERIFY2(rowsOf(data).contains("answers: 324 | 108 (no)"), qPrintable(rowsOf(data).join("\n")));
+    }
+
+    /// More pairs than are compared unasked: a plan of all pairs is not kept by testing none.
+    void aPlanOfAllPairsIsNotKeptByTestingNone()
+    {
+        std::vector<std::string> conditions;
+        for (int c = 10; c < 57; ++c) conditions.push_back("c" + std::to_string(c));
+        StudyData data = builders::study(3, 2, conditions,
+                                         {[](int p, int f, int c) { return (p + f * c) % 3 == 0; },
+                                          [](int p, int f, int c, int q) { return (p * f + c * q + p * c) % 11; }});
+        std::erase_if(data.questions, [](const auto& question) { return question.id != "Q2"; });
+        std::erase_if(data.responses, [](const auto& one) { return one.question != "Q2"; });
+        data.plannedDesign.emplace().conditionIds = conditions;
+        const auto usual = reports::analyse(data, {reports::Depth::Quick, {}});
+        QVERIFY2(rowsOf(usual).contains("planned contrasts: none: all pairs | none tested (needs --pairs) (no)"),
+                 qPrintable(rowsOf(usual).join("\n")));
+        const QString page = QString::fromStdString(reports::reportPage(usual, {}, {}));
+        QVERIFY(page.contains("no difference is tested, because all pairs are too many"));
+        QVERIFY(!page.contains("All pairs of conditions are also compared") && !page.contains("The tables of all pairs"));
+        data.everyPair = true;
+        const auto every = reports::analyse(data, {reports::Depth::Quick, {}});
+        QVERIFY(rowsOf(every).contains("planned contrasts: none: all pairs | all pairs (yes)"));
+        QVERIFY(QString::fromStdString(reports::reportPage(every, {}, {})).contains("All pairs of conditions are also compared"));
+    }
+
+    /// Neither a protocol that states something else nor one that is not there may be named as the source.
+    void thePageNamesWhatStatesBoundsAndContrasts()
+    {
+        StudyData data = plannedStudy();
+        data.equivalenceBounds = {-0.2, 0.2};
+        data.boundsFrom = data.plannedFrom = reports::PlanOrigin::Option;
+        const QString both = pageOf(data).simplified();
+        QVERIFY2(both.contains("The option <code>--bounds</code> states their bounds: \u22120.2 and 0.2 scale points. They "
+                               "replace those of the protocol, \u22120.5 and 0.5."),
+                 qPrintable(both.mid(both.indexOf("states their bounds") - 60, 200)));
+        QVERIFY(both.contains("with the sign of the option <code>--planned</code>, the primary one first"));
+        QVERIFY(rowsOf(data).contains("bounds of equivalence: -0.5 and 0.5 | -0.2 and 0.2 (no)"));
+        data.plannedDesign.reset();
+        data.registrations.clear();
+        data.hasLog = false;
+        const QString alone = pageOf(data);
+        QVERIFY(alone.contains("Neither a registration nor a protocol came with the answers"));
+        QVERIFY(!alone.contains("The protocol states") && !alone.contains("sign of the protocol") &&
+                !alone.contains("They replace"));
+    }
+
+    void contrastsOfTheCallAreNoPlannedOnes()
+    {
+        StudyData data = plannedStudy();
+        data.planned = {{"f", "v_grey"}};
+        data.plannedFrom = reports::PlanOrigin::Option;
+        const QStringList others = rowsOf(data);
+        QVERIFY2(others.contains("primary contrast: h&f - v_grey | not tested: the option --planned names other contrasts (no)"),
+                 qPrintable(others.join("\n")));
+        data.plannedDesign->contrastPairs.clear();
+        data.plannedDesign->contrasts = 0;
+        QVERIFY(rowsOf(data).contains("planned contrasts: none: all pairs | 1 contrast of the option --planned (no)"));
+    }
+
+    void boundsThatNoProtocolStatesAreADefault()
+    {
+        StudyData data = plannedStudy();
+        data.plannedDesign->hasUsualBounds = true;
+        const QString page = pageOf(data).simplified();
+        QVERIFY(
+            page.contains("Their bounds are the default of this program: \u22120.5 and 0.5 scale points, a twentieth of the "
+                          "scale either way. The protocol states none."));
+        QVERIFY(!page.contains("The protocol states their bounds") && !page.contains("The protocol states the bounds"));
+        std::get<protocols::Rating>(data.questions.back().kind).scale.max = protocols::Tenths{50};
+        for (auto& one : data.responses)
+            if (auto* rated = std::get_if<reports::RatedAnswer>(&one.content)) rated->rating /= 2;
+        QVERIFY(pageOf(data).contains("a twentieth of the shortest scale either way"));
+    }
+
     /// The published answers spell two of the nine conditions otherwise, as "h_f" and "hg_fg".
     void publishedAnswersLackContrastsOfTheShippedProtocol()
     {

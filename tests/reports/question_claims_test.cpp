@@ -3,6 +3,7 @@
 
 #include <QRegularExpression>
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -269,6 +270,31 @@ private Q_SLOTS:
         QVERIFY(pageOf(data).contains("With 1 fabric this study can hardly show what holds for fabrics like these"));
     }
 
+    void whiskersOfMatchesSayWhatTheyHoldFor()
+    {
+        const auto figureOf = [](const StudyData& data) {
+            const auto figures = reports::reportFigures(reports::analyse(data));
+            return *std::ranges::find(figures, std::string("matches_Q1"), &reports::Figure::name);
+        };
+        const QString both = "with participants and fabrics as samples", people = "over participants, for these fabrics";
+        const auto has = [](const std::string& text, const QString& words) {
+            return QString::fromStdString(text).contains(words);
+        };
+        const auto one = figureOf(builders::study(6, 1, {"a", "b"},
+                                                  {[](int p, int, int c) { return (p + c) % 3 != 0; },
+                                                   [](int p, int, int c, int) { return 5 + 0.1 * noiseOf(p, 0, c); }}));
+        for (const std::string& text : {one.caption, one.svg}) QVERIFY(has(text, people) && !has(text, both));
+        QVERIFY(has(one.svg, "95 % interval, participants<") && !has(one.svg, "participants and fabrics"));
+        StudyData data = studyOfOneOddFabric();
+        const auto many = figureOf(data);
+        QVERIFY(has(many.caption, both) && !has(many.caption, people) && has(many.svg, "interval, participants and fabrics<"));
+        // About "c" one fabric is answered.
+        std::erase_if(data.responses, [](const auto& response) { return response.condition == "c" && response.fabric != "F01"; });
+        const auto mixed = figureOf(data);
+        QVERIFY2(has(mixed.caption, both + "; under c " + people), mixed.caption.c_str());
+        QVERIFY(has(mixed.svg, "interval, see the caption<"));
+    }
+
     void fewParticipantsCannotSpeakForOtherFabrics_data()
     {
         QTest::addColumn<int>("participants");
@@ -322,9 +348,9 @@ private Q_SLOTS:
     void boundsWithoutAProtocolAreCalledADefault()
     {
         StudyData data = studyOfOneOddFabric();
-        data.boundsStated = false;
+        data.boundsFrom = reports::PlanOrigin::Program;
         QVERIFY(pageOf(data).contains("default of this program") && !pageOf(data).contains("The protocol states"));
-        data.boundsStated = true;
+        data.boundsFrom = reports::PlanOrigin::Protocol;
         QVERIFY(!pageOf(data).contains("default of this program") && pageOf(data).contains("The protocol states"));
     }
 

@@ -210,6 +210,7 @@ private Q_SLOTS:
         const fs::path report = path("report");
         writeReport(richStudy(), report);
         std::ofstream(report / "notes.txt") << "mine";
+        std::ofstream(report / "report.pdf") << "a document that the next report lacks";
         reports::StudyData smaller = richStudy();
         smaller.planned.clear();
         writeReport(smaller, report);

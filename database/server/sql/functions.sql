@@ -1123,6 +1123,8 @@ BEGIN
                  @schema@.server_text(part, 'text', 100000, false, 'note.'), @schema@.server_yes(part, 'is_flag', 'note.'));
         PERFORM @schema@.server_require_released(its_id, note.trial);
         note.attempt := @schema@.server_attempt(its_id, note.trial);
+        -- A remark after a void concerns the attempt before the present one. Older stations do not say it.
+        IF part ? 'attempt' THEN note.attempt := @schema@.server_whole(part, 'attempt', false, 'note.', 1, note.attempt); END IF;
         notes := notes || note;
     END IF;
     FOREACH note IN ARRAY notes LOOP

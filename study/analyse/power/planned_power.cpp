@@ -11,6 +11,15 @@ namespace {
 // The defaults of stats::RatingTruth hold for a scale of this length. Other scales are stretched to it.
 constexpr double hapticScale = 10;
 
+/// Number of answers to a question under one condition, of which a test takes the mean: one under each instruction.
+int runsOf(const protocols::Protocol& protocol, const std::string& question)
+{
+    for (const protocols::Phase& phase : protocol.phases)
+        for (const protocols::Question& one : phase.questions)
+            if (one.id.value == question) return phase.runs();
+    return 1;
+}
+
 }  // namespace
 
 stats::RatingTruth ratingTruthOf(const protocols::RatingScale& scale)
@@ -37,7 +46,10 @@ stats::PowerOptions powerOptionsOf(const protocols::Protocol& protocol, const Te
     options.hasChoices = tested.choices.has_value();
     options.hasRatings = tested.ratings.has_value();
     if (tested.choices) options.design.alternatives = tested.choices->alternatives;
-    if (tested.ratings) options.ratings = ratingTruthOf(tested.ratings->scale);
+    if (tested.ratings) {
+        options.ratings = ratingTruthOf(tested.ratings->scale);
+        options.ratings.residual /= runsOf(protocol, tested.ratings->question);
+    }
     return options;
 }
 

@@ -45,11 +45,19 @@ std::size_t familySize(const protocols::Protocol& protocol)
     return protocol.planned.empty() ? conditions * (conditions - 1) / 2 : protocol.planned.size();
 }
 
-void addRatingClaims(QuestionPower& power, const protocols::Protocol& protocol, const protocols::RatingScale& scale)
+/// The tests take the mean of the answers under the instructions, which share the effects of participant and fabric.
+stats::CrossedVariances ofMean(stats::CrossedVariances variances, const protocols::Phase& phase)
+{
+    variances.residual /= phase.runs();
+    return variances;
+}
+
+void addRatingClaims(QuestionPower& power, const protocols::Protocol& protocol, const protocols::Phase& phase,
+                     const protocols::RatingScale& scale)
 {
     const stats::StudyDesign design = designOf(protocol);
     const stats::RatingTruth truth = ratingTruthOf(scale);
-    const stats::CrossedVariances variances = ofDifference(truth);
+    const stats::CrossedVariances variances = ofMean(ofDifference(truth), phase);
     const double length = truth.scaleMax - truth.scaleMin;
     const auto [low, high] = protocol.equivalenceBounds;
     power.ratings = truth;
@@ -76,7 +84,7 @@ void addRatingClaims(QuestionPower& power, const protocols::Protocol& protocol, 
                                                              })});
 }
 
-void addChoiceClaims(QuestionPower& power, const protocols::Protocol& protocol, int alternatives)
+void addChoiceClaims(QuestionPower& power, const protocols::Protocol& protocol, const protocols::Phase& phase, int alternatives)
 {
     const stats::StudyDesign design = designOf(protocol);
     const stats::ChoiceTruth truth;
@@ -86,8 +94,8 @@ void addChoiceClaims(QuestionPower& power, const protocols::Protocol& protocol, 
         for (const Generalisation generalisation : bothGeneralisations) {
             const double excess = share * (1 - chance);
             power.claims.push_back({ClaimKind::AboveChance, generalisation, chance + excess,
-                                    corrected(design, ofChoices(truth, chance + excess), generalisation, power.conditions,
-                                              [&](const stats::ExpectedError& error, double alpha) {
+                                    corrected(design, ofMean(ofChoices(truth, chance + excess), phase), generalisation,
+                                              power.conditions, [&](const stats::ExpectedError& error, double alpha) {
                                                   return stats::abovePower(error, excess, alpha);
                                               })});
         }
@@ -96,7 +104,7 @@ void addChoiceClaims(QuestionPower& power, const protocols::Protocol& protocol, 
         for (const Generalisation generalisation : bothGeneralisations)
             power.claims.push_back(
                 {ClaimKind::Difference, generalisation, difference,
-                 corrected(design, ofDifference(truth, 0.5 + difference / 2, 0.5 - difference / 2), generalisation,
+                 corrected(design, ofMean(ofDifference(truth, 0.5 + difference / 2, 0.5 - difference / 2), phase), generalisation,
                            power.contrasts, [&](const stats::ExpectedError& error, double alpha) {
                                return stats::differencePower(error, difference, alpha);
                            })});
@@ -124,9 +132,9 @@ std::vector<QuestionPower> questionPowers(const protocols::Protocol& protocol)
         for (const protocols::Question& question : phase.questions) {
             QuestionPower power{question.id.value, familySize(protocol), protocol.conditions.size(), {}, {}, {}, {}};
             if (const auto* rating = std::get_if<protocols::Rating>(&question.kind))
-                addRatingClaims(power, protocol, rating->scale);
+                addRatingClaims(power, protocol, phase, rating->scale);
             else if (const int alternatives = alternativesOf(question.kind); alternatives > 1)
-                addChoiceClaims(power, protocol, alternatives);
+                addChoiceClaims(power, protocol, phase, alternatives);
             else
                 continue;
             powers.push_back(std::move(power));

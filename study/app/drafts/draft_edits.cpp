@@ -1,6 +1,8 @@
 #include "study/app/drafts/draft_edits.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <set>
 
 #include "protocols/condition.h"
@@ -317,6 +319,19 @@ void setContrasts(ProtocolDraft& draft, const std::vector<DraftContrast>& contra
         draft.erase("planned");
     else
         draft.set("planned", planned);
+}
+
+double usualBoundOf(const ProtocolDraft& draft)
+{
+    std::optional<double> shortest;
+    for (std::size_t phase = 0; phase < draft.countAt("phases"); ++phase) {
+        const Json &low = draft.at(phasePlace(phase, "scale.min")), &high = draft.at(phasePlace(phase, "scale.max"));
+        if (!low.is_number() || !high.is_number()) continue;
+        const double tenths = std::round(10 * (high.get<double>() - low.get<double>()));
+        if (tenths > 0) shortest = std::min(shortest.value_or(tenths), tenths);
+    }
+    constexpr double tenthsOfPaper = 100;
+    return shortest.value_or(tenthsOfPaper) / 10 / 20;
 }
 
 }  // namespace study::app

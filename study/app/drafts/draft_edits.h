@@ -73,4 +73,7 @@ std::vector<DraftContrast> contrastsOf(const ProtocolDraft& draft);
 /// Replaces all planned contrasts. The first primary one becomes "primary"; without one there is none.
 void setContrasts(ProtocolDraft& draft, const std::vector<DraftContrast>& contrasts);
 
+/// Scale points either way that count as equal where the protocol states no bounds, as protocols::usualBoundsOf().
+double usualBoundOf(const ProtocolDraft& draft);
+
 }  // namespace study::app

@@ -65,6 +65,18 @@ bool isFileOfDataset(const std::string& output, const std::string& input)
 
 }  // namespace
 
+void requireFilledArguments(const CLI::App& app)
+{
+    for (const CLI::Option* option : app.get_options()) {
+        const bool mayBeEmpty = option->get_expected_min() == 0;  // such as --json without the name of a file
+        if (option->count() == 0 || mayBeEmpty) continue;
+        if (std::ranges::any_of(option->results(), [](const std::string& value) { return value.empty(); }))
+            throw protocols::badInput({option->get_name() + " is given, and empty", app.get_name(), "a value",
+                                       "is a variable of the shell not set? Set it, or leave the argument out"});
+    }
+    for (const CLI::App* sub : app.get_subcommands()) requireFilledArguments(*sub);
+}
+
 void requireSafeOutputs(const CLI::App& app)
 {
     Paths paths;

@@ -1,4 +1,4 @@
-// What a command line must not overwrite.
+// Checks of a parsed command line: what it must not overwrite, and what it must not leave empty.
 #pragma once
 
 namespace CLI {
@@ -11,5 +11,9 @@ namespace study::commands {
 /// lie in a study folder, where it could replace the database or a key, and for one that is a file that the command reads, or a
 /// file of a data set that it reads.
 void requireSafeOutputs(const CLI::App& app);
+
+/// Throws badInput for an argument that is there and empty, as in `--against "$HEAD"` where HEAD is not set. Without this a check
+/// would silently not be made.
+void requireFilledArguments(const CLI::App& app);
 
 }  // namespace study::commands

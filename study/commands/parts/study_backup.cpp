@@ -104,6 +104,12 @@ std::vector<std::string> keptDatabases(const fs::path& study)
     return names;
 }
 
+/// Entries of the log that belong to no participant. Such acts change files beside the database, too.
+qulonglong actsOnStudy(const database::SqliteConnection& database)
+{
+    return database.value(QStringLiteral("SELECT COUNT(*) FROM events WHERE participant = ''")).toULongLong();
+}
+
 }  // namespace
 
 Backup writeBackup(const database::StudyStore& store, const fs::path& out)
@@ -120,7 +126,7 @@ Backup writeBackup(const database::StudyStore& store, const fs::path& out)
     // An erasure waits: the copy would hold what it removes.
     const database::SqliteConnection reader(store.folder().database(), database::SqliteConnection::Mode::Read);
     const database::ReadSnapshot held(reader);
-    reader.value(QStringLiteral("SELECT COUNT(*) FROM sqlite_master"));
+    const qulonglong actsBefore = actsOnStudy(reader);
     // Collect the files of the backup in a temporary folder beside it.
     const protocols::FolderDraft staging(out, protocols::Earlier::Refused);
     try {
@@ -130,6 +136,10 @@ Backup writeBackup(const database::StudyStore& store, const fs::path& out)
             const database::SqliteConnection copy(staging.path() / name / "study.db", database::SqliteConnection::Mode::Kept);
             backup.head = database::headIn(copy);
             backup.answers = copy.value(QStringLiteral("SELECT COUNT(*) FROM responses WHERE is_correction = 0")).toULongLong();
+            if (actsOnStudy(copy) != actsBefore)
+                throw protocols::workFailed({"the study was changed while it was copied", study.string(),
+                                             "no registration, amendment or unblinding meanwhile",
+                                             "run the command again; no backup was written"});
         }
         // A session that was killed leaves its log beside study.db. Unpacked over that folder, this one takes its place: SQLite
         // would add the old log to the restored database.

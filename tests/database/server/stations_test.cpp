@@ -45,6 +45,7 @@ void playEventfully(SessionHands& session)
     session.send(Noted{"a note with \"quotes\" and \xc3\xa9", true});
     session.stepUntil("Presenting");
     session.send(Voided{"wrong piece"});
+    session.send(Noted{"a remark on what was voided"});
     session.playUntilAnswers(8);
     session.stepUntil("Presenting");
     const View asked = session.driver->view();
@@ -143,8 +144,10 @@ void StationsTest::aSessionStoresTheRowsOfAFolder()
     QCOMPARE(stored.personalFacts(), expected.personalFacts());
     QCOMPARE(stored.flags().size(), expected.flags().size());
     QCOMPARE(stored.faults(), std::vector<std::string>());
-    for (std::size_t i = 0; i < stored.answers().size(); ++i)
+    for (std::size_t i = 0; i < stored.answers().size(); ++i) {
         QCOMPARE(stored.answers()[i].record.answeredAtNs, expected.answers()[i].record.answeredAtNs);
+        QCOMPARE(stored.answers()[i].record.note, expected.answers()[i].record.note);
+    }
 }
 
 void StationsTest::aStationGoesOnWhereAnotherWasLost()

@@ -9,6 +9,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <cerrno>
+#include <csignal>
 #include <fstream>
 #include <map>
 
@@ -52,10 +53,12 @@ void fill(const FolderDraft& draft, const Contents& contents)
     for (const auto& [name, text] : contents) writeWholeFile(draft.file(name), text, Sync::Later);
 }
 
-void write(const fs::path& place, Earlier earlier, const Contents& contents, const std::vector<fs::path>& last = {})
+void write(const fs::path& place, Earlier earlier, const Contents& contents, const std::vector<fs::path>& last = {},
+           const std::vector<fs::path>& outdated = {})
 {
     FolderDraft draft(place, earlier);
     fill(draft, contents);
+    draft.outdates(outdated);
     draft.putInPlace(last);
 }
 
@@ -65,7 +68,10 @@ const Contents newReport{{"index.html", "new"}, {"tables/q1.csv", "new"}, {"tabl
 struct Case {
     Earlier earlier;
     Contents before, after;
+    std::vector<fs::path> outdated = {};
 };
+
+void write(const fs::path& place, const Case& one) { write(place, one.earlier, newReport, {}, one.outdated); }
 
 const std::map<std::string, Case>& cases()
 {
@@ -83,7 +89,17 @@ const std::map<std::string, Case>& cases()
            {"notes.txt", "mine"},
            {"tables/gone.csv", "old"},
            {"tables/q1.csv", "new"},
-           {"tables/q2.csv", "new"}}}}};
+           {"tables/q2.csv", "new"}}}},
+        {"outdated entries",
+         {Earlier::EntriesReplaced,
+          {{"index.html", "old"}, {"notes.txt", "mine"}, {"report.pdf", "old"}, {"figures/a.svg", "old"}},
+          {{"index.html", "new"}, {"notes.txt", "mine"}, {"tables/q1.csv", "new"}, {"tables/q2.csv", "new"}},
+          {"index.html", "report.pdf", "figures", "report.docx"}}},
+        {"an outdated file",
+         {Earlier::FilesJoined,
+          earlierReport,
+          {{"index.html", "new"}, {"notes.txt", "mine"}, {"tables/q1.csv", "new"}, {"tables/q2.csv", "new"}},
+          {"tables/gone.csv"}}}};
     return all;
 }
 
@@ -111,7 +127,7 @@ private Q_SLOTS:
         QFETCH(QString, name);
         const Case& one = cases().at(name.toStdString());
         fill(place(), one.before);
-        write(place(), one.earlier, newReport);
+        write(place(), one);
         QCOMPARE(contentsOf(place()), one.after);
         QCOMPARE(contentsOf(folder()).size(), one.after.size());
     }
@@ -120,7 +136,7 @@ private Q_SLOTS:
     void missingFolderIsMadeInEveryWay()
     {
         QFETCH(QString, name);
-        write(folder() / "a" / "b" / "", cases().at(name.toStdString()).earlier, newReport);
+        write(folder() / "a" / "b" / "", cases().at(name.toStdString()));
         QCOMPARE(contentsOf(folder() / "a" / "b"), newReport);
     }
 
@@ -169,6 +185,49 @@ private Q_SLOTS:
             QCOMPARE(entry.status().permissions(), entry.is_directory() ? fs::perms(0700) : fs::perms(0600));
     }
 
+    /// It may hold a copy of a study.
+    void aTemporaryFolderEndsWithItsProgram_data()
+    {
+        QTest::addColumn<int>("signal");
+        QTest::newRow("Ctrl-C") << SIGINT;
+        QTest::newRow("logout") << SIGTERM;
+        QTest::newRow("closed terminal") << SIGHUP;
+        QTest::newRow("closed pipe") << SIGPIPE;
+    }
+    void aTemporaryFolderEndsWithItsProgram()
+    {
+        QFETCH(const int, signal);
+        const TemporaryFolder outer;
+        fill(outer.path(), {{"mine", "stays"}});
+        const pid_t child = ::fork();
+        if (child == 0) {
+            std::signal(signal, SIG_DFL);
+            TemporaryFolder ended;
+            {
+                const TemporaryFolder before;
+            }
+            fill(ended.path(), {{"study.db", "answers"}, {"stimuli/1", "image"}});
+            fs::create_directory_symlink(ended.path(), outer.path() / "link");
+            ::raise(signal);
+            ::_exit(0);
+        }
+        int status = -1;
+        QCOMPARE(::waitpid(child, &status, 0), child);
+        QVERIFY(WIFSIGNALED(status) && WTERMSIG(status) == signal);
+        QVERIFY(fs::is_symlink(outer.path() / "link") && !fs::exists(outer.path() / "link"));
+        QVERIFY(fs::exists(outer.path() / "mine"));  // of the parent
+    }
+
+    /// `nohup` lets a program go on.
+    void anIgnoredSignalStaysIgnored()
+    {
+        const auto before = std::signal(SIGHUP, SIG_IGN);
+        const TemporaryFolder folder;
+        ::raise(SIGHUP);
+        QVERIFY(fs::exists(folder.path()));
+        std::signal(SIGHUP, before);
+    }
+
     void folderThatIsNotEmptyIsRefused()
     {
         fill(place(), earlierReport);
@@ -203,8 +262,7 @@ private Q_SLOTS:
     void nothingOfAnotherKindIsReplaced()
     {
         fill(folder(), {{"report", "a file"}});
-        for (const auto& [name, one] : cases())
-            QVERIFY2(errorOf([&] { write(place(), one.earlier, newReport); }).startsWith("3: "), name.c_str());
+        for (const auto& [name, one] : cases()) QVERIFY2(errorOf([&] { write(place(), one); }).startsWith("3: "), name.c_str());
         QCOMPARE(contentsOf(folder()), (Contents{{"report", "a file"}}));
         fill(folder() / "other", {{"index.html/mine.txt", "x"}});
         QVERIFY(errorOf([&] { write(folder() / "other", Earlier::FilesJoined, newReport); }).startsWith("3: "));
@@ -230,7 +288,7 @@ private Q_SLOTS:
             if (child == 0) {
                 ObservedDisk disk(folder());
                 disk.dieBefore(last);
-                write(place(), one.earlier, newReport);
+                write(place(), one);
                 ::_exit(0);
             }
             ::waitpid(child, &status, 0);
@@ -259,7 +317,7 @@ private Q_SLOTS:
             {
                 ObservedDisk disk(folder());
                 disk.failAt(step, EIO);
-                error = errorOf([&] { write(place(), one.earlier, newReport); });
+                error = errorOf([&] { write(place(), one); });
                 const auto steps = disk.steps();
                 isDone = error.isEmpty() && step >= steps.size();
                 // The last syncs come after the names: the new folder is in place then.

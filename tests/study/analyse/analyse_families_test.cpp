@@ -62,6 +62,33 @@ json timedRows()
     return rows;
 }
 
+/// Adds a rating of a fabric; no condition has an effect.
+void addRating(json& rows, int participant, int fabric, int condition, double value)
+{
+    rows["value"].push_back(value);
+    rows["condition"].push_back(std::string(1, static_cast<char>('a' + condition)));
+    rows["participant"].push_back(participant);
+    rows["fabric"].push_back("f" + std::to_string(fabric));
+}
+
+/// Fabrics differ by 2 points each; the rest is noise of the row.
+double ratingOf(int participant, int fabric, int condition, int repetition = 0)
+{
+    const int noise = (participant * 7 + fabric * 5 + condition * 11 + repetition * 3 + participant * fabric * condition +
+                       (participant + repetition) * (condition + 2) * 4) %
+                      9;
+    return 2.0 * fabric + noise / 10.0;
+}
+
+bool haveSameOmnibus(const json& one, const json& other)
+{
+    bool areSame = one["omnibus"].size() == 2 && other["omnibus"].size() == 2;
+    for (std::size_t i = 0; areSame && i < 2; ++i)
+        for (const char* number : {"statistic", "df1", "df2", "p"})
+            areSame = areSame && near(one["omnibus"][i][number], other["omnibus"][i][number].get<double>());
+    return areSame;
+}
+
 const json& claimOf(const json& answer, const char* a, const char* b, const char* generalisation)
 {
     static const json none;
@@ -208,6 +235,37 @@ private Q_SLOTS:
         QCOMPARE(answer["omnibus"].size(), std::size_t(2));
         QVERIFY(near(answer["omnibus"][1]["statistic"], 9.84081) && answer["omnibus"][0]["p"].is_number());
         QVERIFY(!answer.contains("above_chance"));
+    }
+
+    /// Under condition "a" one of the two low fabrics is missing for each person. All conditions are alike.
+    void missingCellsAreNoDifferenceOfConditions()
+    {
+        json missing, common;
+        for (int p = 0; p < 10; ++p)
+            for (int f = 0; f < 5; ++f)
+                for (int c = 0; c < 3; ++c) {
+                    const bool isLeftOut = f == p % 2;
+                    if (!isLeftOut || c > 0) addRating(missing, p, f, c, ratingOf(p, f, c));
+                    if (!isLeftOut) addRating(common, p, f, c, ratingOf(p, f, c));
+                }
+        const json answer = answerTo("claims", missing)["omnibus"][0], expected = answerTo("claims", common)["omnibus"][0];
+        QVERIFY(answer["p"].get<double>() > 0.05);
+        for (const char* number : {"statistic", "df1", "df2", "p"}) QVERIFY(near(answer[number], expected[number].get<double>()));
+    }
+
+    /// As in a report: a cell counts once, by its mean, for these fabrics and for fabrics like these.
+    void repetitionsOfACellAreAveragedBeforeTheOmnibusTests()
+    {
+        json repeated, means;
+        for (int p = 0; p < 8; ++p)
+            for (int f = 0; f < 5; ++f)
+                for (int c = 0; c < 3; ++c) {
+                    const double first = ratingOf(p, f, c), second = ratingOf(p, f, c, 1);
+                    addRating(repeated, p, f, c, first);
+                    addRating(repeated, p, f, c, second);
+                    addRating(means, p, f, c, (first + second) / 2);
+                }
+        QVERIFY(haveSameOmnibus(answerTo("claims", repeated), answerTo("claims", means)));
     }
 
     void claimsOfChoicesAboveChanceAndLeftOut()

@@ -2,14 +2,19 @@
 #include "study/analyse/analyse.h"
 
 #include <QElapsedTimer>
+#include <QTemporaryDir>
 #include <QTest>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <opencv2/core.hpp>
 
+#include "protocols/files/errors.h"
+#include "rendering/images/image_io.h"
 #include "study/analyse/analyse_formula.h"
 #include "study/analyse/analyse_inputs.h"
 #include "study/analyse/analyse_recipe.h"
 #include "study/analyse/request_file.h"
+#include "study/analyse/similarity.h"
 
 namespace {
 
@@ -305,6 +310,38 @@ private Q_SLOTS:
         const auto all = answerTo("binomial", {{"k", 2000}, {"n", 2000}}, {{"p0", "1/3"}});
         // 3^-2000
         QVERIFY2(all["p_greater"].get<std::string>().ends_with("e-955"), all["p_greater"].dump().c_str());
+    }
+
+    /// One surface, once in 8 and once in 16 bits: its grey values differ 257 times.
+    void imagesOfDifferentDepthAreNotCompared()
+    {
+        const QTemporaryDir folder;
+        const std::filesystem::path place = folder.path().toStdString();
+        cv::Mat bytes(16, 16, CV_8UC1), words, floats;
+        for (int i = 0; i < 256; ++i) bytes.at<uchar>(i / 16, i % 16) = static_cast<uchar>(i);
+        bytes.convertTo(words, CV_16U, 257);
+        bytes.convertTo(floats, CV_64F);
+        rendering::writePng(place / "bytes.png", bytes);
+        rendering::writePng(place / "words.png", words);
+        rendering::writeNpy(place / "floats.npy", floats);
+        const auto faultOf = [&](const char* a, const char* b) -> std::string {
+            try {
+                (void)study::analyse::similarityOf(place / a, place / b, std::nullopt);
+                return "";
+            } catch (const protocols::Error& error) {
+                return error.what();
+            }
+        };
+        for (const auto& [a, b, depths] : {std::tuple("bytes.png", "words.png", "8 bits and 16 bits"),
+                                           std::tuple("words.png", "bytes.png", "16 bits and 8 bits"),
+                                           std::tuple("floats.npy", "bytes.png", "floating-point values and 8 bits")}) {
+            const std::string fault = faultOf(a, b);
+            QVERIFY2(fault.find(depths) != std::string::npos && fault.find("--range") != std::string::npos, fault.c_str());
+        }
+        QVERIFY(faultOf("floats.npy", "floats.npy").find("has floating-point values") != std::string::npos);
+        for (const char* file : {"bytes.png", "words.png"})
+            QCOMPARE(study::analyse::similarityOf(place / file, place / file, std::nullopt)["ssim"].get<double>(), 1.0);
+        QCOMPARE(study::analyse::similarityOf(place / "floats.npy", place / "bytes.png", 255)["ssim"].get<double>(), 1.0);
     }
 
     void requestsThatCannotBeUnderstoodAreErrors()

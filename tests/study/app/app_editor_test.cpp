@@ -75,6 +75,8 @@ void AppEditorTest::fromAnIdeaToARunningSession()
     shown.enter("seconds_per_presentation", "20");
     shown.enter("break_after", "10");
     shown.section(6);
+    // The words make a scale from 1 to 5.
+    QCOMPARE(shown.widget<QLineEdit>("lowerBound").placeholderText().replace(',', '.'), QString("-0.2"));
     shown.pick("contrastFirst", 3);
     shown.pick("contrastSecond", 0);
     shown.gui.click("addContrastButton");

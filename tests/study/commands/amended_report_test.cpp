@@ -108,6 +108,22 @@ private Q_SLOTS:
         QVERIFY(bytesOf(report + "/tables/plan.csv").contains("bounds of equivalence,'-5 and 5,'-5 and 5,yes"));
     }
 
+    /// Two instructions of one question and one of the other: 2 participants x 3 fabrics x 3 conditions x 3 answers.
+    void everyInstructionBelongsToThePlannedAnswers()
+    {
+        const QString study = newStudy();
+        mustRun({"study", "preregister", study});
+        for (const char* participant : {"S01", "S02"}) play(study, participant);
+        const QString report = reportOf(study);
+        QVERIFY2(bytesOf(report + "/tables/plan.csv").contains("answers,54,54,yes"),
+                 qPrintable(bytesOf(report + "/tables/plan.csv")));
+        QVERIFY(pageOf(report).contains("Nothing differs from the plan."));
+        mustRun({"export", study, "--out", study + "-exported"});
+        mustRun({"report", "--from", study + "-exported/answers.csv", "--protocol", study + "/protocol.json", "--out",
+                 study + "-again", "--quick", "--page-only"});
+        QVERIFY(bytesOf(study + "-again/tables/plan.csv").contains("answers,54,54,yes"));
+    }
+
     /// Each sentence stands with the participants who followed it. Bounds that were changed after answers do not count.
     void anAmendmentBetweenParticipantsShowsBoth()
     {
@@ -123,9 +139,10 @@ private Q_SLOTS:
             "das Gefühl?\u201D (1 participant, version 2 of the protocol)"));
         QVERIFY(
             page.contains("The protocol was amended: 1 participant followed version 1 and 1 participant followed version 2."));
-        QVERIFY(
-            page.contains("Version 1 of the protocol states their bounds: \u22120.5 and 0.5 scale points. The latest version of "
-                          "the protocol states other bounds. They are not used"));
+        QVERIFY(page.contains(
+            "Their bounds are the default of this program: \u22120.5 and 0.5 scale points, a twentieth of the scale "
+            "either way. Version 1 of the protocol states none. The latest version of the protocol has other "
+            "bounds. They are not used"));
         const json statistics = jsonOf(report + "/statistics.json");
         QCOMPARE(statistics["data"]["questions"][1]["wordings"],
                  json::parse(R"([{"text":"How close is the feeling?","protocol_versions":[1],"participants":["S01"]},
@@ -170,6 +187,7 @@ private Q_SLOTS:
         const QString report = reportOf(study), page = pageOf(report);
         QVERIFY(page.contains("Wie nah ist das Gefühl?") && !page.contains("How close is the feeling?"));
         QVERIFY(bytesOf(report + "/tables/plan.csv").contains("bounds of equivalence,'-0.5 and 0.5,'-0.5 and 0.5,yes"));
+        QCOMPARE(jsonOf(report + "/results.json")["preregistration"]["answers_before"], 27);
     }
 
     void anAmendmentAfterARegistrationSaysWhatToDo()
@@ -189,7 +207,7 @@ private Q_SLOTS:
         play(study, "S01");
         const QString report = reportOf(study), page = pageOf(report);
         QVERIFY(page.contains("The study was not preregistered. The plan is that of its first protocol."));
-        QVERIFY(page.contains("The protocol states their bounds: \u22120.5 and 0.5 scale points."));
+        QVERIFY(page.contains("a twentieth of the scale either way. The protocol states none."));
         QVERIFY(!page.contains("amended") && !page.contains("of the protocol states"));
         QVERIFY(!jsonOf(report + "/results.json")["study"].contains("protocol_versions"));
         QVERIFY(!jsonOf(report + "/results.json")["preregistration"].contains("protocol_version"));

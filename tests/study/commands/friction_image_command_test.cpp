@@ -133,6 +133,22 @@ private Q_SLOTS:
         }
     }
 
+    /// Rendered, its relief would be upside down.
+    void aStrokeAgainstItsAxisIsImportedWithAWarningAndNeverRendered()
+    {
+        writeText(path("Back_1.csv"), stroke_text::twoForces({}, "t_s,fz,fx"));
+        const QStringList call{"import", "friction-csv", path("Back_1.csv"), "--normal=fz"};
+        const auto ended = mustRun(call + QStringList{"--tangential=-fx", "--out", path("back"), "--plots", path("seen")});
+        QVERIFY2(ended.out.contains("the tangential axis points against the stroke"), qPrintable(ended.out));
+        QVERIFY(QFile::exists(path("seen/F01-000.svg")));
+        const auto checked = runProgram({"fabrics", "check", path("back")});
+        const auto rendered = runProgram({"render", path("back"), "--condition", "f", "--out", path("felt back")});
+        QVERIFY2(checked.exitCode == 1 && checked.out.contains("points against the stroke"), qPrintable(checked.out));
+        QVERIFY2(rendered.exitCode == 2 && rendered.err.contains("F01/friction/000.csv"), qPrintable(rendered.err));
+        QVERIFY2(rendered.err.contains("--tangential=-NAME"), qPrintable(rendered.err));
+        QVERIFY(!QFile::exists(path("felt back/F01/f.png")));
+    }
+
 private:
     QString path(const QString& name) const { return m_folder.filePath(name); }
 

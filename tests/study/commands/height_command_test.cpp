@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 
+#include "protocols/random.h"
 #include "rendering/images/image_io.h"
 #include "tests/rendering/simulated_presses.h"
 #include "tests/support/program.h"
@@ -240,6 +241,66 @@ private Q_SLOTS:
         QCOMPARE(facts["normals_y"].get<std::string>(), std::string("down"));
         QVERIFY(facts["curl_residual"].get<double>() < 0.1);
         QVERIFY(facts["curl_residual_y_up"].get<double>() > 0.3);
+    }
+
+    /// The places that the mask leaves out chose "down" for a map whose y points up.
+    void maskedNormalsDoNotDecideWhichWayYPoints()
+    {
+        constexpr int firstMasked = 45;
+        cv::Mat normals(64, 64, CV_8UC3), mask(64, 64, CV_8UC1);
+        for (int i = 0; i < 64; ++i)
+            for (int j = 0; j < 64; ++j) {
+                const bool isMasked = j >= firstMasked;
+                const double wave = (isMasked ? 4 : 1) * std::sin(0.3 * j + 0.2 * i), p = 0.3 * wave,
+                             q = (isMasked ? -0.2 : 0.2) * wave, length = std::sqrt(1 + p * p + q * q);
+                const auto stored = [&](double n) { return cv::saturate_cast<uchar>(255 * (n / length + 1) / 2); };
+                normals.at<cv::Vec3b>(i, j) = {stored(-p), stored(q), stored(1)};
+                mask.at<uchar>(i, j) = isMasked ? 0 : 255;
+            }
+        const auto file = m_folder.filePath("half.png"), places = m_folder.filePath("half-mask.png"),
+                   out = m_folder.filePath("half");
+        rendering::writePng(file.toStdString(), normals);
+        rendering::writePng(places.toStdString(), mask);
+        support::mustRun({"height", "--normals", file, "--mask", places, "--out", out});
+        const auto facts = jsonIn(out + "/half.json");
+        QCOMPARE(facts["normals_y"].get<std::string>(), std::string("up"));
+        QVERIFY(facts["curl_residual"].get<double>() < 0.1);
+        QVERIFY(facts["curl_residual_y_down"].get<double>() > 0.3);
+    }
+
+    void maskedSlopesDoNotCountInTheCurl()
+    {
+        const cv::Rect hole(20, 15, 12, 10);
+        cv::Mat x(50, 60, CV_32FC1), y(50, 60, CV_32FC1), mask(50, 60, CV_8UC1, cv::Scalar(255));
+        for (int i = 0; i < 50; ++i)
+            for (int j = 0; j < 60; ++j) {
+                x.at<float>(i, j) = 0.3F * std::cos(0.3F * static_cast<float>(j) + 0.2F * static_cast<float>(i));
+                y.at<float>(i, j) = 0.2F * std::cos(0.3F * static_cast<float>(j) + 0.2F * static_cast<float>(i));
+            }
+        mask(hole) = 0;
+        protocols::Random random(4);
+        for (int i = hole.y; i < hole.y + hole.height; ++i)
+            for (int j = hole.x; j < hole.x + hole.width; ++j) {
+                x.at<float>(i, j) = static_cast<float>(20 * random.normal());
+                y.at<float>(i, j) = static_cast<float>(20 * random.normal());
+            }
+        const auto gx = m_folder.filePath("noise-gx.npy"), gy = m_folder.filePath("noise-gy.npy"),
+                   places = m_folder.filePath("hole.png"), masked = m_folder.filePath("masked"),
+                   missing = m_folder.filePath("missing");
+        rendering::writeNpy(gx.toStdString(), x);
+        rendering::writeNpy(gy.toStdString(), y);
+        rendering::writePng(places.toStdString(), mask);
+        support::mustRun({"height", "--gradients", gx, gy, "--mask", places, "--out", masked});
+        for (cv::Mat* slope : {&x, &y}) (*slope)(hole) = std::numeric_limits<float>::quiet_NaN();
+        rendering::writeNpy(gx.toStdString(), x);
+        rendering::writeNpy(gy.toStdString(), y);
+        support::mustRun({"height", "--gradients", gx, gy, "--out", missing});
+        const auto facts = jsonIn(masked + "/height.json"), same = jsonIn(missing + "/height.json");
+        QCOMPARE(facts["missing_share"].get<double>(), 120.0 / 3000);
+        QCOMPARE(facts["curl_residual"].get<double>(), same["curl_residual"].get<double>());
+        QVERIFY2(facts["curl_residual"].get<double>() < 0.05, qPrintable(QString::number(facts["curl_residual"].get<double>())));
+        const auto heightIn = [](const QString& folder) { return rendering::readTiff((folder + "/height.tiff").toStdString()); };
+        QCOMPARE(cv::norm(heightIn(masked), heightIn(missing), cv::NORM_INF), 0.0);
     }
 
     void wrongCallsAreNamed_data()

@@ -177,6 +177,49 @@ private Q_SLOTS:
         QVERIFY(bytesOf(at("erased/") + certificates.front()).contains("Certificate of erasure"));
     }
 
+    /// The folder is handed to the person: nothing of an earlier one may lie in it.
+    void aHandOverHoldsOnePerson()
+    {
+        const QString study = playedStudy();
+        const QStringList call{"export", study, "--participant", "P1", "--out", at("hand")};
+        mustRun(call);
+        QFile(at("hand/your-finger-samples.csv")).open(QIODevice::WriteOnly);
+        mustRun(call);
+        QVERIFY(!QFile::exists(at("hand/your-finger-samples.csv")));  // this export has none
+        QFile other(at("hand/your-data.json"));
+        QByteArray data = bytesOf(other.fileName()).toUtf8();
+        QVERIFY(other.open(QIODevice::WriteOnly));
+        other.write(data.replace("\"P1\"", "\"P2\""));
+        other.close();
+        const auto refused = support::runProgram(call);
+        QCOMPARE(refused.exitCode, 2);
+        QVERIFY2(refused.err.contains("need a folder of their own"), qPrintable(refused.err));
+    }
+
+    /// A replay of the folder would bring the answers back.
+    void aScriptOfErasedAnswersLeavesTheFolder()
+    {
+        const QString study = playedStudy();
+        const QStringList call{"export", study, "--format", "script", "--out", at("scripts")};
+        mustRun(call);
+        QVERIFY(QFile::exists(at("scripts/P1.json")));
+        QFile mine(at("scripts/mine.json"));
+        QVERIFY(mine.open(QIODevice::WriteOnly));
+        mustRun({"erase", study, "--participant", "P1", "--who", "Ada", "--why", "on request", "--answers"});
+        const auto run = mustRun(call);
+        QVERIFY2(run.out.contains("removed P1.json of an earlier export"), qPrintable(run.out));
+        QVERIFY(!QFile::exists(at("scripts/P1.json")) && QFile::exists(at("scripts/mine.json")));
+    }
+
+    /// What an earlier export wrote and this one does not is old, and may hold what was erased since.
+    void filesOfAnEarlierExportAreNamed()
+    {
+        const QString study = playedStudy();
+        mustRun({"export", study, "--with-log", "--out", at("twice")});
+        const auto run = mustRun({"export", study, "--format", "json", "--out", at("twice")});
+        QVERIFY2(run.out.contains("also holds log.csv, acts.csv and log.txt"), qPrintable(run.out));
+    }
+
     void factsAloneCanBeErased()
     {
         const QString study = playedStudy();

@@ -78,6 +78,23 @@ private Q_SLOTS:
         QVERIFY(detected(more) < detected(answer));
     }
 
+    /// A test takes the mean of the answers under the instructions, which has less noise.
+    void ratingsUnderInstructionsAreAveraged()
+    {
+        const auto residual = [this](const QByteArray& instructions) {
+            QFile small(m_small), instructed(m_folder.filePath("instructed.json"));
+            if (!small.open(QIODevice::ReadOnly) || !instructed.open(QIODevice::WriteOnly)) return -1.0;
+            instructed.write(small.readAll().replace("\"sections\":9}", "\"sections\":9}" + instructions));
+            instructed.close();
+            return powerOf({"--protocol", instructed.fileName()})["assumed"]["variance_residual"].get<double>();
+        };
+        const double once = residual("");
+        const double twice =
+            residual(R"(, "instructions": [{"id": "fast", "aim": "speed"}, {"id": "exact", "aim": "accuracy"}])");
+        QVERIFY(once > 0);
+        QCOMPARE(twice, once / 2);
+    }
+
     void aCountContinuesWhereItWasInterrupted()
     {
         const QString file = m_folder.filePath("counts.json");

@@ -55,11 +55,23 @@ class PreregisterCommandTest : public QObject {
 
     QString at(const QString& name) const { return m_place.filePath(name); }
 
-    QString newStudy()
+    QString newStudy(const std::string& protocol = plannedProtocol)
     {
         const QString study = at(QString("study%1").arg(++m_studies));
-        tests::support::buildStudy(study.toStdString(), {.designSeed = 2, .protocol = plannedProtocol});
+        tests::support::buildStudy(study.toStdString(), {.designSeed = 2, .protocol = protocol});
         return study;
+    }
+
+    /// The scale from 1 to 7 has bounds of 0.3 then.
+    static std::string withoutBounds()
+    {
+        return QString::fromStdString(plannedProtocol).remove("  \"equivalence_bounds\": [-0.8, 0.9],\n").toStdString();
+    }
+
+    static void erase(const QString& study, const char* participant)
+    {
+        database::StudyStore({study.toStdString()}, database::StudyStore::Access::Write)
+            .erase({protocols::ParticipantId(participant), true, "M", "asked for it", {}});
     }
 
     static std::vector<database::PreregistrationRecord> registered(const QString& study)
@@ -297,6 +309,75 @@ private Q_SLOTS:
         amendBounds(study);
         mustRun({"study", "preregister", study});
         QVERIFY(bytesOf(study + "/preregistration-2.txt").contains("after 5 answers and after the unblinding"));
+    }
+
+    /// Who saw the answers before they were erased knew them.
+    void erasedAnswersCameBeforeALatePlan()
+    {
+        const QString study = newStudy();
+        answer(study, "S01", 5);
+        erase(study, "S01");
+        QVERIFY(mustRun({"study", "preregister", study}).out.contains("after 5 answers"));
+        QVERIFY(bytesOf(study + "/preregistration.txt")
+                    .contains("5 answers were stored before this plan was registered; 5 of them had already been erased."));
+        QVERIFY(mustRun({"study", "status", study}).out.contains("after 5 answers"));
+        answer(study, "S02", 27);
+        mustRun({"report", study, "--out", at("erased")});
+        QCOMPARE(jsonOf(at("erased/results.json"))["preregistration"]["deviations"][0]["item"], "registration");
+        QVERIFY(bytesOf(at("erased/tables/plan.csv")).contains(", after 5 answers\",no"));
+    }
+
+    /// Earlier versions counted the answers that were still there, and so none.
+    void anOlderPlanAfterErasedAnswersIsLate()
+    {
+        const QString study = newStudy(), other = newStudy();
+        mustRun({"study", "preregister", other});
+        answer(study, "S01", 5);
+        erase(study, "S01");
+        recordPreregistration({{study.toStdString()}, database::StudyStore::Access::Write}, registered(other)[0]);
+        QCOMPARE(registered(study)[0].answersBefore, std::size_t(5));
+        answer(study, "S02", 27);
+        mustRun({"report", study, "--out", at("older")});
+        QVERIFY(bytesOf(at("older/index.html")).contains(", after 5 answers, SHA-256"));
+        QVERIFY(!bytesOf(at("older/index.html")).contains("Nothing differs from the plan."));
+    }
+
+    void aPlanWithoutBoundsTakesTheDefaultAndSaysSo()
+    {
+        const QString study = newStudy(withoutBounds());
+        mustRun({"study", "preregister", study});
+        const QString text = bytesOf(study + "/preregistration.txt");
+        QVERIFY(text.contains("the difference of the mean ratings lies within -0.3 and 0.3 (equivalence).\n"));
+        QVERIFY(
+            text.contains("at the bounds -0.3 and 0.3 scale points. The protocol states none: they are the default of this "
+                          "program, a twentieth of the scale either way.\n"));
+        QCOMPARE(jsonOf(study + "/preregistration.json")["plan"]["equivalence_bounds"], json::parse("[-0.3, 0.3]"));
+        QVERIFY(mustRun({"study", "preregister", study}).out.contains("nothing has changed"));
+        answer(study, "S01", 27);
+        mustRun({"report", study, "--out", at("usual")});
+        QVERIFY(bytesOf(at("usual/tables/plan.csv")).contains("bounds of equivalence,'-0.3 and 0.3,'-0.3 and 0.3,yes"));
+    }
+
+    /// Earlier versions took half a point on every scale. What was registered stays.
+    void registeredBoundsOfAnEarlierDefaultStay()
+    {
+        const QString study = newStudy(withoutBounds()), other = newStudy(withoutBounds());
+        mustRun({"study", "preregister", other});
+        auto record = registered(other)[0];
+        auto plan = nlohmann::ordered_json::parse(record.json);
+        plan["plan"]["equivalence_bounds"] = {-0.5, 0.5};
+        record.json = plan.dump(2) + "\n";
+        recordPreregistration({{study.toStdString()}, database::StudyStore::Access::Write}, record);
+        QVERIFY(mustRun({"study", "preregister", study}).out.contains("nothing has changed"));
+        answer(study, "S01", 27);
+        mustRun({"unblind", study, "--who", "M", "--why", "done"});
+        mustRun({"report", study, "--out", at("half")});
+        const QString table = bytesOf(at("half/tables/plan.csv"));
+        QVERIFY2(table.contains("bounds of equivalence,'-0.5 and 0.5,'-0.5 and 0.5,yes") && !table.contains("changed:"),
+                 qPrintable(table));
+        QVERIFY(bytesOf(at("half/index.html"))
+                    .simplified()
+                    .contains("The registered plan states their bounds: \u22120.5 and 0.5 scale points."));
     }
 
     /// A plan that is changed after answers is shown, and the report follows the one before them.

@@ -3,6 +3,7 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -152,6 +153,25 @@ private Q_SLOTS:
         QVERIFY2(std::abs(smallest(twelve, 0) - 6.550) < 0.005, twelve.dump().c_str());
         QVERIFY(std::abs(smallest(twelve, 1) - 0.03 * smallest(twelve, 0)) < 1e-6);
         QVERIFY2(smallest(three, 1) < 1.5, three.dump().c_str());
+    }
+
+    /// Python, with n = 12 * 7 answers under a condition, and three times as many: the fewest above chance by the binomial test,
+    /// and the share that reaches them in 80 % of studies. Means over three instructions have a third of the residual.
+    void instructionsGiveMoreAnswers()
+    {
+        const auto shownFor = [&](const QByteArray& instructions) {
+            const QByteArray text = R"({"schema":"vis2hap.protocol/1","name":"Fast","participants":12,"fabrics":7,
+                "conditions":["v_grey","f","h"],"phases":[{"questions":["Q1"],"alternatives":3)" +
+                                    instructions + R"(},{"questions":["Q2"],"scale":{"min":0,"max":10})" + instructions + "}]}";
+            return Json::parse(
+                support::mustRun({"protocol", "show", written("fast.json", text), "--json"}).out.toStdString())["detects"];
+        };
+        const Json once = shownFor(""), thrice = shownFor(R"(,"instructions":[{"id":"a"},{"id":"b"},{"id":"c"}])");
+        const auto smallest = [](const Json& rows, int row) { return rows[row]["smallest"].get<double>(); };
+        QVERIFY2(std::abs(smallest(once, 0) - 0.468493) < 1e-4, once.dump().c_str());
+        QVERIFY2(std::abs(smallest(thrice, 0) - 0.409040) < 1e-4, thrice.dump().c_str());
+        const double ratio = std::sqrt((0.15 + 0.85 / 21) / (0.15 + 0.85 / 7));
+        QVERIFY2(std::abs(smallest(thrice, 1) / smallest(once, 1) - ratio) < 1e-4, thrice.dump().c_str());
     }
 
     void filesThatAreNoProtocolHaveOneClearLine_data()

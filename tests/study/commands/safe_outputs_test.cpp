@@ -109,6 +109,25 @@ private Q_SLOTS:
         QVERIFY(mustRun({"verify", study}).out.contains("sound"));
     }
 
+    /// A script whose variable is not set must not pass for one that made its check.
+    void anEmptyArgumentIsRefused_data()
+    {
+        QTest::addColumn<QStringList>("call");
+        QTest::addColumn<QString>("argument");
+        QTest::newRow("head") << QStringList{"verify", "STUDY", "--against", ""} << "--against";
+        QTest::newRow("key") << QStringList{"verify", "STUDY", "--against", "1:x", "--public-key", ""} << "--public-key";
+        QTest::newRow("passphrase") << QStringList{"study", "status", "STUDY", "--passphrase-file", ""} << "--passphrase-file";
+        QTest::newRow("study") << QStringList{"verify", ""} << "STUDY";
+    }
+    void anEmptyArgumentIsRefused()
+    {
+        QFETCH(QStringList, call);
+        QFETCH(const QString, argument);
+        const auto result = runProgram(call.replaceInStrings("STUDY", newStudy()));
+        QCOMPARE(result.exitCode, 2);
+        QVERIFY2(result.err.contains(argument + " is given, and empty"), qPrintable(result.err));
+    }
+
     void noOutputLiesInTheFolderOfAStudyOnAServer()
     {
         const QString folder = m_place.filePath("station");

@@ -66,6 +66,43 @@ private Q_SLOTS:
         QCOMPARE(far["tost"]["equivalent"], false);
     }
 
+    /// Counts of a tactile sensor were tested against the coefficient, with p < 1e-6.
+    void recordsThatAreNoCoefficientAreNotCompared()
+    {
+        auto fabrics = fabricsWith(0.0, 0.02);
+        FabricSignals& first = fabrics.begin()->second;
+        first.measuredQuantity = "taxel_sum_counts";
+        first.measuredMeanFriction = 2165;
+        first.traces[Signal::MeasuredTrace].assign(100, 2165);
+        const auto others = signalQuality(fabrics);
+        QVERIFY(qAbs(others["friction_mae"].get<double>() - 0.02) < 1e-12);
+        QCOMPARE(others["t_tests"][0]["n"], 5);
+        for (auto& [id, signals] : fabrics) signals.measuredQuantity = "taxel_sum_counts";
+        const auto none = signalQuality(fabrics);
+        for (const char* field : {"friction_mae", "friction_mae_over_mean"}) {
+            QVERIFY(none[field].is_null());
+            QCOMPARE(none["why"][field].get<std::string>(),
+                     std::string("the friction records contain taxel_sum_counts, not a coefficient of friction"));
+        }
+        for (const auto& test : none["t_tests"]) QVERIFY(test["signal"] != "friction");
+    }
+
+    void aTraceAtAnotherSpacingIsComparedPlaceByPlace()
+    {
+        auto fabrics = fabricsWith(0, 0);
+        const auto friction = [](double mm) { return 0.3 + 0.1 * std::sin(mm); };
+        for (auto& [id, signals] : fabrics) {
+            auto &generated = signals.traces[Signal::GeneratedTrace], &measured = signals.traces[Signal::MeasuredTrace];
+            generated.clear();
+            measured.clear();
+            for (int i = 0; i < 480; ++i) generated.push_back(friction(i / 12.0));
+            for (int i = 0; i < 4800; ++i) measured.push_back(friction(i / 120.0));
+            signals.generatedTraceMmPerSample = 1 / 12.0;
+            signals.traceMmPerSample = 1 / 120.0;
+        }
+        QVERIFY(signalQuality(fabrics)["friction_mae"].get<double>() < 0.001);
+    }
+
     void aMapAtAnotherPitchIsResampledFirst()
     {
         auto fabrics = fabricsWith(0, 0);

@@ -238,6 +238,7 @@ private Q_SLOTS:
             session.playUntilAnswers(2);
             session.send(Voided{"wrong swatch"});
             QCOMPARE(session.driver->view().presentations, 13);
+            session.send(Noted{"wet finger", true});  // before the next tray: it concerns what was voided
         }
         EngineSession session(folder, "S01");
         session.playToEnd();
@@ -250,7 +251,9 @@ private Q_SLOTS:
         QVERIFY(first.voided && !second.voided);
         QCOMPARE(second.record.trial.value, 2);
         QCOMPARE(second.attempt, 2);
-        QCOMPARE(first.record.note, std::string("wrong swatch"));
+        QCOMPARE(first.record.note, std::string("wrong swatch; wet finger"));
+        QCOMPARE(session.rows().flags().at(0).trial.value, 2);
+        QCOMPARE(answers[0].record.note, std::string());
         QCOMPARE(second.record.note, std::string());
         QVERIFY(session.rows().faults().empty());
     }

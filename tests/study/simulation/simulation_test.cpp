@@ -152,6 +152,55 @@ class SimulationTest : public QObject {
                                           {.fabrics = fabrics, .participants = participants});
     }
 
+    /// Simulates twelve participants both ways, and compares every value that the simulation in memory has.
+    void compareWithTheReport(const database::StudyFolder& folder, reports::StudyAnalysis& simulated)
+    {
+        const MishapRates some{.voids = 0.05, .corrections = 0.1, .withdrawals = 0.15};
+        SimulatedStudy study(folder);
+        study.playIntoStore(12, some);
+        const auto memory = study.inMemory();
+        unblind(study.store, {"tester", "simulated", "2000-01-01T00:00:00Z"}, {});
+        const auto data = study::records::studyData(study.store, {});
+        const auto report = reports::analyse(*data, {.depth = reports::Depth::Quick});
+        simulated = analysisOf(memory, simulateInMemory(memory, {.seed = seed, .count = 12, .mishaps = some}));
+        QCOMPARE(simulated.data.participants, report.data.participants);
+        QCOMPARE(simulated.questions.size(), report.questions.size());
+        QCOMPARE(simulated.completeness.present, report.completeness.present);
+        for (std::size_t q = 0; q < report.questions.size(); ++q) {
+            const auto& is = comparisonsOf(simulated.questions[q]);
+            const auto& expected = comparisonsOf(report.questions[q]);
+            QCOMPARE(is.size(), expected.size());
+            for (std::size_t i = 0; i < is.size(); ++i)
+                QVERIFY(is[i].test.t == expected[i].test.t && is[i].test.p == expected[i].test.p &&
+                        is[i].test.ci == expected[i].test.ci && is[i].pHolm == expected[i].pHolm);
+            if (const auto* ratings = std::get_if<reports::RatingAnalysis>(&report.questions[q].findings)) {
+                const auto& mine = std::get<reports::RatingAnalysis>(simulated.questions[q].findings);
+                QVERIFY(mine.anova.f == ratings->anova.f && mine.friedman.q == ratings->friedman.q);
+                for (std::size_t c = 0; c < ratings->conditions.size(); ++c)
+                    QVERIFY(mine.conditions[c].ratings == ratings->conditions[c].ratings &&
+                            mine.conditions[c].mean == ratings->conditions[c].mean &&
+                            mine.conditions[c].meanOfParticipants == ratings->conditions[c].meanOfParticipants &&
+                            mine.conditions[c].sd == ratings->conditions[c].sd &&
+                            mine.conditions[c].ci95 == ratings->conditions[c].ci95 &&
+                            mine.conditions[c].withinHalfWidth == ratings->conditions[c].withinHalfWidth);
+                QVERIFY(mine.equivalences[0].test.p == ratings->equivalences[0].test.p);
+                QCOMPARE(mine.equivalences[0].verdict, ratings->equivalences[0].verdict);
+            } else if (const auto* choices = std::get_if<reports::ChoiceAnalysis>(&report.questions[q].findings)) {
+                const auto& mine = std::get<reports::ChoiceAnalysis>(simulated.questions[q].findings);
+                QVERIFY(mine.cochran.q == choices->cochran.q);
+                for (std::size_t c = 0; c < choices->conditions.size(); ++c)
+                    QVERIFY(mine.conditions[c].count.correct == choices->conditions[c].count.correct &&
+                            mine.conditions[c].count.trials == choices->conditions[c].count.trials &&
+                            mine.conditions[c].pHolm == choices->conditions[c].pHolm &&
+                            mine.conditions[c].participantsAgainstChance.p ==
+                                choices->conditions[c].participantsAgainstChance.p &&
+                            simulated.speed[c].medianSeconds == report.speed[c].medianSeconds &&
+                            simulated.speed[c].bitsPerSecondCi95 == report.speed[c].bitsPerSecondCi95 &&
+                            simulated.speed[c].balancedIntegrationScore == report.speed[c].balancedIntegrationScore);
+            }
+        }
+    }
+
 private Q_SLOTS:
     void fiftyParticipantsHaveTheSameRowsInMemoryAndInTheStore()
     {
@@ -318,50 +367,42 @@ private Q_SLOTS:
 
     void theAnalysisHasTheValuesOfTheReport()
     {
-        SimulatedStudy study(newStudy(12));
-        study.playIntoStore(12, {.voids = 0.05, .corrections = 0.1, .withdrawals = 0.15});
-        const auto memory = study.inMemory();
-        unblind(study.store, {"tester", "simulated", "2000-01-01T00:00:00Z"}, {});
-        const auto data = study::records::studyData(study.store, {});
-        const auto report = reports::analyse(*data, {.depth = reports::Depth::Quick});
-        const auto simulated = analysisOf(
-            memory,
-            simulateInMemory(memory,
-                             {.seed = seed, .count = 12, .mishaps = {.voids = 0.05, .corrections = 0.1, .withdrawals = 0.15}}));
-        QCOMPARE(simulated.data.participants, report.data.participants);
+        reports::StudyAnalysis simulated;
+        compareWithTheReport(newStudy(12), simulated);
         QVERIFY(!simulated.data.withdrawn.empty());
-        QCOMPARE(simulated.questions.size(), report.questions.size());
-        QCOMPARE(simulated.completeness.present, report.completeness.present);
-        for (std::size_t q = 0; q < report.questions.size(); ++q) {
-            const auto& is = comparisonsOf(simulated.questions[q]);
-            const auto& expected = comparisonsOf(report.questions[q]);
-            QCOMPARE(is.size(), expected.size());
-            for (std::size_t i = 0; i < is.size(); ++i)
-                QVERIFY(is[i].test.t == expected[i].test.t && is[i].test.p == expected[i].test.p &&
-                        is[i].test.ci == expected[i].test.ci && is[i].pHolm == expected[i].pHolm);
-            if (const auto* ratings = std::get_if<reports::RatingAnalysis>(&report.questions[q].findings)) {
-                const auto& mine = std::get<reports::RatingAnalysis>(simulated.questions[q].findings);
-                QVERIFY(mine.anova.f == ratings->anova.f && mine.friedman.q == ratings->friedman.q);
-                for (std::size_t c = 0; c < ratings->conditions.size(); ++c)
-                    QVERIFY(mine.conditions[c].mean == ratings->conditions[c].mean &&
-                            mine.conditions[c].sd == ratings->conditions[c].sd &&
-                            mine.conditions[c].ci95 == ratings->conditions[c].ci95 &&
-                            mine.conditions[c].withinHalfWidth == ratings->conditions[c].withinHalfWidth);
-                QVERIFY(mine.equivalences[0].test.p == ratings->equivalences[0].test.p);
-                QCOMPARE(mine.equivalences[0].verdict, ratings->equivalences[0].verdict);
-            } else if (const auto* choices = std::get_if<reports::ChoiceAnalysis>(&report.questions[q].findings)) {
-                const auto& mine = std::get<reports::ChoiceAnalysis>(simulated.questions[q].findings);
-                QVERIFY(mine.cochran.q == choices->cochran.q);
-                for (std::size_t c = 0; c < choices->conditions.size(); ++c)
-                    QVERIFY(mine.conditions[c].count.correct == choices->conditions[c].count.correct &&
-                            mine.conditions[c].pHolm == choices->conditions[c].pHolm &&
-                            mine.conditions[c].participantsAgainstChance.p ==
-                                choices->conditions[c].participantsAgainstChance.p &&
-                            simulated.speed[c].medianSeconds == report.speed[c].medianSeconds &&
-                            simulated.speed[c].bitsPerSecondCi95 == report.speed[c].bitsPerSecondCi95 &&
-                            simulated.speed[c].balancedIntegrationScore == report.speed[c].balancedIntegrationScore);
-            }
+        QCOMPARE(simulated.designLimits.size(), std::size_t(2));
+    }
+
+    /// Each instruction repeats the list of its phase: no answer may take the place of another.
+    void everyAnswerUnderEachInstructionCounts()
+    {
+        tests::support::StudyRecipe recipe;
+        recipe.protocol = R"({"schema": "vis2hap.protocol/1", "name": "Trade", "participants": 12,
+            "fabrics": ["F01", "F02", "F03"], "conditions": ["v_grey", "h&f"], "dead_time_seconds": 0,
+            "phases": [{"questions": ["Q1"], "alternatives": 3,
+                        "instructions": [{"id": "speed", "aim": "speed"}, {"id": "accuracy", "aim": "accuracy"},
+                                         {"id": "deadline", "deadline_seconds": 4}]},
+                       {"questions": ["Q2", "Q3"], "scale": {"min": 0, "max": 10},
+                        "instructions": [{"id": "slow", "text": "Take 1 s."}, {"id": "speed", "aim": "speed"}]},
+                       {"questions": ["Q4"], "scale": {"min": 0, "max": 10}}]})";
+        reports::StudyAnalysis simulated;
+        compareWithTheReport(tests::support::buildStudy(m_place.filePath("trade").toStdString(), recipe), simulated);
+        const std::size_t people = simulated.data.participants.size(), cells = people * 3;
+        const auto trialsOf = [&](std::size_t question, std::size_t condition) {
+            const auto& findings = simulated.questions[question].findings;
+            if (const auto* choices = std::get_if<reports::ChoiceAnalysis>(&findings))
+                return choices->conditions[condition].count.trials;
+            return std::get<reports::RatingAnalysis>(findings).conditions[condition].ratings;
+        };
+        for (const std::size_t condition : {0U, 1U}) {
+            QCOMPARE(trialsOf(0, condition), 3 * cells);
+            QCOMPARE(trialsOf(1, condition), 2 * cells);
+            QCOMPARE(trialsOf(2, condition), 2 * cells);
+            QCOMPARE(trialsOf(3, condition), cells);
         }
+        QCOMPARE(simulated.completeness.present, 2 * 8 * cells);
+        QCOMPARE(simulated.completeness.expected, simulated.completeness.present);
+        QVERIFY(simulated.designLimits.back().find("under each of them") != std::string::npos);
     }
 
     void everyFileSaysThatItIsSimulated()

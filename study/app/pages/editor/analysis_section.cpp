@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "protocols/files/number_text.h"
 #include "study/app/pages/editor/draft_fields.h"
 #include "study/app/pieces/flow_layout.h"
 #include "study/app/pieces/pieces.h"
@@ -39,8 +40,6 @@ AnalysisSection::AnalysisSection(DraftFields& fields, QWidget* parent)
     column->addLayout(row);
     row->addWidget(captioned(tr("Equal from (scale points)"), *m_lower, this));
     row->addWidget(captioned(tr("to (scale points)"), *m_upper, this));
-    m_lower->setPlaceholderText(withDecimalMark(QStringLiteral("-0.5")));
-    m_upper->setPlaceholderText(withDecimalMark(QStringLiteral("0.5")));
     fields.bind(boundsPlace, tr("Bounds of equivalence"), *m_lower);
     fields.bind(std::string(boundsPlace) + "[1]", tr("Upper bound of equivalence"), *m_upper);
     addSmallHead(*column, "contrastsTitle", tr("Planned contrasts"),
@@ -58,6 +57,7 @@ AnalysisSection::AnalysisSection(DraftFields& fields, QWidget* parent)
     column->addStretch(1);
     connect(&fields, &DraftFields::replaced, this, &AnalysisSection::present);
     connect(&fields, &DraftFields::edited, this, &AnalysisSection::offerConditions);
+    connect(&fields, &DraftFields::edited, this, &AnalysisSection::showUsualBounds);
     for (QLineEdit* line : {m_lower, m_upper}) connect(line, &QLineEdit::textEdited, this, &AnalysisSection::takeBounds);
     connect(m_add, &QPushButton::clicked, this, &AnalysisSection::add);
     connect(m_remove, &QPushButton::clicked, this, &AnalysisSection::remove);
@@ -75,6 +75,7 @@ void AnalysisSection::present()
     };
     show(*m_lower, "[0]");
     show(*m_upper, "[1]");
+    showUsualBounds();
     const int row = m_list->currentRow();
     m_list->clear();
     for (const DraftContrast& contrast : contrastsOf(draft)) {
@@ -85,6 +86,13 @@ void AnalysisSection::present()
     for (QWidget* part : std::initializer_list<QWidget*>{m_list, m_remove, m_primary}) part->setVisible(hasAny);
     if (hasAny) choose(std::clamp(row, 0, m_list->count() - 1));
     offerConditions();
+}
+
+void AnalysisSection::showUsualBounds()
+{
+    const double bound = usualBoundOf(m_fields.draft());
+    m_lower->setPlaceholderText(withDecimalMark(QString::fromStdString(protocols::shortest(-bound))));
+    m_upper->setPlaceholderText(withDecimalMark(QString::fromStdString(protocols::shortest(bound))));
 }
 
 void AnalysisSection::choose(int contrast) { m_list->setCurrentRow(std::min(contrast, m_list->count() - 1)); }

@@ -25,6 +25,8 @@ public:
 
 private:
     void present();
+    /// As hints in the empty fields: the bounds of a protocol that states none.
+    void showUsualBounds();
     void offerConditions();
     void takeBounds();
     void add();

@@ -1,5 +1,6 @@
 #include "protocols/new_texts.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -35,6 +36,16 @@ std::string faultOfText(const std::string& place, const std::string& text)
     return place + ": the text " + why + ", expected characters that a reader sees, line ends and tabs";
 }
 
+/// Empty where no fact has the name of the comment at the end.
+std::string faultOfFacts(const json& protocol)
+{
+    const auto facts = protocol.find("facts");
+    if (facts == protocol.end() || !facts->is_array() || std::ranges::find(*facts, json(debriefingFact)) == facts->end())
+        return {};
+    return std::string("facts: the comment at the end is stored under the name \"") + debriefingFact +
+           "\", expected another name";
+}
+
 }  // namespace
 
 std::vector<std::string> faultsOfTexts(const json& protocol)
@@ -43,13 +54,17 @@ std::vector<std::string> faultsOfTexts(const json& protocol)
     eachText(protocol, "", [&](const std::string& place, const std::string& text) {
         if (std::string fault = faultOfText(place, text); !fault.empty()) faults.push_back(std::move(fault));
     });
+    if (std::string fault = faultOfFacts(protocol); !fault.empty()) faults.push_back(std::move(fault));
     return faults;
 }
 
 void requireGoodNewTexts(std::string_view amended, std::string_view before, const std::string& where)
 {
     std::set<std::string> known;
-    eachText(json::parse(before), "", [&](const std::string&, const std::string& text) { known.insert(text); });
+    const json earlier = json::parse(before);
+    if (const std::string fault = faultOfFacts(json::parse(amended)); !fault.empty() && faultOfFacts(earlier).empty())
+        throw badInput({fault, where, "", "choose another name"});
+    eachText(earlier, "", [&](const std::string&, const std::string& text) { known.insert(text); });
     eachText(json::parse(amended), "", [&](const std::string& place, const std::string& text) {
         const std::string fault = known.contains(text) ? "" : faultOfText(place, text);
         if (!fault.empty()) throw badInput({fault, where, "", "correct the text"});

@@ -212,7 +212,7 @@ const QList<Room>& rooms()
          true},
         {"study/app/participant/",
          "the participant's screen, as the console holds it",
-         {"study/app/language/", "study/app/pieces/", "study/participant/", "protocols/"},
+         {"study/app/language/", "study/app/pieces/", "study/app/state/rating_text.h", "study/participant/", "protocols/"},
          true},
         {"study/app/",
          "the window, and the hands that drive it",

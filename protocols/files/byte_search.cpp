@@ -25,22 +25,23 @@ std::size_t keyOf(const char* bytes)
     return key;
 }
 
-/// Regular files in the folder and its sub-folders; links are not followed. `cannotList`: a folder, and why.
+/// Regular files in the folder and its sub-folders; links are not followed. `cannotRead`: a folder or an entry, and why.
 struct Walk {
     std::function<void(const fs::path&)> file;
-    std::function<void(const fs::path&, const std::error_code&)> cannotList;
+    std::function<void(const fs::path&, const std::error_code&)> cannotRead;
 
     void through(const fs::path& folder) const
     {
         std::error_code problem;
         fs::directory_iterator entries(folder, problem);
         for (const fs::directory_iterator end; !problem && entries != end; entries.increment(problem)) {
-            std::error_code gone;
-            const auto kind = entries->symlink_status(gone).type();
+            std::error_code unknown;  // of a folder that may be listed and not entered
+            const auto kind = entries->symlink_status(unknown).type();
+            if (unknown && unknown != std::errc::no_such_file_or_directory) cannotRead(entries->path(), unknown);
             if (kind == fs::file_type::directory) through(entries->path());
             if (kind == fs::file_type::regular) file(entries->path());
         }
-        if (problem && problem != std::errc::no_such_file_or_directory) cannotList(folder, problem);
+        if (problem && problem != std::errc::no_such_file_or_directory) cannotRead(folder, problem);
     }
 };
 

@@ -51,6 +51,17 @@ std::string printable(std::string_view text)
     return safe;
 }
 
+std::string withoutTurns(std::string_view text)
+{
+    std::string kept;
+    while (!text.empty()) {
+        const std::size_t turns = bytesThatTurn(text);
+        if (turns == 0) kept += text.front();
+        text.remove_prefix(turns == 0 ? 1 : turns);
+    }
+    return kept;
+}
+
 std::string shellWord(std::string_view text)
 {
     const std::string word = printable(text);

@@ -13,6 +13,10 @@ std::string printable(std::string_view text);
 /// The same for a text of several lines: its line ends stay.
 std::string printableLines(std::string_view text);
 
+/// The text without the marks that change its direction (U+202A to U+202E, U+2066 to U+2069). Copied numbers and names often
+/// stand between two of them.
+std::string withoutTurns(std::string_view text);
+
 /// One word of a command line, as a shell needs it: a text of letters, digits and a few signs stays, any other stands in single
 /// quotes. Control characters are written as printable() does.
 std::string shellWord(std::string_view text);

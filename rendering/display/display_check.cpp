@@ -15,6 +15,7 @@ using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
 constexpr int timedImages = 10;
+constexpr milliseconds betweenStamps(37);
 
 /// Image of line ends, braces and all other values: a driver must count these bytes and not read them as lines.
 std::string trickyImage(int widthPx, int heightPx)
@@ -58,6 +59,7 @@ private:
     std::string newerSchema();
     std::string wrongSize();
     std::string touches();
+    std::string clockAdvances();
     std::string endsAtEndOfFile();
     std::string beginsAgain();
     std::string saysNothingElse() { return m_driver.unexpected(); }
@@ -92,6 +94,7 @@ const std::vector<DriverCheck::Demand>& DriverCheck::demands()
         {"answers a hello of a newer schema with its own schema", &DriverCheck::newerSchema},
         {"shows or refuses an image of another size and continues", &DriverCheck::wrongSize},
         {"reports a touch with the id of the image", &DriverCheck::touches},
+        {"stamps its events by a clock that advances as ours does, or leaves at_s out", &DriverCheck::clockAdvances},
         {"sends only messages: one reply to each request, and touches of the shown image", &DriverCheck::saysNothingElse},
         {"stops showing when its input ends", &DriverCheck::endsAtEndOfFile},
         {"works after it is started again", &DriverCheck::beginsAgain},
@@ -281,6 +284,21 @@ std::string DriverCheck::touches()
     if (const auto fault = expect(shown(), MessageKind::Shown); !fault.empty()) return fault;
     m_driver.awaitTouch(steady_clock::now() + m_options.touchWithin);
     return m_driver.isTouched() ? "" : m_driver.withReason("no touch was reported");
+}
+
+/// The events are apart, and at other places within any step of the device's clock.
+std::string DriverCheck::clockAdvances()
+{
+    constexpr int pairs = 3;
+    for (int pair = 0; pair < pairs && m_driver.clock().hasStamps(); ++pair) {
+        std::this_thread::sleep_for(betweenStamps);
+        if (const auto fault = expect(shown(), MessageKind::Shown); !fault.empty()) return fault;
+        std::this_thread::sleep_for(betweenStamps);
+        if (const auto fault = expect(m_driver.ask(clearLine(m_driver.nextId())), MessageKind::Cleared); !fault.empty())
+            return fault;
+        m_driver.showing.reset();
+    }
+    return m_driver.clock().fault();
 }
 
 /// A started program must end. A driver that waits for connections must show nothing to the next one.

@@ -30,10 +30,11 @@ bool DriverDialogue::isOpen()
     m_replies.clear();
     showing.reset();
     m_felt.reset();
+    m_askedAt.clear();
+    m_clock.restart();
     m_link = std::make_unique<DriverLink>(m_address, steady_clock::now() + m_patience.reply);
-    const std::int64_t id = ++m_id;
-    m_open.insert(id);
-    const auto hello = send(helloLine(id)) ? reply(id, m_patience.start) : std::nullopt;
+    open(1);
+    const auto hello = send(helloLine(m_id)) ? reply(m_id, m_patience.start) : std::nullopt;
     if (hello && hello->kind == MessageKind::Hello) {
         m_hello = *hello;
         return true;
@@ -41,6 +42,14 @@ bool DriverDialogue::isOpen()
     m_opening = hello ? "answers hello with " + inWords(hello) : withReason("no hello");
     m_link.reset();
     return false;
+}
+
+void DriverDialogue::open(int requests)
+{
+    for (; requests > 0; --requests) {
+        m_open.insert(++m_id);
+        m_askedAt[m_id] = steady_clock::now();
+    }
 }
 
 std::string DriverDialogue::withReason(const std::string& what)
@@ -52,6 +61,7 @@ std::string DriverDialogue::withReason(const std::string& what)
 void DriverDialogue::take(const std::string& line)
 {
     const auto message = driverMessageFrom(line);
+    if (message) takeStamp(*message);
     std::string unexpected;
     if (!message)
         unexpected = "sent a line that is not a message: " + line.substr(0, 60);
@@ -70,6 +80,14 @@ void DriverDialogue::take(const std::string& line)
         m_replies.push_back(*message);
     }
     if (m_unexpected.empty()) m_unexpected = unexpected;
+}
+
+/// An image was felt after it was asked for, so a touch of it came after that, too.
+void DriverDialogue::takeStamp(const DriverMessage& message)
+{
+    const auto asked = m_askedAt.find(message.id);
+    if (!message.deviceS || asked == m_askedAt.end()) return;
+    m_clock.take({*message.deviceS, steady_clock::now(), asked->second});
 }
 
 std::optional<DriverMessage> DriverDialogue::reply(std::int64_t id, milliseconds patience)
@@ -93,7 +111,7 @@ std::optional<DriverMessage> DriverDialogue::reply(std::int64_t id, milliseconds
 
 std::optional<DriverMessage> DriverDialogue::ask(const std::string& line, std::string_view bytes)
 {
-    m_open.insert(++m_id);
+    open(1);
     if (!send(line) || !send(bytes)) return std::nullopt;
     return reply(m_id, m_patience.reply);
 }

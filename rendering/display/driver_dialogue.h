@@ -2,6 +2,7 @@
 // the first unexpected message.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -24,10 +25,7 @@ public:
     /// Id of the next request.
     std::int64_t nextId() const { return m_id + 1; }
     /// Records the next `requests` requests as open.
-    void open(int requests)
-    {
-        for (; requests > 0; --requests) m_open.insert(++m_id);
-    }
+    void open(int requests);
     bool send(std::string_view bytes) { return m_link->send(bytes, std::chrono::steady_clock::now() + m_patience.reply); }
     std::optional<DriverMessage> reply(std::int64_t id) { return reply(id, m_patience.reply); }
     /// Sends a request and waits for its reply; `line` must have the id nextId().
@@ -39,6 +37,9 @@ public:
     std::optional<std::int64_t> showing;
     bool isTouched() const { return m_isTouched; }
     void awaitTouch(Instant deadline);
+
+    /// The device's clock by all its time stamps so far.
+    const DeviceClockCheck& clock() const { return m_clock; }
 
     /// Ends the driver, so that late replies do not disturb the next request.
     void drop();
@@ -53,13 +54,16 @@ public:
 private:
     std::optional<DriverMessage> reply(std::int64_t id, std::chrono::milliseconds patience);
     void take(const std::string& line);
+    void takeStamp(const DriverMessage& message);
 
     DriverAddress m_address;
     DriverPatience m_patience;
     std::unique_ptr<DriverLink> m_link;
     DriverMessage m_hello;
     std::int64_t m_id = 100;
-    std::set<std::int64_t> m_open;         ///< requests without a reply
+    std::set<std::int64_t> m_open;              ///< requests without a reply
+    std::map<std::int64_t, Instant> m_askedAt;  ///< when the requests of this connection were sent
+    DeviceClockCheck m_clock;
     std::vector<DriverMessage> m_replies;  ///< replies that no request has taken yet
     std::optional<std::int64_t> m_felt;    ///< image of the last reply `shown`, until a reply `cleared`
     bool m_isTouched = false;

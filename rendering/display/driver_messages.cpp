@@ -99,6 +99,11 @@ const char* nameOf(MessageKind kind)
     return "";
 }
 
+bool isReply(MessageKind kind)
+{
+    return kind != MessageKind::Touched && kind != MessageKind::Released && kind != MessageKind::Finger;
+}
+
 std::optional<DriverMessage> driverMessageFrom(std::string_view line)
 {
     // Not in the order of the text: that reader compares each key with all before it, and a driver may send thousands.

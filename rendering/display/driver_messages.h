@@ -29,6 +29,8 @@ struct DriverMessage {
     bool operator==(const DriverMessage&) const = default;
 };
 const char* nameOf(MessageKind kind);
+/// Whether such a message replies to a request; the others tell of the finger.
+bool isReply(MessageKind kind);
 
 /// Returns nullopt where the line is not a message of the protocol.
 std::optional<DriverMessage> driverMessageFrom(std::string_view line);

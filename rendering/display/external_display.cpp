@@ -22,8 +22,6 @@ using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 using std::chrono::steady_clock;
 
-constexpr std::size_t stampsKept = 8;  // Few, so that a drift between the clocks does not accumulate.
-constexpr nanoseconds oldestTouch = std::chrono::seconds(2);
 constexpr milliseconds restBeforeNextTry(250);
 constexpr int linesAtOnce = 1000;  // A driver that floods the connection must not block the window.
 constexpr std::size_t noiseKept = 80;
@@ -97,6 +95,8 @@ void ExternalDisplay::show(const cv::Mat& frictionImage)
     m_showing.reset();
     ask({MessageKind::Shown, line, bytes}, m_patience.tries);
     m_showing = m_lastId;
+    m_showAskedAt = m_askedAt;
+    m_shownAt = steady_clock::now();
 }
 
 void ExternalDisplay::clear()
@@ -147,7 +147,8 @@ ExternalDisplay::StartResult ExternalDisplay::start()
 std::optional<DriverMessage> ExternalDisplay::exchange(const DriverRequest& request, milliseconds patience)
 {
     const std::int64_t id = ++m_lastId;
-    const Instant deadline = steady_clock::now() + patience;
+    m_askedAt = steady_clock::now();
+    const Instant deadline = m_askedAt + patience;
     m_noise.clear();
     bool isWaiting = m_link->send(request.line(id), deadline) && m_link->send(request.bytes, deadline);
     while (isWaiting) {
@@ -167,48 +168,48 @@ std::optional<DriverMessage> ExternalDisplay::exchange(const DriverRequest& requ
 /// Processes a line, whether it was requested or not. Replies to old requests have no effect.
 std::optional<DriverMessage> ExternalDisplay::received(const std::string& line)
 {
+    const Instant readAt = steady_clock::now();
     const auto message = driverMessageFrom(line);
     if (!message) {
         m_noise = printable(line);
         return std::nullopt;
     }
     if (message->kind == MessageKind::Finger) {
-        reportFinger(*message);
+        reportFinger(*message, readAt);
         return message;
     }
-    if (message->deviceS) {
-        const auto device = std::chrono::duration_cast<nanoseconds>(std::chrono::duration<double>(*message->deviceS));
-        m_clockAhead.push_back(steady_clock::now().time_since_epoch() - device);
-        if (m_clockAhead.size() > stampsKept) m_clockAhead.pop_front();
-    }
+    if (message->deviceS) m_clock.take({*message->deviceS, readAt, askedBefore(*message)});
     if (message->kind == MessageKind::Hello) m_hello = *message;
-    if (message->kind == MessageKind::Touched) reportTouch(m_touched, *message);
-    if (message->kind == MessageKind::Released) reportTouch(m_released, *message);
+    if (message->kind == MessageKind::Touched) reportTouch(m_touched, *message, readAt);
+    if (message->kind == MessageKind::Released) reportTouch(m_released, *message, readAt);
     return message;
 }
 
-/// The message with the shortest delay gives the difference between the clocks. The touch is as old as the additional delay
-/// of its own message.
-void ExternalDisplay::reportTouch(const std::function<void(const Touch&)>& report, const DriverMessage& message)
+/// When the request was sent that the event of this message follows from; none where that is not known.
+std::optional<Instant> ExternalDisplay::askedBefore(const DriverMessage& message) const
+{
+    if (isReply(message.kind)) return message.id == m_lastId ? std::optional(m_askedAt) : std::nullopt;
+    return message.id == m_showing ? std::optional(m_showAskedAt) : std::nullopt;
+}
+
+/// A finger feels an image from the moment when the display has shown it, and not before.
+nanoseconds ExternalDisplay::ageOf(const DriverMessage& message, Instant readAt) const
+{
+    if (!message.deviceS) return {};
+    return std::min(m_clock.ageOf({*message.deviceS, readAt, askedBefore(message)}), nanoseconds(readAt - m_shownAt));
+}
+
+void ExternalDisplay::reportTouch(const std::function<void(const Touch&)>& report, const DriverMessage& message, Instant readAt)
 {
     if (!m_showing || message.id != *m_showing || !report) return;
-    Touch touch;
-    if (message.deviceS)
-        touch.ago = std::min(m_clockAhead.back() - *std::min_element(m_clockAhead.begin(), m_clockAhead.end()), oldestTouch);
-    report(touch);
+    report({ageOf(message, readAt)});
 }
 
 /// Samples come many at once after a busy moment, so they use the difference between the clocks and do not change it.
-void ExternalDisplay::reportFinger(const DriverMessage& sample) const
+void ExternalDisplay::reportFinger(const DriverMessage& sample, Instant readAt) const
 {
     if (!m_showing || sample.id != *m_showing || !m_finger) return;
-    FingerReport report{nanoseconds(0), sample.xMm, sample.yMm, sample.forceN};
-    if (sample.deviceS && !m_clockAhead.empty()) {
-        const auto device = std::chrono::duration_cast<nanoseconds>(std::chrono::duration<double>(*sample.deviceS));
-        const nanoseconds ahead = steady_clock::now().time_since_epoch() - device;
-        report.ago = std::clamp(ahead - *std::min_element(m_clockAhead.begin(), m_clockAhead.end()), nanoseconds(0), oldestTouch);
-    }
-    m_finger(report);
+    m_finger({ageOf(sample, readAt), sample.xMm, sample.yMm, sample.forceN});
 }
 
 void ExternalDisplay::processMessages()
@@ -238,7 +239,7 @@ void ExternalDisplay::lose(const std::string& why)
 {
     m_trouble = why;
     m_showing.reset();
-    m_clockAhead.clear();
+    m_clock = {};
     m_link.reset();
 }
 

@@ -2,12 +2,12 @@
 // is started (or connected to) again, a fixed number of times. Then the fault is thrown.
 #pragma once
 
-#include <deque>
 #include <optional>
 #include <stop_token>
 #include <string>
 
 #include "protocols/files/errors.h"
+#include "rendering/display/device_clock.h"
 #include "rendering/display/display.h"
 #include "rendering/display/driver_link.h"
 #include "rendering/display/driver_messages.h"
@@ -52,8 +52,10 @@ private:
     StartResult start();
     std::optional<DriverMessage> exchange(const DriverRequest& request, std::chrono::milliseconds patience);
     std::optional<DriverMessage> received(const std::string& line);
-    void reportTouch(const std::function<void(const Touch&)>& report, const DriverMessage& touch);
-    void reportFinger(const DriverMessage& sample) const;
+    std::optional<Instant> askedBefore(const DriverMessage& message) const;
+    std::chrono::nanoseconds ageOf(const DriverMessage& message, Instant readAt) const;
+    void reportTouch(const std::function<void(const Touch&)>& report, const DriverMessage& touch, Instant readAt);
+    void reportFinger(const DriverMessage& sample, Instant readAt) const;
     void lose(const std::string& why);
     void wakeIfLinesWait();
     protocols::Fault fault(const std::string& what) const;
@@ -65,10 +67,12 @@ private:
     DriverMessage m_hello;
     std::int64_t m_lastId = 0;
     std::optional<std::int64_t> m_showing;
-    bool m_isGivenUp = false;                           ///< the last request failed after all its tries
-    bool m_isTimedOut = false;                          ///< the last exchange failed by its deadline; the driver did not end
-    std::string m_trouble, m_noise;                     ///< reason of the last loss; the last line that was not a message
-    std::deque<std::chrono::nanoseconds> m_clockAhead;  ///< our clock minus the device's for the last time stamps
+    bool m_isGivenUp = false;          ///< the last request failed after all its tries
+    bool m_isTimedOut = false;         ///< the last exchange failed by its deadline; the driver did not end
+    std::string m_trouble, m_noise;    ///< reason of the last loss; the last line that was not a message
+    DeviceClock m_clock;               ///< by the time stamps of this driver
+    Instant m_askedAt, m_showAskedAt;  ///< when the last request was sent, and that of the shown image
+    Instant m_shownAt;                 ///< when the reply `shown` of the shown image was read
     std::function<void(const Touch&)> m_touched, m_released;
     std::function<void(const FingerReport&)> m_finger;
 };

@@ -14,8 +14,8 @@ namespace rendering {
 /// decoded. Texts, colour profiles and other descriptions are skipped.
 cv::Mat readPng(const std::filesystem::path& file);
 
-/// True where readPng() of a file with these bytes exchanges width and height, because the mark of a camera lays the picture on
-/// its side (orientation 5 to 8). Decodes nothing.
+/// True where readPng() of a file with these bytes exchanges width and height. Then the mark of a camera lays the picture on its
+/// side (orientation 5 to 8). Decodes nothing.
 bool pngLiesOnItsSide(std::string_view png);
 
 /// Writes 8 or 16 bits, grey or RGB, as a whole file. Throws environmentFault.

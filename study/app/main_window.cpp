@@ -406,6 +406,7 @@ void MainWindow::openStudy(const std::filesystem::path& place)
     m_study = std::move(opened);
     const auto whole = std::filesystem::absolute(folder).lexically_normal();
     rememberStudy(m_options.settings.get(), QString::fromStdString(whole.string()));
+    tellParticipant();
     showStudy();
 }
 
@@ -527,7 +528,7 @@ void MainWindow::refreshSession()
     // participant, can come at any time, so it must not close a panel that the operator is using.
     const auto& outcome = m_session->lastOutcome();
     const bool isByDisplay = outcome->cause == Cause::DisplayFault;
-    const bool isByOperator = !m_participantRoom->isTaking() && !isByDisplay && session::isEnteredByOperator(outcome->event);
+    const bool isByOperator = outcome->cause == Cause::Usual && session::isEnteredByOperator(outcome->event);
     const bool isAccepted = !outcome->refusal && !outcome->fault;
     const bool hasMovedOn = m_pages->session->shownView().state != m_session->view().state;
     if (isByOperator && (isAccepted || hasMovedOn)) m_pages->session->closePanelAndMessage();

@@ -24,17 +24,16 @@ ParticipantRoom::ParticipantRoom(QObject* parent)
 {
 }
 
-void ParticipantRoom::begin(const SessionController& session)
-{
-    m_side->setWords(session.plan().protocol);
-    m_told = session.view();
-}
+void ParticipantRoom::begin(const SessionController& session) { m_told = session.view(); }
 
 void ParticipantRoom::tell(OpenStudy* study, const SessionController* session)
 {
-    m_sound->setPrompts(study ? promptsOf(*study, session ? session->plan().protocol : study->protocol()) : SaidPrompts{});
-    if (!session) return m_side->show(participant::waiting(study ? study->protocol() : protocols::Protocol{}));
-    m_side->show(participant::instructionFor(session->view(), session->plan().protocol));
+    const protocols::Protocol none;
+    const protocols::Protocol& followed = session ? session->plan().protocol : study ? study->protocol() : none;
+    m_side->setWords(followed);
+    m_sound->setPrompts(study ? promptsOf(*study, followed) : SaidPrompts{});
+    if (!session) return m_side->show(participant::waiting(followed));
+    m_side->show(participant::instructionFor(session->view(), followed));
     m_sound->say(participant::promptsBetween(m_told, session->view()));
     m_told = session->view();
 }
@@ -45,9 +44,7 @@ bool ParticipantRoom::take(const participant::ParticipantAct& act, SessionContro
     if (!event) return false;
     const auto shown = [&] { return std::pair(session.view().state.stage.index(), session.view().placeToName.has_value()); };
     const auto before = shown();
-    m_isTaking = true;
-    session.send(*event);
-    m_isTaking = false;
+    session.sendOfParticipant(*event);
     return shown() != before;
 }
 

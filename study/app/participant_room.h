@@ -21,20 +21,18 @@ public:
     ParticipantSide& side() const { return *m_side; }
     ParticipantSound& sound() const { return *m_sound; }
 
-    /// A session begins or continues: its words, and no prompts for what happened before.
+    /// A session begins or continues: no prompts for what happened before.
     void begin(const SessionController& session);
-    /// Tells the participant what belongs to this moment. Both may be null.
+    /// Tells the participant what belongs to this moment, in the words and with the prompts of the session, else of the study.
+    /// Both may be null.
     void tell(OpenStudy* study, const SessionController* session);
     /// Sends the act to the session. True if the session shows something else to the operator now.
     bool take(const participant::ParticipantAct& act, SessionController& session);
-    /// Whether an act of the participant is being sent.
-    bool isTaking() const { return m_isTaking; }
 
 private:
     ParticipantSide* m_side;
     ParticipantSound* m_sound;
     session::View m_told;  ///< the moment of the session that the participant was told about last
-    bool m_isTaking = false;
 };
 
 }  // namespace study::app

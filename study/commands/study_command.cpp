@@ -31,6 +31,7 @@
 #include "study/commands/server/server_work.h"
 #include "study/making/new_study.h"
 #include "study/making/study_sheets.h"
+#include "study/participant/session/prompts.h"
 #include "study/records/display_response_record.h"
 #include "study/records/registered_plan.h"
 #include "study/records/running_orders_csv.h"
@@ -152,12 +153,13 @@ int amend(const Amendment& call)
                                    file.string(), "changes of texts, times, breaks, bounds, contrasts, checklist or facts only",
                                    "make a new study; `vis2hap study amend " + protocols::shellWord(call.study) +
                                        " --undo` restores the stored protocol"});
-    const std::string note = records::noteOnPlan(store, amended);
+    std::vector<std::string> notes = participant::notesOnRecordings(before, amended);
+    if (const std::string note = records::noteOnPlan(store, amended); !note.empty()) notes.insert(notes.begin(), note);
     store.takeProtocol(text, call.who, call.why);
     if (text != written) protocols::writeWholeFile(file, text);  // the kept text and the file agree
     std::printf("%s: now version %d; participants who have started keep their version\n",
                 protocols::printable(file.string()).c_str(), kept.version + 1);
-    if (!note.empty()) std::printf("note: %s\n", protocols::printable(note).c_str());
+    for (const std::string& note : notes) std::printf("note: %s\n", protocols::printable(note).c_str());
     return 0;
 }
 

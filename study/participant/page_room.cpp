@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "protocols/files/sha256.h"
 #include "protocols/files/strict_json.h"
 #include "protocols/usual_texts.h"
 
@@ -48,6 +49,16 @@ PageRoom::PageRoom(std::string host, PageFiles files, PageAccess access)
     : m_host(std::move(host)), m_files(std::move(files)), m_access(std::move(access)), m_texts{"en", {}}
 {
     m_texts.texts.insert(protocols::usualParticipantTexts().begin(), protocols::usualParticipantTexts().end());
+    nameWords();
+}
+
+void PageRoom::nameWords()
+{
+    constexpr std::size_t letters = 16;
+    m_wordsName = protocols::sha256(textOf({m_texts.language, m_texts.texts})).substr(0, letters);
+    // Letters only: no reader of the page should take digits for the code of a piece.
+    for (char& letter : m_wordsName)
+        if (letter <= '9') letter = static_cast<char>('g' + (letter - '0'));
 }
 
 void PageRoom::take(const LineToPage& line, std::int64_t nowNs)
@@ -57,6 +68,7 @@ void PageRoom::take(const LineToPage& line, std::int64_t nowNs)
                                      [this](const PageTexts& texts) {
                                          m_texts.language = texts.language;
                                          for (const auto& [key, text] : texts.texts) m_texts.texts[key] = text;
+                                         nameWords();
                                      },
                                      [&](const NumberedInstruction& present) {
                                          m_present = present;
@@ -115,14 +127,14 @@ PageReply PageRoom::refusal(int status, std::string_view key, std::chrono::secon
     std::string text = found == m_texts.texts.end() ? std::string(key) : found->second;
     const std::string seconds = std::to_string(wait.count());
     if (const auto at = text.find("{seconds}"); at != std::string::npos) text.replace(at, 9, seconds);
-    PageReply reply = plain(status, jsonType, textOf({{"why", text}}));
+    PageReply reply = plain(status, jsonType, textOf({{"why", text}, {"words", m_wordsName}}));
     if (wait.count() > 0) reply.headers.emplace_back("Retry-After", seconds);
     return reply;
 }
 
 PageReply PageRoom::words() const
 {
-    return plain(200, jsonType, textOf({{"language", m_texts.language}, {"texts", m_texts.texts}}));
+    return plain(200, jsonType, textOf({{"name", m_wordsName}, {"language", m_texts.language}, {"texts", m_texts.texts}}));
 }
 
 PageReply PageRoom::enter(const PageRequest& request, std::int64_t nowNs)
@@ -161,7 +173,7 @@ PageReply PageRoom::present(std::int64_t nowNs) const
 {
     Instruction instruction = m_present.instruction;
     if (instruction.breakSeconds) *instruction.breakSeconds += static_cast<int>((nowNs - m_presentSinceNs) / 1'000'000'000);
-    Json json{{"number", m_present.number}};
+    Json json{{"number", m_present.number}, {"words", m_wordsName}};
     json["instruction"] = Json::parse(jsonOf(instruction));
     return plain(200, jsonType, textOf(json));
 }

@@ -53,6 +53,7 @@ private:
     PageReply present(std::int64_t nowNs) const;
     PageReply act(const PageRequest& request) const;
     PageReply words() const;
+    void nameWords();
     PageReply routed(const PageRequest& request, std::int64_t nowNs);
     bool isIn(const PageRequest& request) const;
     PageReply refusal(int status, std::string_view key, std::chrono::seconds wait = {}) const;
@@ -61,6 +62,7 @@ private:
     PageFiles m_files;
     PageAccess m_access;
     PageTexts m_texts;
+    std::string m_wordsName;  ///< other words have another one, also after a restart of the program
     NumberedInstruction m_present;
     std::int64_t m_presentSinceNs = 0;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "protocols/files/safe_text.h"
 #include "protocols/files/strict_json.h"
@@ -35,9 +36,9 @@ FactsTold factsOf(const json& list, const std::string& where)
     for (const json& fact : list) {
         if (!fact.is_string() || fact.get_ref<const std::string&>().size() > longestFact)
             throw refusedAct("a fact is no text of at most 1000 bytes", where);
-        const std::string& text = fact.get_ref<const std::string&>();
+        std::string text = protocols::withoutTurns(fact.get_ref<const std::string&>());
         if (protocols::printable(text) != text) throw refusedAct("a fact has control characters", where);
-        told.answers.push_back(text);
+        told.answers.push_back(std::move(text));
     }
     return told;
 }

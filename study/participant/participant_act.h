@@ -38,7 +38,8 @@ struct ParticipantAct {
 /// {"number": 7, "agrees": true}, {"number": 7, "facts": ["31", ""]} or {"number": 7, "tapped": 32}.
 std::string jsonOf(const ParticipantAct& act);
 
-/// Throws badInput for anything else, for text with control characters, and for more or longer facts than the limits above.
+/// Throws badInput for anything else, for text with control characters, and for more or longer facts than the limits above. Marks
+/// that change the direction of a fact's text are left out.
 ParticipantAct actFromJson(std::string_view json, const std::string& where);
 
 /// Whether the instruction asks for this act: consent, as many facts as questions, a place on the scale.

@@ -1,5 +1,6 @@
 #include "study/session/finger_recording.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -15,12 +16,12 @@ void FingerRecording::add(const protocols::FingerSample& sample)
         if (*value && !std::isfinite(**value)) value->reset();
         isEmpty = isEmpty && !*value;
     }
-    const bool isTooClose = m_lastNs && finite.atNs < *m_lastNs + leastGapNs;
+    const bool isTooClose = m_dueNs && finite.atNs < *m_dueNs - leastGapNs / 2;
     if (isEmpty || isTooClose || m_kept >= mostSamples) {
         if (m_leftOut < std::numeric_limits<int>::max()) ++m_leftOut;
         return;
     }
-    m_lastNs = finite.atNs;
+    m_dueNs = std::max(m_dueNs.value_or(finite.atNs), finite.atNs) + leastGapNs;
     ++m_kept;
     m_samples.push_back(finite);
 }

@@ -9,7 +9,8 @@ namespace study::session {
 
 class FingerRecording {
 public:
-    /// Samples closer to the one before are left out, ns; 200 a second remain.
+    /// Mean time between kept samples at the highest rate, ns: 200 a second remain. One sample may come up to half of it early,
+    /// so that a source of that rate loses none to its own jitter.
     static constexpr std::int64_t leastGapNs = 5'000'000;
     /// Samples of one presentation; 2 minutes at the highest rate.
     static constexpr int mostSamples = 24'000;
@@ -24,9 +25,9 @@ public:
 
 private:
     std::vector<protocols::FingerSample> m_samples;
-    std::optional<std::int64_t> m_lastNs;
-    int m_kept = 0;     ///< of this presentation
-    int m_leftOut = 0;  ///< since the last call of markStored()
+    std::optional<std::int64_t> m_dueNs;  ///< when the next sample is due at the highest rate
+    int m_kept = 0;                       ///< of this presentation
+    int m_leftOut = 0;                    ///< since the last call of markStored()
 };
 
 }  // namespace study::session

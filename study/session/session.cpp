@@ -30,9 +30,11 @@
 // (a)   = voids the presentation that was just completed (or the interrupted one, if it has answers already) and stays in the
 //         stage (from Debriefing: PlacingTray); the next tray may then be another one.
 // b     = not within the dead time after the tray was asked for, so that a key that bounces arms no presentation.
-// Not drawn, because every stage takes them: SittingStarted (Presenting i -> PlacingTray i; a pause remains), Noted,
-// WithdrawnEvent -> Withdrawn (only once), Corrected (not after the end, and only if there is an answer to correct; the log
-// of an older version may hold one in Finished).
+// Not drawn, because every stage takes them:
+// SittingStarted: Presenting i -> PlacingTray i; OnBreak at a sitting's end -> OnBreak between blocks or phases; a pause remains.
+// Noted: the stage remains.
+// WithdrawnEvent: -> Withdrawn, only once.
+// Corrected: not after the end, and only if there is an answer to correct. An older version's log may hold one in Finished.
 //
 // True in every state: `order` holds each trial once and once more for each void, the trials of a phase together, blocks
 // ascending. Presenting and PlacingTray concern trial order[position]. `answers` holds at most one answer to a question of a
@@ -223,11 +225,20 @@ Outcome resume(const Plan& plan, const State& state, std::int64_t atNs)
     return step;
 }
 
+/// A new sitting is not over yet: a break that ended the sitting before becomes one between blocks or phases.
+void renewBreak(const Plan& plan, State& state)
+{
+    auto* onBreak = std::get_if<OnBreak>(&state.stage);
+    if (!onBreak || onBreak->reason != BreakReason::SittingOver) return;
+    onBreak->reason = phaseBeginsAt(plan, state, state.position) ? BreakReason::Phase : BreakReason::Block;
+}
+
 /// The clock may start again at any value, so all times that are measured from stamps begin anew.
-Outcome startSitting(const State& state, const SittingStarted& started, std::int64_t atNs)
+Outcome startSitting(const Plan& plan, const State& state, const SittingStarted& started, std::int64_t atNs)
 {
     SessionStep step{state, {ClearDisplay{}}};
     interrupt(step.next);
+    renewBreak(plan, step.next);
     ++step.next.sitting;
     step.next.sittingBeganAtNs = step.next.restedAtNs = step.next.trayAskedAtNs = step.next.breakBeganAtNs = atNs;
     step.next.preparedAtNs = atNs;
@@ -278,7 +289,7 @@ State withOrder(const Plan& plan, State state)
 Outcome applyTo(const Plan& plan, const State& state, const Event& event)
 {
     // Every stage takes these events, paused or not.
-    if (const auto* started = std::get_if<SittingStarted>(&event.body)) return startSitting(state, *started, event.atNs);
+    if (const auto* started = std::get_if<SittingStarted>(&event.body)) return startSitting(plan, state, *started, event.atNs);
     if (std::holds_alternative<Resumed>(event.body)) return resume(plan, state, event.atNs);
     if (const auto* withdrawn = std::get_if<WithdrawnEvent>(&event.body)) return withdraw(state, *withdrawn);
     if (const auto* corrected = std::get_if<Corrected>(&event.body)) return correct(plan, state, *corrected, event.source);

@@ -24,7 +24,7 @@ std::optional<BreakReason> breakDueBefore(const Plan& plan, const State& state, 
 {
     const bool sittingIsLong = atNs - state.sittingBeganAtNs >= plan.protocol.sittingMinutes * minuteNs;
     if (sittingIsLong && !state.sittingOverTold) return BreakReason::SittingOver;
-    if (phaseIndexAt(plan, state, position - 1) != phaseIndexAt(plan, state, position)) return BreakReason::Phase;
+    if (phaseBeginsAt(plan, state, position)) return BreakReason::Phase;
     if (blockEndsBefore(state, position)) return BreakReason::Block;
     if (plan.protocol.breakAfterMinutes && atNs - state.restedAtNs >= *plan.protocol.breakAfterMinutes * minuteNs)
         return BreakReason::Time;
@@ -104,9 +104,11 @@ int attemptSoFar(const State& state, int index)
                                           [&](const PlaceInOrder& place) { return place.index == index; }));
 }
 
-std::optional<Presented> presentationMeant(const State& state)
+std::optional<PresentationMeant> presentationMeant(const State& state)
 {
-    const auto presentedAt = [&](int position) { return Presented{placeAt(state, position).index, attemptAt(state, position)}; };
+    const auto presentedAt = [&](int position) {
+        return PresentationMeant{placeAt(state, position).index, attemptAt(state, position)};
+    };
     if (state.order.empty()) return std::nullopt;
     const bool isOver = state.position == static_cast<int>(state.order.size());
     const bool hasBegun = !isOver && (std::holds_alternative<Presenting>(state.stage) ||
@@ -114,6 +116,12 @@ std::optional<Presented> presentationMeant(const State& state)
     if (hasBegun) return presentedAt(state.position);
     if (state.position == 0) return std::nullopt;
     return presentedAt(state.position - 1);
+}
+
+bool phaseBeginsAt(const Plan& plan, const State& state, int position)
+{
+    if (position <= 0 || position >= static_cast<int>(state.order.size())) return false;
+    return phaseIndexAt(plan, state, position - 1) != phaseIndexAt(plan, state, position);
 }
 
 bool blockEndsBefore(const State& state, int position)

@@ -36,13 +36,17 @@ int attemptAt(const State& state, int position);
 int attemptSoFar(const State& state, int index);
 
 /// A presentation by its trial (place in the list) and its attempt (from 1).
-struct Presented {
+struct PresentationMeant {
     int index = 0;
     int attempt = 1;
 };
 
 /// The presentation that a remark concerns now: the present one, or the last one, also where that was voided.
-std::optional<Presented> presentationMeant(const State& state);
+std::optional<PresentationMeant> presentationMeant(const State& state);
+
+/// Whether order[position] asks the questions of another phase than order[position - 1]. The first presentation of all does not
+/// count.
+bool phaseBeginsAt(const Plan& plan, const State& state, int position);
 
 /// Whether order[position - 1] ends a block or phase.
 bool blockEndsBefore(const State& state, int position);

@@ -42,6 +42,13 @@ void addTrial(View& view, const Plan& plan, const State& state, int index, int q
     view.question = questionOf(plan, index, question);
 }
 
+/// Whether the operator still has other questions to explain before the presentation at hand or next.
+bool beginsPhase(const Plan& plan, const State& state)
+{
+    return phaseBeginsAt(plan, state, state.position) &&
+           answersTo(state, state.order[static_cast<std::size_t>(state.position)].index) == 0;
+}
+
 /// Instruction of the presentation at hand or next.
 void addInstruction(View& view, const Plan& plan, const State& state)
 {
@@ -139,6 +146,7 @@ View viewOf(const Plan& plan, const State& state, const protocols::ParticipantId
     const int remaining = std::holds_alternative<Withdrawn>(state.stage) ? 0 : count - state.position;
     if (state.position < count)
         view.phaseName = nameOfPhase(phaseOf(plan, state.order[static_cast<std::size_t>(state.position)].index));
+    view.phaseBegins = beginsPhase(plan, state);
     if (const auto* tray = std::get_if<PlacingTray>(&state.stage))
         addTrial(view, plan, state, tray->index, answersTo(state, tray->index));
     if (const auto* presenting = std::get_if<Presenting>(&state.stage)) {

@@ -20,6 +20,7 @@ struct View {
     std::vector<std::string> nextTray;            ///< while a presentation runs: the pieces of the next one; empty at the end
     std::optional<protocols::Question> question;  ///< the one now asked, or asked next in PlacingTray
     std::optional<protocols::BlockInstruction> instruction;  ///< of the present presentation; in a break, of the next
+    bool phaseBegins = false;                 ///< the next presentation is the first of a later phase, and has no answer yet
     bool instructionBegins = false;           ///< the operator says it now: a block or a stretch after a break begins
     int presentation = 0, presentations = 0;  ///< progress, from 1; a voided presentation adds to the total
     int answersStored = 0, answersInAll = 0;

@@ -387,6 +387,21 @@ private Q_SLOTS:
         if (!fault.isEmpty()) QVERIFY_EXCEPTION_THROWN(requireGoodNewTexts(json, ratingsOf({"Q1"}), "study.json"), Error);
     }
 
+    /// The comment took the place of what the participant had given.
+    void noFactHasTheNameOfTheCommentAtTheEnd()
+    {
+        std::string before = ratingsOf({"Q1"});
+        before.insert(1, R"("facts": ["age"], )");
+        QCOMPARE(faultsIn(before), QStringList());
+        std::string json = before;
+        json.replace(json.find("\"age\""), 5, R"("age", "debriefing")");
+        QCOMPARE(faultsIn(json),
+                 QStringList{"facts: the comment at the end is stored under the name \"debriefing\", expected another name"});
+        QVERIFY(!keptProtocolFromJson(json, "a study", "1.0.0").name.empty());
+        requireGoodNewTexts(json, json, "study.json");
+        QVERIFY_EXCEPTION_THROWN(requireGoodNewTexts(json, before, "study.json"), Error);
+    }
+
     void aTextThatNobodyReadsMayHoldAnything()
     {
         std::string json = ratingsOf({"Q1"});

@@ -1,7 +1,10 @@
 // Display driver with one fault, named on the command line, for tests of the conformance check and of sessions:
-//   broken_display FAULT
+//   broken_display FAULT [CLOCK]
+// With a clock it stamps its events: "fine", or a name of one that tells no time.
 #include <unistd.h>
 
+#include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -14,7 +17,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::string fault;
+std::string fault, deviceClock;
 Json showing;
 int images = 0;
 
@@ -22,9 +25,27 @@ bool is(const char* name) { return fault == name; }
 
 void writeLine(const std::string& line) { std::cout << line << std::endl; }
 
+/// The time of the device's clock, s.
+double deviceS()
+{
+    static int reads = 0;
+    static const double beganS = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    const double runS =
+        std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count() - beganS + 0.0123;
+    constexpr double unixS = 1.79e9;
+    ++reads;
+    if (deviceClock == "six digits") return std::round((unixS + runS) / 1e4) * 1e4;
+    if (deviceClock == "32 bits") return double(float(unixS + runS));
+    if (deviceClock == "whole seconds") return std::floor(4321.8 + runS);
+    if (deviceClock == "stands still") return 12.0317;
+    if (deviceClock == "steps back") return 4321 + runS - (reads > 2 ? 1.5 : 0);
+    return 4321 + runS;
+}
+
 void reply(const char* type, const Json& id, Json more = Json::object())
 {
     more["type"] = type;
+    if (!deviceClock.empty() && std::string(type) != "hello" && !more.contains("at_s")) more["at_s"] = deviceS();
     more["id"] = id;
     writeLine(more.dump());
     if (is("answers twice")) writeLine(more.dump());
@@ -60,6 +81,8 @@ void hello(const Json& request)
 void show(const Json& request)
 {
     ++images;
+    const double receivedS = is("touched early") ? deviceS() : 0;
+    if (is("touched early")) ::usleep(150000);
     if (!is("reads images as lines")) {
         std::string image(request["bytes"].get<std::size_t>(), '\0');
         std::cin.read(image.data(), static_cast<std::streamsize>(image.size()));
@@ -102,6 +125,11 @@ void show(const Json& request)
         std::cout << R"({"type":"finger","id":)" << showing << R"(,"at_s":)" << sample * 1e-5 << R"(,"x_mm":1,"y_mm":2})"
                   << "\n";
     if (is("touched elsewhere")) reply("touched", 999999);
+    if (is("touched early")) reply("touched", showing, {{"at_s", receivedS + 0.01}});
+    if (is("touched late")) {
+        ::usleep(400000);
+        reply("touched", showing);
+    }
     if (is("dies after an image")) {
         ::usleep(20000);
         std::raise(SIGKILL);
@@ -129,6 +157,7 @@ void answer(const Json& request)
 int main(int argc, char** argv)
 {
     fault = argc > 1 ? argv[1] : "";
+    deviceClock = argc > 2 ? argv[2] : "";
     for (std::string line; std::getline(std::cin, line);) answer(Json::parse(line, nullptr, false));
     if (is("continues without input")) hang();
     return 0;

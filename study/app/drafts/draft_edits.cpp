@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <set>
 
 #include "protocols/condition.h"
+#include "protocols/protocol.h"
 
 namespace study::app {
 
@@ -86,6 +86,28 @@ bool standsBefore(const std::string& id, const Json& other)
 {
     if (!other.is_string() || protocols::faultOf(other.get<std::string>())) return true;
     return protocols::comesBefore(protocols::conditionIdFrom(id), protocols::conditionIdFrom(other.get<std::string>()));
+}
+
+/// Whether a question of the phase asks for a place on a scale.
+bool isRated(const ProtocolDraft& draft, std::size_t phase)
+{
+    const PhaseKind kind = phaseKindOf(draft, phase);
+    return draft.has(phasePlace(phase, "scale")) && (kind == PhaseKind::Numbers || kind == PhaseKind::Words);
+}
+
+/// The scale's ends as the program reads them: those of the usual scale where the draft has none.
+protocols::RatingScale endsOf(const ProtocolDraft& draft, std::size_t phase)
+{
+    protocols::RatingScale scale;
+    const auto take = [&](const char* key, protocols::Tenths& end) {
+        const Json& typed = draft.at(phasePlace(phase, key));
+        constexpr double farthest = 1e5;  // A number beyond it is a fault of its own.
+        if (typed.is_number() && std::abs(typed.get<double>()) <= farthest)
+            end.value = static_cast<int>(std::lround(10 * typed.get<double>()));
+    };
+    take("scale.min", scale.min);
+    take("scale.max", scale.max);
+    return scale;
 }
 
 std::string usualSpelling(const std::string& id) { return protocols::faultOf(id) ? id : protocols::conditionIdFrom(id).value; }
@@ -323,15 +345,10 @@ void setContrasts(ProtocolDraft& draft, const std::vector<DraftContrast>& contra
 
 double usualBoundOf(const ProtocolDraft& draft)
 {
-    std::optional<double> shortest;
-    for (std::size_t phase = 0; phase < draft.countAt("phases"); ++phase) {
-        const Json &low = draft.at(phasePlace(phase, "scale.min")), &high = draft.at(phasePlace(phase, "scale.max"));
-        if (!low.is_number() || !high.is_number()) continue;
-        const double tenths = std::round(10 * (high.get<double>() - low.get<double>()));
-        if (tenths > 0) shortest = std::min(shortest.value_or(tenths), tenths);
-    }
-    constexpr double tenthsOfPaper = 100;
-    return shortest.value_or(tenthsOfPaper) / 10 / 20;
+    std::vector<protocols::Phase> ratings;
+    for (std::size_t phase = 0; phase < draft.countAt("phases"); ++phase)
+        if (isRated(draft, phase)) ratings.emplace_back().questions.push_back({{}, {}, protocols::Rating{endsOf(draft, phase)}});
+    return protocols::usualBoundsOf(ratings).second;
 }
 
 }  // namespace study::app

@@ -75,6 +75,7 @@ constexpr const char* table[] = {
     QT_TRANSLATE_NOOP("study::app::Below", "a connected screen during the whole session"),
     QT_TRANSLATE_NOOP("study::app::Below", "connect the screen, press Q to stop, and open the session again"),
     QT_TRANSLATE_NOOP("study::app::Below", "the display refuses: %1"),
+    QT_TRANSLATE_NOOP("study::app::Below", "this display takes tickets only"),
     QT_TRANSLATE_NOOP("study::app::Below", "while an image was felt, the display's driver %1"),
     QT_TRANSLATE_NOOP("study::app::Below", "the display's driver %1"),
     QT_TRANSLATE_NOOP("study::app::Below", "the device's driver %1"),

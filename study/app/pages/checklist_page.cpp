@@ -70,12 +70,14 @@ void ChecklistPage::begin(const SessionFacts& facts)
     m_boxes.clear();
     for (const QString& line : facts.checklist) m_rows->addWidget(rowFor(line));
     const bool isThere = !facts.displayName.isEmpty();
-    showText(*m_patternsCaption, !isThere ? QString()
-                                 : facts.mmPerPixel
-                                     ? tr("Feel the test pattern:")
-                                     : tr("Feel the test pattern. Gratings need the width of a pixel from the display page."));
-    m_patterns->setVisible(isThere);
-    m_patterns->setUsable(isThere, facts.mmPerPixel);
+    const bool playsPatterns = isThere && !facts.displayTakesTickets;
+    showText(*m_patternsCaption,
+             !isThere           ? QString()
+             : !playsPatterns   ? tr("This display takes its images from the server only, so it plays no test patterns.")
+             : facts.mmPerPixel ? tr("Feel the test pattern:")
+                                : tr("Feel the test pattern. Gratings need the width of a pixel from the display page."));
+    m_patterns->setVisible(playsPatterns);
+    m_patterns->setUsable(playsPatterns, facts.mmPerPixel);
     m_patterns->setShown(std::nullopt);
     m_readings->setCaptions(facts.readings);
     m_isAskedAgain = false;

@@ -52,7 +52,9 @@ QLayout* ScaleTrainingPage::anchors()
 {
     auto* row = new QHBoxLayout;
     row->setContentsMargins(0, 0, 0, 0);
-    m_highAnchor->setAlignment(Qt::AlignRight);
+    m_anchors->setLayoutDirection(Qt::LeftToRight);  // each end below its end of the line, in every language
+    m_lowAnchor->setAlignment(Qt::AlignLeft | Qt::AlignVCenter | Qt::AlignAbsolute);
+    m_highAnchor->setAlignment(Qt::AlignRight | Qt::AlignAbsolute);
     row->addWidget(m_lowAnchor, 1);
     row->addSpacing(40);
     row->addWidget(m_highAnchor, 1);

@@ -6,7 +6,9 @@
 #include <QShortcut>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
+#include "study/app/language/app_text.h"
 #include "study/app/pages/checklist_page.h"
 #include "study/app/pages/correction_panel.h"
 #include "study/app/pages/guide_page.h"
@@ -21,6 +23,12 @@
 namespace study::app {
 
 using namespace session;
+
+namespace {
+
+QString refusedConsent() { return SessionPage::tr("The participant does not agree. Speak with them. W ends the session."); }
+
+}  // namespace
 
 SessionPage::SessionPage(QWidget* parent)
     : QWidget(parent),
@@ -39,7 +47,7 @@ SessionPage::SessionPage(QWidget* parent)
     column->addWidget(m_stages, 1);
     column->addWidget(m_guard);
     column->addWidget(m_footer);
-    connect(m_stages, &StageStack::eventRequested, this, &SessionPage::eventRequested);
+    connect(m_stages, &StageStack::eventRequested, this, &SessionPage::request);
     connect(m_stages, &StageStack::answerMarked, this, &SessionPage::answerMarked);
     connect(m_stages, &StageStack::patternRequested, this, &SessionPage::patternRequested);
     connect(m_stages, &StageStack::hinted, this, [this](const QString& text) {
@@ -153,6 +161,7 @@ QString SessionPage::codeMeant() const
 
 void SessionPage::begin(const SessionFacts& facts)
 {
+    m_hasDisagreed = m_isConsentAsked = false;
     closePanel();
     m_facts = facts;
     m_view = {};
@@ -174,6 +183,10 @@ bool SessionPage::offersPreparation() const
 void SessionPage::present(const View& view, bool canCorrect)
 {
     m_view = view;
+    if (m_hasDisagreed && !std::holds_alternative<Consenting>(view.state.stage)) {
+        m_hasDisagreed = false;
+        m_message->clearMessage();
+    }
     m_header->present(view);
     m_footer->present(view, canCorrect);
     m_stages->guide().offerPreparation(offersPreparation());
@@ -226,7 +239,8 @@ void SessionPage::openPanel(StagePage& panel)
     Q_EMIT patternRequested(std::nullopt);  // The panel hides the buttons of the patterns.
     m_panel = &panel;
     m_openedBy = m_lastKey;
-    m_message->clearMessage();
+    m_isConsentAsked = false;  // its question is no longer visible
+    clearMessage();
     m_footer->setPanelOpen(true);
     bringForward(panel);
 }
@@ -235,14 +249,14 @@ void SessionPage::closePanel()
 {
     if (!m_panel) return;
     m_panel = nullptr;
-    m_message->clearMessage();
+    clearMessage();
     m_footer->setPanelOpen(false);
     bringForward(pageOf(m_view));
 }
 
 void SessionPage::closePanelAndMessage()
 {
-    m_message->clearMessage();
+    clearMessage();
     m_panel = nullptr;
     m_footer->setPanelOpen(false);
 }
@@ -256,25 +270,42 @@ void SessionPage::showPattern(const std::optional<TestPattern>& pattern)
 
 void SessionPage::clearMendedMessage()
 {
-    if (m_isMendable) m_message->clearMessage();
+    if (m_isMendable) clearMessage();
+}
+
+void SessionPage::clearMessage()
+{
+    if (m_hasDisagreed)
+        showMessage({}, Tone::Fault);
+    else
+        m_message->clearMessage();
 }
 
 void SessionPage::showMessage(const QString& text, Tone tone)
 {
     m_isMendable = tone == Tone::Hint || tone == Tone::Refusal;
-    switch (tone) {
-        case Tone::Done:
-            m_message->showDone(text);
-            break;
-        case Tone::Hint:
-        case Tone::Refusal:
-            m_message->showHint(text);
-            break;
-        case Tone::Fault:
-            m_message->showFault(text);
-            break;
+    if (m_hasDisagreed) {
+        QStringList sentences{refusedConsent()};
+        if (!text.isEmpty()) sentences << text;
+        m_message->showFault(sentencesTogether(sentences));
+    } else if (tone == Tone::Done) {
+        m_message->showDone(text);
+    } else if (tone == Tone::Fault) {
+        m_message->showFault(text);
+    } else {
+        m_message->showHint(text);
     }
     m_stages->showMessage(*m_message);
+}
+
+void SessionPage::request(const EventBody& event)
+{
+    if (m_hasDisagreed && std::holds_alternative<Consented>(event) && !std::exchange(m_isConsentAsked, true)) {
+        showMessage(tr("If they agree now, press Enter once more."), Tone::Hint);
+        Q_EMIT hintShown();
+        return;
+    }
+    Q_EMIT eventRequested(event);
 }
 
 void SessionPage::pressCommand(int key)
@@ -319,17 +350,17 @@ void SessionPage::keyPressEvent(QKeyEvent* event)
 
 void SessionPage::showAct(const participant::ParticipantAct& act)
 {
-    const auto text = std::visit(
-        protocols::Overloaded{[](const participant::Agreement& agreement) {
-                                  return agreement.agrees
-                                             ? tr("The participant agreed on their own screen.")
-                                             : tr("The participant does not agree. Speak with them. W ends the session.");
-                              },
-                              [](const participant::FactsTold&) { return tr("The participant answered on their own screen."); },
-                              [](const participant::PlaceTapped&) { return QString(); }},
-        act.what);
     const auto* agreement = std::get_if<participant::Agreement>(&act.what);
-    if (!text.isEmpty() && !m_panel) showMessage(text, agreement && !agreement->agrees ? Tone::Fault : Tone::Done);
+    if (agreement && !agreement->agrees) {
+        m_hasDisagreed = true;
+        m_isConsentAsked = false;
+        return showMessage({}, Tone::Fault);
+    }
+    const bool isAnswer = std::holds_alternative<participant::FactsTold>(act.what);
+    if (m_panel || !(agreement || isAnswer)) return;
+    showMessage(
+        isAnswer ? tr("The participant answered on their own screen.") : tr("The participant agreed on their own screen."),
+        Tone::Done);
 }
 
 void SessionPage::holdKeys(MovedBy by)

@@ -37,7 +37,7 @@ public:
     /// Keys and clicks that were meant for the page before do nothing for a moment. After a fault of the display it begins anew
     /// with each of them, because the rest of a sentence may follow. A panel takes keys all the time.
     void holdKeys(MovedBy by = MovedBy::Participant);
-    /// Says what the participant did on their own page.
+    /// Says what the participant did on their own page. A disagreement stands until they agree or the consent is over.
     void showAct(const participant::ParticipantAct& act);
     /// Shows which test pattern can be felt; none if it is off.
     void showPattern(const std::optional<TestPattern>& pattern);
@@ -92,6 +92,10 @@ private:
     void closePanel();
     void goOnUnprepared();
     void clearMendedMessage();
+    /// Leaves nothing but a disagreement of the participant.
+    void clearMessage();
+    /// Asks for a second Enter where the operator confirms the consent of somebody who did not agree.
+    void request(const session::EventBody& event);
     /// Code of the presentation that a void or flag applies to; empty: the presentation before the current tray.
     QString codeMeant() const;
     /// The key of a command, by a pedal or with Alt: never the letter of a slot.
@@ -101,7 +105,9 @@ private:
     SessionFacts m_facts;
     session::View m_view;
     bool m_isPreparationDeclined = false;
-    bool m_isMendable = false;  ///< the message is about an entry, so it goes with the next change of that entry
+    bool m_hasDisagreed = false;    ///< the participant does not agree, and the consent is still asked for
+    bool m_isConsentAsked = false;  ///< the operator confirmed the consent nevertheless, and was asked again
+    bool m_isMendable = false;      ///< the message is about an entry, so it goes with the next change of that entry
     ScannerEntry m_scanner;
     HeldKeys m_heldKeys;
     struct KeyPressed {

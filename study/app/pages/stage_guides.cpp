@@ -50,7 +50,8 @@ QString breakTitle(const OnBreak& onBreak, const View& view)
         case BreakReason::Block:
             return AppText::tr("Break");
         case BreakReason::Phase:
-            return AppText::tr("Break: new questions follow");
+            // A void at the end of a phase brings one of its presentations back.
+            return view.phaseBegins ? AppText::tr("Break: new questions follow") : AppText::tr("Break");
         case BreakReason::Time:
             return AppText::tr("Break: time for a rest");
         case BreakReason::SittingOver:
@@ -65,23 +66,21 @@ QString headToNote(const View& view)
     return AppText::tr("Write down the head of the log: %1").arg(QString::fromStdString(view.logHead));
 }
 
+QString newQuestions(const View& view)
+{
+    return AppText::tr("Questions that follow: %1. Explain them before the participant puts the mask on.").arg(phaseText(view));
+}
+
 QString breakLead(const OnBreak& onBreak, const View& view)
 {
     const AnswerCount answers = countedAnswers(view);
     const QString done = AppText::tr("%1 of %2 answers are stored. The display is off.").arg(answers.given).arg(answers.inAll);
-    switch (onBreak.reason) {
-        case BreakReason::Block:
-        case BreakReason::Time:
-            return done;
-        case BreakReason::Phase:
-            return AppText::tr("Questions that follow: %1. Explain them before the participant puts the mask on. %2")
-                .arg(phaseText(view), done);
-        case BreakReason::SittingOver:
-            return AppText::tr(
-                       "A tired hand feels less. Press Q to stop here and continue on another day. Everything is stored. %1")
-                .arg(done);
-    }
-    return done;
+    QStringList sentences;
+    if (onBreak.reason == BreakReason::SittingOver)
+        sentences << AppText::tr(
+            "A tired hand feels less. Press Q to stop here and continue on another day. Everything is stored.");
+    if (view.phaseBegins) sentences << newQuestions(view);
+    return sentencesTogether(sentences << done);
 }
 
 Guide breakGuide(const OnBreak& onBreak, const View& view)
@@ -121,13 +120,15 @@ QString partsToRepeat(const SessionFacts& facts)
 Guide laterSitting(const View& view, const SessionFacts& facts)
 {
     const AnswerCount answers = countedAnswers(view);
+    QStringList steps{AppText::tr("The participant does not wear the mask yet.")};
+    if (view.phaseBegins) steps << newQuestions(view);
+    steps << AppText::tr("After a short interruption you may skip this if everything is still in place.");
     return {.title = AppText::tr("Welcome back"),
             .lead = AppText::tr("A new sitting begins. %1 of %2 answers are stored. %3")
                         .arg(answers.given)
                         .arg(answers.inAll)
                         .arg(partsToRepeat(facts)),
-            .steps = {AppText::tr("The participant does not wear the mask yet."),
-                      AppText::tr("After a short interruption you may skip this if everything is still in place.")},
+            .steps = steps,
             .action = AppText::tr("Prepare this sitting (Enter)"),
             .event = SittingPrepared{},
             .second = Guide::Second{AppText::tr("Skip the preparation (G)"), Qt::Key_G, GuideAct::DeclinePreparation}};

@@ -24,18 +24,21 @@ TrayPage::TrayPage(QWidget* parent)
       m_code(quietLabel("presentationCode", this)),
       m_instruction(label("blockInstruction", Type::Lead, this, Weight::Bold)),
       m_task(label("trayTask", Type::Title, this, Weight::Bold)),
-      m_grid(new QGridLayout),
+      m_slots(new QWidget(this)),
+      m_grid(new QGridLayout(m_slots)),
       m_piece(field("pieceField", tr("Code of the next piece"), this)),
       m_stroke(quietLabel("strokeWords", this, Type::Plain)),
       m_ready(mainButton("trayReadyButton", tr("The tray is ready (Enter)"), this))
 {
+    m_slots->setLayoutDirection(Qt::LeftToRight);
+    m_grid->setContentsMargins(0, 0, 0, 0);
     m_grid->setSpacing(18);
     auto* column = new QVBoxLayout(this);
     column->setSpacing(6);
     column->addWidget(m_instruction);
     column->addWidget(m_task);
     column->addSpacing(10);
-    column->addLayout(m_grid, 1);
+    column->addWidget(m_slots, 1);
     column->addSpacing(10);
     column->addWidget(m_piece);
     column->addLayout(m_messagePlace);
@@ -118,7 +121,7 @@ void TrayPage::confirm()
 void TrayPage::showCards(const session::View& view)
 {
     while (m_cards.size() < view.tray.size()) {
-        m_cards.push_back(new SlotCard(slotLetter(m_cards.size()), this));
+        m_cards.push_back(new SlotCard(slotLetter(m_cards.size()), m_slots));
         const int place = static_cast<int>(m_cards.size()) - 1;
         m_grid->addWidget(m_cards.back(), place / cardsInARow, place % cardsInARow);
     }

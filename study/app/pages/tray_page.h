@@ -46,6 +46,7 @@ private:
     QLabel* m_code;
     QLabel* m_instruction;  ///< of the block; hidden where the protocol gives none
     QLabel* m_task;
+    QWidget* m_slots;  ///< holds the grid of the cards, from left to right like the tray
     QGridLayout* m_grid;
     std::vector<SlotCard*> m_cards;  ///< at least one for each slot; unused cards are hidden
     QLineEdit* m_piece;              ///< for the code of the next piece; hidden where pieces are not confirmed

@@ -52,8 +52,9 @@ InstructionView::InstructionView(const ParticipantSide& side, QWidget* parent)
 {
     setObjectName("instructionView");
     m_scale->setObjectName("participantScale");
-    m_low->setAlignment(Qt::AlignLeft);
-    m_high->setAlignment(Qt::AlignRight);
+    m_ends->setLayoutDirection(Qt::LeftToRight);  // each end below its end of the line, in every language
+    m_low->setAlignment(Qt::AlignLeft | Qt::AlignAbsolute);
+    m_high->setAlignment(Qt::AlignRight | Qt::AlignAbsolute);
     auto* ends = new QHBoxLayout(m_ends);
     ends->setContentsMargins(0, 0, 0, 0);
     ends->addWidget(m_low, 1);

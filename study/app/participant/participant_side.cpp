@@ -43,9 +43,11 @@ ParticipantSide::ParticipantSide(QObject* parent) : QObject(parent), m_process(n
 
 void ParticipantSide::setWords(const protocols::Protocol& protocol)
 {
-    m_texts = {protocol.language, {}};
+    PageTexts texts{protocol.language, {}};
     for (const auto& [key, text] : protocols::usualParticipantTexts(protocol.language))
-        m_texts.texts[key] = participantText(protocol, key);
+        texts.texts[key] = participantText(protocol, key);
+    if (texts == m_texts) return;
+    m_texts = std::move(texts);
     tell(m_texts);
 }
 

@@ -31,7 +31,7 @@ class ParticipantSide : public QObject {
 public:
     explicit ParticipantSide(QObject* parent);
 
-    /// The words of this study, for the page itself.
+    /// The words of this study, for the page itself. The same words again change nothing.
     void setWords(const protocols::Protocol& protocol);
     /// Shows this now.
     void show(const participant::Instruction& instruction);

@@ -1,22 +1,80 @@
 #include "study/app/participant/participant_sound.h"
 
+#include <algorithm>
+#include <string_view>
 #include <utility>
 
+#include "protocols/files/errors.h"
 #include "study/app/language/below.h"
+#include "study/app/state/rating_text.h"
 
 namespace study::app {
 
 using namespace participant;
 
+namespace {
+
+using Keys = std::vector<std::string>;
+
+constexpr std::string_view numberKind = "number_";
+
+/// The keys one after another: those of a number together, each other one alone.
+std::vector<Keys> keysTogether(const Keys& keys)
+{
+    std::vector<Keys> together;
+    for (const std::string& key : keys) {
+        const std::string before = together.empty() ? std::string() : together.back().back();
+        const bool isDecimal = before == "point" && together.back().size() > 1 && key.starts_with(numberKind);
+        const bool goesOn = isDecimal || (key == "point" && before.starts_with(numberKind));
+        if (goesOn)
+            together.back().push_back(key);
+        else
+            together.push_back({key});
+    }
+    return together;
+}
+
+std::optional<PromptPart> partFor(const std::string& key, const SaidPrompts& prompts, bool hasVoice)
+{
+    if (const auto file = prompts.files.find(key); file != prompts.files.end()) return Recording{file->second};
+    if (const auto text = prompts.texts.find(key); text != prompts.texts.end() && hasVoice) return SpokenText{text->second};
+    return std::nullopt;
+}
+
+/// "number_5", "point", "number_4": 5.4.
+protocols::Tenths numberOf(const Keys& keys)
+{
+    const auto digits = [](const std::string& key) { return std::stoi(key.substr(numberKind.size())); };
+    return {digits(keys.front()) * 10 + (keys.size() > 2 ? digits(keys.back()) : 0)};
+}
+
+}  // namespace
+
 PlayPrompts playedFor(const std::vector<std::string>& keys, const SaidPrompts& prompts, bool hasVoice)
 {
     PlayPrompts play;
-    for (const std::string& key : keys)
-        if (const auto file = prompts.files.find(key); file != prompts.files.end())
-            play.prompts.emplace_back(Recording{file->second});
-        else if (const auto text = prompts.texts.find(key); text != prompts.texts.end() && hasVoice)
-            play.prompts.emplace_back(SpokenText{text->second});
+    for (const Keys& together : keysTogether(keys)) {
+        Together all;
+        for (const std::string& key : together)
+            if (auto part = partFor(key, prompts, hasVoice)) all.parts.push_back(std::move(*part));
+        if (all.parts.size() < together.size()) continue;
+        if (all.parts.size() == 1)
+            std::visit([&](auto& one) { play.prompts.emplace_back(std::move(one)); }, all.parts.front());
+        else
+            play.prompts.emplace_back(std::move(all));
+    }
     return play;
+}
+
+std::optional<CutNumber> cutNumberIn(const std::vector<std::string>& keys, const SaidPrompts& prompts, bool hasVoice)
+{
+    const auto isMissing = [&](const std::string& key) { return !partFor(key, prompts, hasVoice); };
+    for (const Keys& together : keysTogether(keys)) {
+        const auto missing = std::ranges::find_if(together, isMissing);
+        if (missing != together.end() && !std::ranges::all_of(together, isMissing))
+            return CutNumber{numberOf(together), *missing};
+    }
+    return std::nullopt;
 }
 
 ParticipantSound::ParticipantSound(QObject* parent) : QObject(parent), m_process(new LineProcess(this))
@@ -93,8 +151,26 @@ void ParticipantSound::say(const std::vector<std::string>& keys)
 {
     if (!keys.empty()) Q_EMIT due(keys);
     if (!m_state.isOn) return;
-    const PlayPrompts play = playedFor(keys, m_prompts, !m_state.voice.isEmpty());
+    const bool hasVoice = !m_state.voice.isEmpty();
+    const PlayPrompts play = playedFor(keys, m_prompts, hasVoice);
     if (!play.prompts.empty()) m_process->send(lineOf(LineToSound(play)));
+    if (!keys.empty()) showCutNumber(cutNumberIn(keys, m_prompts, hasVoice));
+}
+
+/// The operator reads back what the headphones do not, each time.
+void ParticipantSound::showCutNumber(const std::optional<CutNumber>& cut)
+{
+    const QString before = std::exchange(
+        m_cutNumber, cut ? tr("The headphones do not read %1 back, because they have nothing for “%2”. Read it back yourself")
+                               .arg(textOf(cut->number), QString::fromStdString(cut->missing))
+                         : QString());
+    if (!before.isEmpty() && m_state.fault == before) {
+        m_state.fault.clear();
+        Q_EMIT stateChanged();
+    }
+    if (!cut) return;
+    m_state.fault = m_cutNumber;
+    Q_EMIT stateChanged();
 }
 
 std::string ParticipantSound::someKey() const

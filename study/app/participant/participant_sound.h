@@ -4,6 +4,7 @@
 
 #include <QObject>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,18 @@ struct SaidPrompts {
     bool operator==(const SaidPrompts&) const = default;
 };
 
-/// What is played for these keys, in their order: the recording, else the text if there is a voice. Other keys are left out.
+/// What is played for these keys, in their order: the recording, else the text if there is a voice. Other keys are left out. A
+/// number is played whole or not at all.
 participant::PlayPrompts playedFor(const std::vector<std::string>& keys, const SaidPrompts& prompts, bool hasVoice);
+
+/// A number that only a part of could be played.
+struct CutNumber {
+    protocols::Tenths number;
+    std::string missing;  ///< the first key without recording and voice, such as "point"
+    bool operator==(const CutNumber&) const = default;
+};
+/// The number among these keys that playedFor() leaves out although it could play a part of it; none if there is none.
+std::optional<CutNumber> cutNumberIn(const std::vector<std::string>& keys, const SaidPrompts& prompts, bool hasVoice);
 
 enum class Speech { Wanted, RecordingsOnly };
 
@@ -67,13 +78,14 @@ Q_SIGNALS:
 
 private:
     void hear(const std::string& line);
-
+    void showCutNumber(const std::optional<CutNumber>& cut);
     void tellLanguage();
 
     LineProcess* m_process;
     SaidPrompts m_prompts;
     Speech m_speech = Speech::Wanted;
     SoundState m_state;
+    QString m_cutNumber;  ///< what the fault says of the last read-back; empty if it was whole
 };
 
 }  // namespace study::app

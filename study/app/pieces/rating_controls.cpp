@@ -20,9 +20,12 @@ RatingControls::RatingControls(QWidget* parent)
       m_rating(new RatingField("ratingField", tr("Rating that the participant says"), this)),
       m_range(quietLabel("ratingRange", this, Type::Lead)),
       m_line(new ScaleLine(ScaleLine::Use::Pick, this)),
-      m_labels(new QBoxLayout(QBoxLayout::LeftToRight))
+      m_words(new QWidget(this)),
+      m_labels(new QBoxLayout(QBoxLayout::LeftToRight, m_words))
 {
     m_line->setObjectName("scaleLine");
+    m_words->setLayoutDirection(Qt::LeftToRight);
+    m_labels->setContentsMargins(0, 0, 0, 0);
     setType(*m_rating, Type::Title, Weight::Bold);
     m_rating->setAlignment(Qt::AlignCenter);
     m_rating->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
@@ -35,7 +38,7 @@ RatingControls::RatingControls(QWidget* parent)
     column->setSpacing(12);
     column->addLayout(number);
     column->addWidget(m_line);
-    column->addLayout(m_labels);
+    column->addWidget(m_words);
     m_labels->setSpacing(0);
     connect(m_rating, &QLineEdit::textChanged, this, &RatingControls::showTyped);
     connect(m_line, &ScaleLine::ratingPicked, this, [this](Tenths rating) { m_rating->setText(textOf(rating)); });
@@ -62,12 +65,13 @@ void RatingControls::showLabels()
     clearLayout(*m_labels);
     for (std::size_t step = 0; step < m_scale->labels.size(); ++step) {
         const Tenths rating{m_scale->min.value + static_cast<int>(step) * m_scale->step.value};
-        auto* made = label("scaleLabel", Type::Body, this);
+        auto* made = label("scaleLabel", Type::Body, m_words);
         made->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
         made->setText(wordedText(rating, *m_scale));
         m_labels->addWidget(made, 1);
         made->show();
     }
+    m_words->setVisible(!m_scale->labels.empty());
     arrangeLabels();
 }
 

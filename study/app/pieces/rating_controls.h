@@ -38,6 +38,7 @@ private:
     RatingField* m_rating;
     QLabel* m_range;
     ScaleLine* m_line;
+    QWidget* m_words;      ///< holds the layout of the labels, from left to right like the line
     QBoxLayout* m_labels;  ///< one word under each tick, or below one another where they are too wide
 };
 

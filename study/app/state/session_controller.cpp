@@ -59,8 +59,8 @@ bool hasNoWords(const session::GivenAnswer& response)
     return words && words->text.empty();
 }
 
-/// The page may have asked for a second Enter: a text is empty, a reading is doubtful, or an answer was typed before the tray was
-/// confirmed.
+/// The page may have asked for a second Enter: a text is empty, a reading is doubtful, or the participant had not agreed. It also
+/// asks where an answer was typed before the tray was confirmed.
 bool mayNeedSecondEnter(const session::EventBody& event)
 {
     return std::visit(
@@ -68,6 +68,7 @@ bool mayNeedSecondEnter(const session::EventBody& event)
             [](const session::Answered& answered) { return hasNoWords(answered.response); },
             [](const session::Corrected& corrected) { return corrected.why.empty() || hasNoWords(corrected.response); },
             [](const session::WithdrawnEvent& withdrawn) { return withdrawn.why.empty(); },
+            [](const session::Consented& consented) { return consented.by == session::EnteredBy::Operator; },
             [](const session::TrayReady&) { return true; }, [](const session::ChecklistDone&) { return true; },
             [](const auto&) { return false; }},
         event);
@@ -196,6 +197,8 @@ void SessionController::waitOutDeadTime()
 
 void SessionController::send(const session::EventBody& event) { sendFor(Cause::Usual, event); }
 
+void SessionController::sendOfParticipant(const session::EventBody& event) { sendFor(Cause::Participant, event); }
+
 void SessionController::sendFor(Cause cause, const session::EventBody& asked)
 {
     session::EventBody event = asked;
@@ -217,7 +220,8 @@ void SessionController::sendFor(Cause cause, const session::EventBody& asked)
         trouble = inOwnLanguage(fault.what());
         m_view = m_driver.view();
     }
-    if (!m_lastOutcome->refusal && isStepOfOperator(event)) m_lastStepAtNs = m_clock->monotonicNs();
+    const bool isStep = cause != Cause::Participant && isStepOfOperator(event);
+    if (!m_lastOutcome->refusal && isStep) m_lastStepAtNs = m_clock->monotonicNs();
     if (isOtherQuestion(askedBefore, m_view.state.stage)) forgetStamps();
     Q_EMIT viewChanged();
     reportOutcome(trouble);
@@ -230,7 +234,7 @@ void SessionController::reportOutcome(const QString& trouble)
         Q_EMIT reported(inOwnLanguage(m_lastOutcome->refusal->reason), Tone::Refusal);
     else if (m_lastOutcome->fault)
         Q_EMIT reported(withNextStep(trouble, m_view.state.paused), Tone::Fault);
-    else if (const QString done = confirmationOf(event); !done.isEmpty())
+    else if (const QString done = confirmationOf(event); !done.isEmpty() && m_lastOutcome->cause != Cause::Participant)
         Q_EMIT reported(done, Tone::Done);
 }
 
@@ -344,6 +348,7 @@ SessionFacts SessionController::facts() const
             .secondEntry = protocol.secondEntry,
             .confirmPieces = protocol.confirmPieces,
             .displayReportsTouches = m_display->reportsTouches(),
+            .displayTakesTickets = m_display->fetchesImages(),
             .displayName = m_display->isThere() ? QString::fromStdString(m_display->name()) : QString(),
             .said = std::move(said)};
 }

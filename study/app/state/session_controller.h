@@ -42,8 +42,9 @@ inline QString phaseText(const session::View& view)
     return QString::fromStdString(view.phaseName).replace(QLatin1Char('-'), QStringLiteral("–"));
 }
 
-/// Why an event was sent. A display that fails between two events pauses the session.
-enum class Cause { Usual, DisplayFault };
+/// Why an event was sent. A display that fails between two events pauses the session. What the participant did on their own page
+/// is no step of the operator.
+enum class Cause { Usual, DisplayFault, Participant };
 
 /// Result of one event: accepted, refused or failed.
 struct EventOutcome {
@@ -71,6 +72,8 @@ public:
     /// Sends the event to the engine. Never throws: refusals and faults are reported by signal and kept in lastOutcome().
     /// A confirmation within the protocol's dead time after the operator's last step is refused here: its key may have bounced.
     void send(const session::EventBody& event);
+    /// The same for an act of the participant on their own page. Nothing confirms it to the operator as an entry of theirs.
+    void sendOfParticipant(const session::EventBody& event);
     /// Stamps the first touch if the presentation waits for one; otherwise does nothing.
     void displayTouched(const rendering::Touch& touch = {});
     /// Stamps the beginning of the present answer now, if the entry or the spoken word has no stamp yet. The answer takes the

@@ -23,6 +23,7 @@ struct SessionFacts {
     bool secondEntry = false;                     ///< every answer is entered twice and must agree
     bool confirmPieces = false;                   ///< every piece on the tray is confirmed by its code
     bool displayReportsTouches = false;
+    bool displayTakesTickets = false;       ///< it fetches its images by itself, so it plays no test patterns
     bool isRehearsal = false;               ///< nothing of this session becomes data
     QString displayName;                    ///< empty: the session runs without a display
     KeyBindings keys = {};                  ///< extra keys of the operator's acts

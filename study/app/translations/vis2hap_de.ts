@@ -188,12 +188,12 @@
         <translation>%1 von %2 Antworten sind gespeichert. Das Display ist aus.</translation>
     </message>
     <message>
-        <source>Questions that follow: %1. Explain them before the participant puts the mask on. %2</source>
-        <translation>Es folgen diese Fragen: %1. Erklären Sie sie, bevor die Versuchsperson die Augenmaske aufsetzt. %2</translation>
+        <source>Questions that follow: %1. Explain them before the participant puts the mask on.</source>
+        <translation>Es folgen diese Fragen: %1. Erklären Sie sie, bevor die Versuchsperson die Augenmaske aufsetzt.</translation>
     </message>
     <message>
-        <source>A tired hand feels less. Press Q to stop here and continue on another day. Everything is stored. %1</source>
-        <translation>Eine müde Hand spürt weniger. Drücken Sie Q, um hier aufzuhören und an einem anderen Tag weiterzumachen. Alles ist gespeichert. %1</translation>
+        <source>A tired hand feels less. Press Q to stop here and continue on another day. Everything is stored.</source>
+        <translation>Eine müde Hand spürt weniger. Drücken Sie Q, um hier aufzuhören und an einem anderen Tag weiterzumachen. Alles ist gespeichert.</translation>
     </message>
     <message>
         <source>Continue (Enter)</source>
@@ -786,6 +786,10 @@
     <message>
         <source>the display refuses: %1</source>
         <translation>das Display lehnt ab: %1</translation>
+    </message>
+    <message>
+        <source>this display takes tickets only</source>
+        <translation>dieses Display nimmt nur Scheine des Servers an</translation>
     </message>
     <message>
         <source>while an image was felt, the display&apos;s driver %1</source>
@@ -1848,6 +1852,10 @@
         <translation>Gehen Sie die Liste durch. Haken Sie jede Zeile mit der Leertaste ab. Das Programm speichert, wann Sie fertig sind.</translation>
     </message>
     <message>
+        <source>This display takes its images from the server only, so it plays no test patterns.</source>
+        <translation>Dieses Display nimmt nur die Bilder des Servers an und zeigt daher keine Testmuster.</translation>
+    </message>
+    <message>
         <source>Feel the test pattern:</source>
         <translation>Fühlen Sie das Testmuster:</translation>
     </message>
@@ -2379,6 +2387,10 @@
     <message>
         <source>reports touches (%1 so far)</source>
         <translation>meldet Berührungen (bisher %1)</translation>
+    </message>
+    <message>
+        <source>takes its images from the server only: no test patterns</source>
+        <translation>nimmt nur die Bilder des Servers an: keine Testmuster</translation>
     </message>
     <message>
         <source>does not report touches: press T at the first touch</source>
@@ -3642,6 +3654,10 @@ Noch ist nichts gewählt.</translation>
 </context>
 <context>
     <name>study::app::ParticipantSound</name>
+    <message>
+        <source>The headphones do not read %1 back, because they have nothing for “%2”. Read it back yourself</source>
+        <translation>Der Kopfhörer liest %1 nicht vor, weil ihm „%2“ fehlt. Lesen Sie es selbst vor</translation>
+    </message>
     <message>
         <source>The sound has stopped: %1</source>
         <translation>Der Ton wurde beendet: %1</translation>
@@ -4942,6 +4958,10 @@ Noch ist nichts gewählt.</translation>
     <message>
         <source>The participant does not agree. Speak with them. W ends the session.</source>
         <translation>Die Versuchsperson willigt nicht ein. Sprechen Sie mit ihr. W beendet den Versuch.</translation>
+    </message>
+    <message>
+        <source>If they agree now, press Enter once more.</source>
+        <translation>Wenn sie jetzt einwilligt, drücken Sie noch einmal Enter.</translation>
     </message>
     <message>
         <source>The participant answered on their own screen.</source>

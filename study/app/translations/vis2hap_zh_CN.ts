@@ -188,12 +188,12 @@
         <translation>已保存%1个回答，共%2个。触觉屏已关闭。</translation>
     </message>
     <message>
-        <source>Questions that follow: %1. Explain them before the participant puts the mask on. %2</source>
-        <translation>接下来的问题：%1。请在参与者戴上眼罩之前说明这些问题。%2</translation>
+        <source>Questions that follow: %1. Explain them before the participant puts the mask on.</source>
+        <translation>接下来的问题：%1。请在参与者戴上眼罩之前说明这些问题。</translation>
     </message>
     <message>
-        <source>A tired hand feels less. Press Q to stop here and continue on another day. Everything is stored. %1</source>
-        <translation>手累了，触觉会变迟钝。按Q可在此停止，改天继续。所有内容均已保存。%1</translation>
+        <source>A tired hand feels less. Press Q to stop here and continue on another day. Everything is stored.</source>
+        <translation>手累了，触觉会变迟钝。按Q可在此停止，改天继续。所有内容均已保存。</translation>
     </message>
     <message>
         <source>Continue (Enter)</source>
@@ -786,6 +786,10 @@
     <message>
         <source>the display refuses: %1</source>
         <translation>触觉屏拒绝了请求：%1</translation>
+    </message>
+    <message>
+        <source>this display takes tickets only</source>
+        <translation>此触觉屏只接受服务器的凭票</translation>
     </message>
     <message>
         <source>while an image was felt, the display&apos;s driver %1</source>
@@ -1848,6 +1852,10 @@
         <translation>逐项检查清单。按空格键勾选一项。完成时，程序会保存时间。</translation>
     </message>
     <message>
+        <source>This display takes its images from the server only, so it plays no test patterns.</source>
+        <translation>此触觉屏只接受服务器的图像，因此不播放测试图案。</translation>
+    </message>
+    <message>
         <source>Feel the test pattern:</source>
         <translation>触摸测试图案：</translation>
     </message>
@@ -2379,6 +2387,10 @@
     <message>
         <source>reports touches (%1 so far)</source>
         <translation>会报告触摸（目前%1次）</translation>
+    </message>
+    <message>
+        <source>takes its images from the server only: no test patterns</source>
+        <translation>只接受服务器的图像：没有测试图案</translation>
     </message>
     <message>
         <source>does not report touches: press T at the first touch</source>
@@ -3642,6 +3654,10 @@ Nothing is chosen yet.</source>
 </context>
 <context>
     <name>study::app::ParticipantSound</name>
+    <message>
+        <source>The headphones do not read %1 back, because they have nothing for “%2”. Read it back yourself</source>
+        <translation>耳机没有复述%1，因为缺少“%2”的录音或语音。请您自己复述</translation>
+    </message>
     <message>
         <source>The sound has stopped: %1</source>
         <translation>声音已停止：%1</translation>
@@ -4942,6 +4958,10 @@ Nothing is chosen yet.</source>
     <message>
         <source>The participant does not agree. Speak with them. W ends the session.</source>
         <translation>参与者不同意。请与参与者谈一谈。按W结束实验。</translation>
+    </message>
+    <message>
+        <source>If they agree now, press Enter once more.</source>
+        <translation>如果参与者现在同意，请再按一次Enter。</translation>
     </message>
     <message>
         <source>The participant answered on their own screen.</source>

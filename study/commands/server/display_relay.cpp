@@ -37,6 +37,8 @@ using std::chrono::steady_clock;
 constexpr auto devicePatience = std::chrono::seconds(2);
 constexpr auto serverPatience = std::chrono::milliseconds(1500);  // the station waits 2 s for a reply
 constexpr std::size_t longestTicket = 1024;
+constexpr std::uint64_t largestImage = 64U << 20;  // that a station may send in place of a ticket; more cannot be meant
+constexpr const char* ticketsOnly = "this display takes tickets only";
 constexpr std::size_t longestReason = 200;
 
 constexpr auto stationPatience = std::chrono::seconds(2);    // until a station takes the next bytes of a line
@@ -247,6 +249,7 @@ private:
         const ssize_t got = ::read(m_station, chunk.data(), chunk.size());
         if (got <= 0) return got < 0 && (errno == EINTR || errno == EAGAIN || errno == EWOULDBLOCK);
         m_incoming.append(chunk.data(), static_cast<std::size_t>(got));
+        dropImage();
         for (std::size_t end = m_incoming.find('\n'); end != std::string::npos; end = m_incoming.find('\n')) {
             const auto request = messageIn(m_incoming.substr(0, end));
             if (request.is_null()) {
@@ -257,22 +260,56 @@ private:
             m_lastRequest = steady_clock::now();
             const auto id = request.value("id", ordered_json(0));
             if (request.at("type") == "hello" && id.is_number_integer()) m_openHello = id.get<std::int64_t>();
-            if (request.at("type") != "show") {
-                if (!sendToDevice(m_incoming.substr(0, end + 1))) return false;
-                if (request.at("type") == "clear") m_isShowing = false;
-                m_incoming.erase(0, end + 1);
+            if (request.at("type") == "show") {
+                const Taken taken = takeShow(request, end + 1);
+                if (taken != Taken::Whole) return taken == Taken::InPart;
                 continue;
             }
-            const auto size = request.value("bytes", ordered_json());
-            if (!id.is_number_integer() || !size.is_number_unsigned() || size.get<std::uint64_t>() > longestTicket) {
-                noteEnd("sent an image; this display takes tickets only");
-                return false;
-            }
-            if (m_incoming.size() < end + 1 + size.get<std::size_t>()) return true;  // the rest of the ticket follows
-            if (!show(id.get<std::int64_t>(), m_incoming.substr(end + 1, size.get<std::size_t>()))) return false;
-            m_incoming.erase(0, end + 1 + size.get<std::size_t>());
+            if (!sendToDevice(m_incoming.substr(0, end + 1))) return false;
+            if (request.at("type") == "clear") m_isShowing = false;
+            m_incoming.erase(0, end + 1);
         }
         return m_incoming.size() <= rendering::DriverLink::longestLine;
+    }
+
+    enum class Taken { Whole, InPart, Not };
+
+    /// A request to show what follows its line, which ends at `begin`. InPart: the rest of the ticket is still to come. Not: what
+    /// follows cannot be told from lines, or nobody takes the reply.
+    Taken takeShow(const ordered_json& request, std::size_t begin)
+    {
+        const auto id = request.value("id", ordered_json(0)), bytes = request.value("bytes", ordered_json());
+        const std::uint64_t size = bytes.is_number_unsigned() ? bytes.get<std::uint64_t>() : largestImage + 1;
+        if (!id.is_number_integer() || size > largestImage) {
+            noteEnd("sends what is no ticket");
+            if (id.is_number_integer()) fail(id.get<std::int64_t>(), ticketsOnly);
+            return Taken::Not;
+        }
+        if (size > longestTicket) {
+            m_incoming.erase(0, begin);
+            return refuseImage(id.get<std::int64_t>(), size) ? Taken::Whole : Taken::Not;
+        }
+        if (m_incoming.size() < begin + size) return Taken::InPart;
+        const std::string ticket = m_incoming.substr(begin, size);
+        m_incoming.erase(0, begin + size);
+        return show(id.get<std::int64_t>(), ticket) ? Taken::Whole : Taken::Not;
+    }
+
+    /// An image, such as a test pattern, in place of a ticket. Its bytes are no lines. False where the station is gone.
+    bool refuseImage(std::int64_t id, std::size_t bytes)
+    {
+        std::fprintf(stderr, "vis2hap: the station sent an image; %s\n", ticketsOnly);
+        m_imageLeft = bytes;
+        dropImage();
+        return fail(id, ticketsOnly);
+    }
+
+    /// Drops what came of a refused image.
+    void dropImage()
+    {
+        const std::size_t dropped = std::min(m_imageLeft, m_incoming.size());
+        m_incoming.erase(0, dropped);
+        m_imageLeft -= dropped;
     }
 
     /// False where the device or the station does not take its message.
@@ -294,6 +331,7 @@ private:
     TicketImages& m_images;
     rendering::DriverLink m_device;
     std::string m_incoming;
+    std::size_t m_imageLeft = 0;                                   ///< bytes of a refused image that are still to come
     std::optional<std::int64_t> m_openHello;                       ///< the station's hello, until the device answers it
     bool m_isGreeted = false;                                      ///< a request came
     bool m_isShowing = false;                                      ///< an image was sent to the device and not cleared since

@@ -1,6 +1,7 @@
 #include "study/participant/session/prompts.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include "protocols/usual_texts.h"
 
@@ -47,6 +48,38 @@ bool isSpoken(const protocols::Question& question, const protocols::Phase& phase
     const bool isUsualEnglish = question.text == usualTextOf(question.id, phase.task, Edition::Current) ||
                                 question.text == usualTextOf(question.id, phase.task, Edition::Before06);
     return isEnglish(protocol) || !isUsualEnglish;
+}
+
+/// The highest number that is read back, as protocols::isPromptKey() knows it.
+int highestNumber(const protocols::Protocol& protocol)
+{
+    constexpr int usual = 100, highest = 999;
+    int number = usual;
+    for (const auto& phase : protocol.phases)
+        for (const auto& question : phase.questions)
+            if (const auto* rating = std::get_if<protocols::Rating>(&question.kind))
+                number = std::max(number, rating->scale.max.value / 10);
+    return std::min(number, highest);
+}
+
+constexpr std::string_view questionKind = "question_";
+
+/// The text that a recording with this key says; empty for letters, numbers, and where the program has none.
+std::string recordedText(const protocols::Protocol& protocol, const std::string& key)
+{
+    if (!key.starts_with(questionKind)) {
+        const auto texts = spokenTexts(protocol);
+        return texts.contains(key) ? texts.at(key) : std::string();
+    }
+    const auto* question = protocols::questionWith(protocol, protocols::QuestionId(key.substr(questionKind.size())));
+    return question ? question->text : std::string();
+}
+
+std::string namesOfRecordings(const protocols::Protocol& protocol)
+{
+    std::string names;
+    for (const auto& [key, file] : protocol.prompts) names += (names.empty() ? "" : ", ") + file;
+    return names;
 }
 
 bool isPresenting(const View& view) { return std::holds_alternative<Presenting>(view.state.stage) && !view.state.paused; }
@@ -101,9 +134,27 @@ std::map<std::string, std::string> spokenTexts(const protocols::Protocol& protoc
         for (const auto& question : phase.questions)
             if (isSpoken(question, phase, protocol)) texts["question_" + question.id.value] = question.text;
     for (char slot = 'A'; slot <= 'Z'; ++slot) texts[std::string("answer_") + slot] = std::string(1, slot);
-    for (int number = 0; number <= 100; ++number) texts["number_" + std::to_string(number)] = std::to_string(number);
+    for (int number = 0; number <= highestNumber(protocol); ++number)
+        texts["number_" + std::to_string(number)] = std::to_string(number);
     std::erase_if(texts, [](const auto& one) { return one.second.empty(); });
     return texts;
+}
+
+std::vector<std::string> notesOnRecordings(const protocols::Protocol& before, const protocols::Protocol& amended)
+{
+    const std::string stays = ", which the headphones go on with; only a new study takes new recordings";
+    const bool isOtherLanguage = before.language != amended.language && !amended.prompts.empty();
+    std::vector<std::string> notes;
+    if (isOtherLanguage)
+        notes.push_back("the language changes from " + before.language + " to " + amended.language +
+                        ", but not that of the recordings " + namesOfRecordings(amended) + stays);
+    for (const auto& [key, file] : amended.prompts) {
+        const bool isOfQuestion = key.starts_with(questionKind);
+        if ((isOtherLanguage && !isOfQuestion) || recordedText(before, key) == recordedText(amended, key)) continue;
+        notes.push_back("the text of " + (isOfQuestion ? key.substr(questionKind.size()) : "the prompt " + key) +
+                        " changes, but not its recording " + file + stays);
+    }
+    return notes;
 }
 
 }  // namespace study::participant

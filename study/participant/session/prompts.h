@@ -19,7 +19,12 @@ std::vector<std::string> promptsBetween(const session::View& before, const sessi
 std::vector<std::string> readBackOf(const session::GivenAnswer& answer, const std::vector<protocols::FabricId>& tray);
 
 /// What an engine speaks for prompts without a recording, by key, in the language of the protocol: its questions, its
-/// participant_texts, letters and numbers. A usual sentence is English, so it is there for English only.
+/// participant_texts, letters, and numbers to 100 or as far as its scales. A usual sentence is English, so it is there for
+/// English only.
 std::map<std::string, std::string> spokenTexts(const protocols::Protocol& protocol);
+
+/// One sentence for each text that an amendment changes while its recording stays, and one for another language. A study keeps
+/// the recordings that it was made with.
+std::vector<std::string> notesOnRecordings(const protocols::Protocol& before, const protocols::Protocol& amended);
 
 }  // namespace study::participant

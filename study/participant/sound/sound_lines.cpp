@@ -38,7 +38,7 @@ SpeechLanguage languageIn(const nlohmann::json& language)
     return {tag};
 }
 
-Prompt promptIn(const nlohmann::json& prompt)
+PromptPart partIn(const nlohmann::json& prompt)
 {
     if (prompt.is_string()) return Recording{prompt.get<std::string>()};
     if (!prompt.is_object() || prompt.size() != 1 || !prompt.contains("say") || !prompt.at("say").is_string())
@@ -46,6 +46,34 @@ Prompt promptIn(const nlohmann::json& prompt)
     const std::string text = prompt.at("say").get<std::string>();
     if (text.size() > longestSpokenText) throw refusedSoundLine("'say' has more than 8,000 bytes");
     return SpokenText{text};
+}
+
+Prompt promptIn(const nlohmann::json& prompt)
+{
+    const auto asPrompt = [](const auto& part) { return Prompt(part); };
+    if (!prompt.is_array()) return std::visit(asPrompt, partIn(prompt));
+    if (prompt.empty() || prompt.size() > mostPrompts)
+        throw refusedSoundLine("'play' names no part, or more than 40, of a prompt");
+    Together together;
+    for (const auto& part : prompt) together.parts.push_back(partIn(part));
+    return together;
+}
+
+nlohmann::ordered_json promptJson(const Recording& recording) { return recording.file; }
+
+nlohmann::ordered_json promptJson(const SpokenText& spoken)
+{
+    nlohmann::ordered_json say;
+    say["say"] = spoken.text;
+    return say;
+}
+
+nlohmann::ordered_json promptJson(const Together& together)
+{
+    auto parts = nlohmann::ordered_json::array();
+    for (const PromptPart& one : together.parts)
+        parts.push_back(std::visit([](const auto& part) { return promptJson(part); }, one));
+    return parts;
 }
 
 }  // namespace
@@ -58,10 +86,7 @@ std::string lineOf(const LineToSound& line)
     if (const auto* play = std::get_if<PlayPrompts>(&line)) {
         text["play"] = nlohmann::ordered_json::array();
         for (const Prompt& prompt : play->prompts)
-            if (const auto* recording = std::get_if<Recording>(&prompt))
-                text["play"].push_back(recording->file);
-            else
-                text["play"].push_back({{"say", std::get<SpokenText>(prompt).text}});
+            text["play"].push_back(std::visit([](const auto& one) { return promptJson(one); }, prompt));
     }
     return text.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }

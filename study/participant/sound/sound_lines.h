@@ -28,7 +28,13 @@ struct SpokenText {
     std::string text;
     bool operator==(const SpokenText&) const = default;
 };
-using Prompt = std::variant<Recording, SpokenText>;
+using PromptPart = std::variant<Recording, SpokenText>;
+/// Parts that mean something together only, such as those of a number: where one cannot be played, none is.
+struct Together {
+    std::vector<PromptPart> parts;
+    bool operator==(const Together&) const = default;
+};
+using Prompt = std::variant<Recording, SpokenText, Together>;
 /// Prompts to play one after another, in place of those that still play.
 struct PlayPrompts {
     std::vector<Prompt> prompts;
@@ -37,7 +43,7 @@ struct PlayPrompts {
 using LineToSound = std::variant<NoiseLevel, SpeechLanguage, PlayPrompts>;
 
 std::string lineOf(const LineToSound& line);
-/// Throws badInput for anything that lineOf() does not write, and for more than 40 prompts.
+/// Throws badInput for anything that lineOf() does not write, and for more than 40 prompts or 40 parts of one.
 LineToSound lineToSound(std::string_view text);
 
 /// What vis2hap-sound says in a line, without control characters. A field that the line does not name is absent.

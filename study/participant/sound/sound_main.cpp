@@ -37,11 +37,22 @@ void tell(const char* key, const std::string& text)
     std::fflush(stdout);
 }
 
-std::vector<float> soundOf(const Prompt& prompt, SpeechEngine& speech)
+std::vector<float> soundOf(const Recording& recording, SpeechEngine&)
 {
-    const auto* recording = std::get_if<Recording>(&prompt);
-    return recording ? soundFromWav(protocols::readWholeFile(recording->file, largestWav), recording->file)
-                     : speech.spoken(std::get<SpokenText>(prompt).text);
+    return soundFromWav(protocols::readWholeFile(recording.file, largestWav), recording.file);
+}
+
+std::vector<float> soundOf(const SpokenText& spoken, SpeechEngine& speech) { return speech.spoken(spoken.text); }
+
+/// Throws where one part cannot be played.
+std::vector<float> soundOf(const Together& together, SpeechEngine& speech)
+{
+    std::vector<float> all;
+    for (const PromptPart& one : together.parts) {
+        const auto sound = std::visit([&](const auto& part) { return soundOf(part, speech); }, one);
+        all.insert(all.end(), sound.begin(), sound.end());
+    }
+    return all;
 }
 
 /// The prompts as sound. A prompt that cannot be played is left out, and the app gets the reason.
@@ -49,7 +60,7 @@ std::vector<std::vector<float>> soundsOf(const PlayPrompts& play, SpeechEngine& 
 {
     std::vector<std::vector<float>> sounds;
     for (const Prompt& prompt : play.prompts) try {
-            sounds.push_back(soundOf(prompt, speech));
+            sounds.push_back(std::visit([&](const auto& one) { return soundOf(one, speech); }, prompt));
         } catch (const protocols::Error& fault) {
             tell("fault", fault.what());
         } catch (const std::bad_alloc&) {

@@ -95,7 +95,7 @@ private Q_SLOTS:
         const auto check =
             checked("exec:" + reference() + " '" + folder.toStdString() + "' " + arguments.join(" ").toStdString(), options);
         QVERIFY2(check.faults() == 0, qPrintable(faultsOf(check)));
-        QCOMPARE(check.demands.size(), std::size_t(arguments.contains("--touch-after") ? 18 : 17));
+        QCOMPARE(check.demands.size(), std::size_t(arguments.contains("--touch-after") ? 19 : 18));
         QCOMPARE(check.name, std::string("reference display"));
         QCOMPARE(check.showMs.size(), std::size_t(10));
         if (arguments.contains("--delay")) QVERIFY(*std::min_element(check.showMs.begin(), check.showMs.end()) >= 20);
@@ -250,8 +250,32 @@ private Q_SLOTS:
 
     void theSameDriverWithoutAFaultPasses()
     {
-        const auto check = checked("exec:" VIS2HAP_BROKEN_DISPLAY " none", impatient());
-        QVERIFY2(check.faults() == 0, qPrintable(faultsOf(check)));
+        for (const char* driver : {"exec:" VIS2HAP_BROKEN_DISPLAY " none", "exec:" VIS2HAP_BROKEN_DISPLAY " none fine"}) {
+            const auto check = checked(driver, impatient());
+            QVERIFY2(check.faults() == 0, qPrintable(faultsOf(check)));
+        }
+    }
+
+    /// Response times would follow such a clock.
+    void aClockThatTellsNoTimeIsRecognised_data()
+    {
+        QTest::addColumn<QString>("told");
+        QTest::newRow("six digits") << "at_s advanced by 0.000 s while ";
+        QTest::newRow("32 bits") << "at_s advanced by 0.000 s while ";
+        QTest::newRow("whole seconds") << "at_s ";
+        QTest::newRow("stands still") << "at_s advanced by 0.000 s while ";
+        QTest::newRow("steps back") << "at_s went back by ";
+    }
+    void aClockThatTellsNoTimeIsRecognised()
+    {
+        QFETCH(QString, told);
+        const auto check =
+            checked(std::string("exec:" VIS2HAP_BROKEN_DISPLAY " none '") + QTest::currentDataTag() + "'", impatient());
+        QCOMPARE(check.faults(), 1);
+        const auto found = std::ranges::find_if(check.demands, [](const DisplayDemand& one) { return !one.fault.empty(); });
+        QVERIFY2(found->demand.find("a clock that advances as ours does") != std::string::npos &&
+                     QString::fromStdString(found->fault).startsWith(told),
+                 qPrintable(faultsOf(check)));
     }
 
     void programThatDoesNotStartFailsEveryDemand()

@@ -29,7 +29,49 @@ const cv::Mat grey(800, 1280, CV_8UC1, cv::Scalar(77));
 
 DriverAddress program(const std::string& command) { return {command, {}, {}}; }
 
-DriverAddress broken(const std::string& fault) { return program(std::string(VIS2HAP_BROKEN_DISPLAY " '") + fault + "'"); }
+DriverAddress broken(const std::string& fault, const std::string& clock = {})
+{
+    return program(std::string(VIS2HAP_BROKEN_DISPLAY " '") + fault + "' '" + clock + "'");
+}
+
+Instant at(double seconds)
+{
+    return Instant(std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(1000 + seconds)));
+}
+
+/// The most that the age of a touch is wrong by, s, over 40 presentations. Every second touch is read `delayS` late. `stampAt` is
+/// the device's clock.
+template <class Clock>
+double worstAgeS(const Clock& stampAt, double delayS)
+{
+    DeviceClock clock;
+    double worst = 0;
+    for (int trial = 0; trial < 40; ++trial) {
+        const double beganS = trial * 31.4159, shownS = beganS + 9.7, touchedS = shownS + 0.37 + 0.0613 * trial;
+        clock.take({stampAt(beganS), at(beganS + 0.001), at(beganS - 0.002)});
+        clock.take({stampAt(shownS), at(shownS + 0.001), at(shownS - 0.02)});
+        const double lateS = trial % 2 == 0 ? 0 : delayS;
+        const StampedEvent touch{stampAt(touchedS), at(touchedS + 0.001 + lateS), at(shownS - 0.02)};
+        clock.take(touch);
+        worst = std::max(worst, std::abs(std::chrono::duration<double>(clock.ageOf(touch)).count() - lateS));
+    }
+    return worst;
+}
+
+/// Stamps of a clock that ticks `perSecond` times a second.
+auto ticking(double perSecond)
+{
+    return [perSecond](double s) { return std::floor((s + 86411.3) * perSecond) / perSecond; };
+}
+
+/// Moments of presentations: cleared, shown, touched and so on, s.
+std::vector<double> irregularMoments(std::size_t count)
+{
+    protocols::Random random(20261207);
+    std::vector<double> moments;
+    for (double s = 0; moments.size() < count;) moments.push_back(s += random.uniform(1, 10));
+    return moments;
+}
 
 const DriverPatience impatient{.reply = 300ms, .start = 500ms, .tries = 3};
 
@@ -153,6 +195,137 @@ private Q_SLOTS:
         // Reported 200 ms late, with this delay as its age.
         QVERIFY2(touches.back().ago > 120ms && touches.back().ago > touches.front().ago,
                  qPrintable(QString::number(touches.back().ago.count())));
+    }
+
+    /// Wrong stamps must not make response times longer; the touch then counts as read at once.
+    void aClockThatTellsNoTimeDatesNoTouch_data()
+    {
+        QTest::addColumn<QString>("deviceClock");
+        for (const char* one : {"fine", "six digits", "32 bits", "whole seconds", "stands still", "steps back"})
+            QTest::newRow(one) << one;
+    }
+    void aClockThatTellsNoTimeDatesNoTouch()
+    {
+        QFETCH(QString, deviceClock);
+        ExternalDisplay display(broken("touched late", deviceClock.toStdString()));
+        std::vector<Touch> touches;
+        display.onTouched([&](const Touch& touch) { touches.push_back(touch); });
+        for (std::size_t image = 1; image <= 2; ++image) {
+            display.show(grey);
+            attendFor(display, 500ms);
+            QCOMPARE(touches.size(), image);
+            QVERIFY2(touches.back().ago < 100ms, qPrintable(QString::number(touches.back().ago.count())));
+            display.clear();
+        }
+    }
+
+    void agesFollowASoundClockAndNoOther()
+    {
+        const auto rounded = [](double unit) { return [unit](double s) { return std::round((s + 86411.3) / unit) * unit; }; };
+        for (const double startS : {0.0, 1.79e9}) {
+            QVERIFY(worstAgeS([&](double s) { return startS + s; }, 0.3) < 0.002);
+            // A clock that is 100 millionths slower drifts 10 ms over the eight stamps.
+            QVERIFY(worstAgeS([&](double s) { return startS + s * 0.9999; }, 0.3) < 0.012);
+            QVERIFY(worstAgeS([&](double s) { return startS + s - (s > 300 ? 1.5 : 0); }, 0.3) < 0.002);  // set back at rest
+        }
+        QVERIFY(worstAgeS(rounded(0.001), 0.3) < 0.003);
+        for (const double unit : {0.1, 0.5, 1.0, 10.0, 1e4}) QVERIFY(worstAgeS(rounded(unit), 0) < 0.002);
+        QVERIFY(worstAgeS([](double s) { return double(float(1.79e9 + s)); }, 0) < 0.002);
+        QVERIFY(worstAgeS([](double s) { return double(float(6e5 + s)); }, 0) < 0.002);  // a week of uptime
+        QVERIFY(worstAgeS([](double) { return 12.0317; }, 0) < 0.002);
+        QVERIFY(worstAgeS([](double s) { return 5000 - s; }, 0) < 0.002);
+        // Set back between an image and its touch, by any amount.
+        for (const double byS : {0.05, 1.5, 3600.0}) {
+            const double shownS = 10 * 31.4159 + 9.7;
+            QVERIFY(worstAgeS([&](double s) { return 4321 + s - (s > shownS + 0.1 ? byS : 0); }, 0) < 0.06);
+        }
+    }
+
+    /// A finger that rests on the display touches an image in the moment when it appears. Its window reads that late.
+    void aTouchInTheMomentOfItsImageKeepsItsAge_data()
+    {
+        QTest::addColumn<double>("stampedEarlierS");
+        QTest::newRow("in the same millisecond") << 0.0;
+        QTest::newRow("stamped a little before the reply") << 0.004;
+    }
+    void aTouchInTheMomentOfItsImageKeepsItsAge()
+    {
+        QFETCH(double, stampedEarlierS);
+        const auto stampAt = ticking(1000);
+        DeviceClock clock;
+        const auto ageMs = [&](const StampedEvent& event) { return static_cast<double>(clock.ageOf(event).count()) / 1e6; };
+        for (int trial = 0; trial < 4; ++trial) {
+            const double clearedS = trial * 20.0137, shownS = clearedS + 9.0041;
+            clock.take({stampAt(clearedS), at(clearedS + 0.001), at(clearedS - 0.002)});
+            clock.take({stampAt(shownS), at(shownS + 0.001), at(shownS - 0.02)});
+            const StampedEvent touch{stampAt(shownS) - stampedEarlierS, at(shownS + 0.06), at(shownS - 0.02)};
+            clock.take(touch);
+            QVERIFY2(std::abs(ageMs(touch) - 60 - 1000 * stampedEarlierS) < 3, qPrintable(QString::number(ageMs(touch))));
+            // The samples of the finger that waited with it.
+            for (const double agoS : {0.05, 0.03, 0.0}) {
+                const double sampleMs = ageMs({stampAt(shownS + 0.06 - agoS), at(shownS + 0.06), at(shownS - 0.02)});
+                QVERIFY2(std::abs(sampleMs - 1000 * agoS) < 3, qPrintable(QString::number(sampleMs)));
+            }
+        }
+    }
+
+    /// Such clocks are sound, although many of their stamps look rounded.
+    void aClockThatTicksSlowlyDatesItsTouches_data()
+    {
+        QTest::addColumn<double>("perSecond");
+        for (const double perSecond : {1000.0, 100.0, 64.0, 60.0, 40.0})
+            QTest::addRow("%.0f times a second", perSecond) << perSecond;
+    }
+    void aClockThatTicksSlowlyDatesItsTouches()
+    {
+        QFETCH(double, perSecond);
+        const auto stampAt = ticking(perSecond);
+        DeviceClock clock;
+        std::vector<double> moments = irregularMoments(6000);
+        int lost = 0;
+        for (std::size_t i = 0; i < moments.size(); i += 3) {
+            for (const double s : {moments[i], moments[i + 1]}) clock.take({stampAt(s), at(s + 0.001), at(s - 0.002)});
+            const StampedEvent touch{stampAt(moments[i + 2]), at(moments[i + 2] + 0.3), at(moments[i + 1] - 0.002)};
+            clock.take(touch);
+            if (clock.ageOf(touch) < 200ms) ++lost;
+        }
+        QVERIFY2(lost <= 2, qPrintable(QString("%1 of 2000").arg(lost)));  // the first of the connection, perhaps
+
+        moments.resize(45);
+        int refused = 0;
+        for (int run = 0; run < 500; ++run) {
+            DeviceClockCheck check;
+            for (const double s : moments) check.take({stampAt(s + 0.0137 * run), at(s + 0.001), at(s - 0.002)});
+            refused += check.fault().find("rounded") != std::string::npos ? 1 : 0;
+        }
+        QCOMPARE(refused, 0);
+    }
+
+    /// A display that takes a tenth of a second hides the steps, so that only the stamps themselves show them.
+    void aRoundedClockIsNamedAfterTwelveStamps()
+    {
+        for (const double perSecond : {20.0, 32.0}) {
+            DeviceClockCheck check;
+            for (const double s : irregularMoments(12)) {
+                QVERIFY2(check.fault().empty(), check.fault().c_str());
+                check.take({std::round(s * perSecond) / perSecond, at(s + 0.05), at(s - 0.05)});
+            }
+            QVERIFY2(check.fault().find("at_s is rounded") == 0, check.fault().c_str());
+        }
+    }
+
+    /// The display has not shown the image before it replies, whatever its touch screen reports.
+    void noTouchIsDatedBeforeItsImage()
+    {
+        ExternalDisplay display(broken("touched early", "fine"));
+        std::vector<Touch> touches;
+        display.onTouched([&](const Touch& touch) { touches.push_back(touch); });
+        for (std::size_t image = 1; image <= 3; ++image) {
+            display.show(grey);
+            attendFor(display, 50ms);
+            QCOMPARE(touches.size(), image);
+            QVERIFY2(touches.back().ago < 60ms, qPrintable(QString::number(touches.back().ago.count())));
+        }
     }
 
     void touchBetweenTwoImagesIsIgnored()

@@ -87,7 +87,7 @@ private Q_SLOTS:
         const std::string specification = "exec:" + (driver + QStringList{felt()}).join(' ').toStdString();
         const auto check = checkDisplay(driverAddressFrom(specification).value());
         QVERIFY2(check.faults() == 0, qPrintable(faultsIn(check)));
-        QCOMPARE(check.demands.size(), std::size_t(17));
+        QCOMPARE(check.demands.size(), std::size_t(18));
         QCOMPARE(QString::fromStdString(check.name), "small driver in " + language);
 
         const cv::Mat image = ramp();

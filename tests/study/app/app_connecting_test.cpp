@@ -14,6 +14,7 @@
 #include <QTest>
 #include <QTimer>
 
+#include "study/app/pages/checklist_page.h"
 #include "study/app/state/tried_display.h"
 #include "tests/study/app/displayed_image.h"
 #include "tests/support/open_window.h"
@@ -119,6 +120,7 @@ private Q_SLOTS:
     void aSessionBeginsWhenItsSlowDriverAnswers();
     void studyPageShowsWhyTheDriverCannotStart();
     void patternIsFeltOnlyWhileItsButtonIsDown();
+    void aDisplayOfTicketsIsOfferedNoPattern();
     void aRememberedFolderIsNamedBeforeASession();
 };
 
@@ -304,6 +306,33 @@ void AppConnectingTest::studyPageShowsWhyTheDriverCannotStart()
     const QString message = shown.window.currentPage()->findChild<QLabel*>("studyMessage")->text();
     QVERIFY2(message.contains("exit code 127") && message.contains("not found"), qPrintable(message));
     QVERIFY(!shown.window.session());
+}
+
+/// Of `vis2hap display serve`, which refuses plain images.
+void AppConnectingTest::aDisplayOfTicketsIsOfferedNoPattern()
+{
+    AppOptions options;
+    options.display = "tcp:127.0.0.1:5417";
+    options.openDisplay = [](const std::string&, const std::stop_token&) {
+        auto display = std::make_unique<tests::support::FakeDisplay>();
+        display->isFetching = true;
+        return display;
+    };
+    ShownWindow shown(options);
+    shown.gui.click("displayButton");
+    shown.gui.click("connectDisplayButton");
+    QTRY_VERIFY(shown.widget<QLabel>("displayState").text().startsWith("Connected"));
+    QVERIFY(!shown.window.currentPage()->findChild<QPushButton*>("pattern1Button")->isEnabled());
+    QVERIFY(shown.widget<QLabel>("displayAbout").text().contains("no test patterns"));
+    for (const bool takesTickets : {false, true}) {
+        ChecklistPage list(nullptr);
+        SessionFacts facts;
+        facts.displayName = "glass";
+        facts.displayTakesTickets = takesTickets;
+        list.begin(facts);
+        QCOMPARE(list.findChild<QPushButton*>("pattern1Button")->isVisibleTo(&list), !takesTickets);
+        QCOMPARE(list.findChild<QLabel*>("patternsCaption")->text().contains("no test patterns"), takesTickets);
+    }
 }
 
 void AppConnectingTest::patternIsFeltOnlyWhileItsButtonIsDown()

@@ -46,6 +46,8 @@ private Q_SLOTS:
     void imagesStayInTheirFolder();
     void fabricsComeFromADataSet();
     void newConditionsAndContrasts();
+    void hintOfTheBoundsIsWhatTheProgramUses_data();
+    void hintOfTheBoundsIsWhatTheProgramUses();
     void wayByKeysAlone();
     void previewStaysStillAtEveryHeight();
     void previewShowsTheWholePage();
@@ -311,6 +313,42 @@ void AppEditorTest::newConditionsAndContrasts()
     shown.gui.click("removeContrastButton");
     shown.check();
     QCOMPARE(shown.faults(), QStringList());
+}
+
+void AppEditorTest::hintOfTheBoundsIsWhatTheProgramUses_data()
+{
+    QTest::addColumn<QString>("phases");
+    QTest::addColumn<double>("bound");
+    QTest::addColumn<bool>("isSound");
+    const QString hundred = R"({"questions": ["Q2"], "scale": {"min": 0, "max": 100, "step": 1}})";
+    QTest::newRow("no rating") << R"([{"questions": ["Q1"], "alternatives": 2}])" << 0.5 << true;
+    QTest::newRow("own words beside a rating")
+        << "[" + hundred + R"(, {"questions": ["Remarks"], "free_text": ["Remarks"], "scale": {"min": 0, "max": 10}}])" << 5.0
+        << true;
+    QTest::newRow("own words after a rating of the same phase")
+        << R"([{"questions": ["Q2", "Remarks"], "free_text": ["Remarks"], "scale": {"min": 0, "max": 100}}])" << 5.0 << true;
+    QTest::newRow("the shorter of two scales")
+        << "[" + hundred + R"(, {"questions": ["Q3"], "scale": {"min": 1, "max": 5, "step": 1}}])" << 0.2 << true;
+    QTest::newRow("only the upper end of a scale") << R"([{"questions": ["Q2"], "scale": {"max": 100}}])" << 5.0 << false;
+    QTest::newRow("only the lower end of a scale") << R"([{"questions": ["Q2"], "scale": {"min": -10}}])" << 1.0 << false;
+}
+
+void AppEditorTest::hintOfTheBoundsIsWhatTheProgramUses()
+{
+    QFETCH(QString, phases);
+    QFETCH(double, bound);
+    nlohmann::ordered_json document{{"schema", "vis2hap.protocol/1"}, {"name", "Bounds"}, {"participants", 2}, {"fabrics", 3}};
+    document["conditions"] = {"v_grey", "h"};
+    document["phases"] = nlohmann::ordered_json::parse(phases.toStdString());
+    if (phases.contains("Remarks")) document["question_texts"] = {{"Remarks", "What else did you feel?"}};
+    ShownEditor shown;
+    shown.page().edit(study::app::ProtocolDraft::fromText(document.dump(), "here"), {});
+    shown.section(6);
+    QCOMPARE(shown.widget<QLineEdit>("upperBound").placeholderText().replace(',', '.').toDouble(), bound);
+    QCOMPARE(shown.widget<QLineEdit>("lowerBound").placeholderText().replace(',', '.').toDouble(), -bound);
+    const auto protocol = protocols::checkedProtocol(document.dump(), "here").protocol;
+    QTEST(protocol.has_value(), "isSound");
+    if (protocol) QCOMPARE(protocol->equivalenceBounds, std::pair(-bound, bound));
 }
 
 void AppEditorTest::wayByKeysAlone()

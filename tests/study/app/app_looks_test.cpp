@@ -8,6 +8,8 @@
 
 #include "study/app/language/app_text.h"
 #include "study/app/language/language.h"
+#include "study/app/participant/instruction_view.h"
+#include "study/app/participant/participant_side.h"
 #include "study/app/pieces/pieces.h"
 #include "study/app/pieces/scale_line.h"
 #include "study/app/state/appearance.h"
@@ -47,7 +49,11 @@ class AppLooksTest : public tests::EveryPage {
     Q_OBJECT
 
 private Q_SLOTS:
-    void cleanup() { applyAppearance({}, m_font); }
+    void cleanup()
+    {
+        applyAppearance({}, m_font);
+        QGuiApplication::setLayoutDirection(Qt::LeftToRight);
+    }
     void themesCanBeRead_data();
     void themesCanBeRead();
     void everyControlHasANameForScreenReaders();
@@ -55,7 +61,9 @@ private Q_SLOTS:
     void noSizeIsStoredThatTheWindowCannotShow();
     void aFieldThatIsOffLooksOff();
     void messagesStandBesideTheirFieldAndGo();
+    void wordsStandUnderTheirTicks_data();
     void wordsStandUnderTheirTicks();
+    void slotsAndEndsKeepTheirSidesFromRightToLeft();
     void pagesAreSavedAsPictures();
 };
 
@@ -197,8 +205,17 @@ void AppLooksTest::messagesStandBesideTheirFieldAndGo()
     QVERIFY(open.message().isEmpty());
 }
 
+void AppLooksTest::wordsStandUnderTheirTicks_data()
+{
+    QTest::addColumn<Qt::LayoutDirection>("direction");
+    QTest::newRow("from left to right") << Qt::LeftToRight;
+    QTest::newRow("from right to left") << Qt::RightToLeft;
+}
+
 void AppLooksTest::wordsStandUnderTheirTicks()
 {
+    QFETCH(const Qt::LayoutDirection, direction);
+    QGuiApplication::setLayoutDirection(direction);
     OpenWindow open(newStudy(tests::support::wholeStudy()));
     open.window().resize(1366, 768);
     open.enrolAndBegin();
@@ -209,11 +226,38 @@ void AppLooksTest::wordsStandUnderTheirTicks()
     const auto farthest = [&] {
         int most = 0;
         for (int step = 0; step < words.size(); ++step)
-            most = std::max(most, std::abs(words[step]->geometry().center().x() - line.x() -
-                                           line.pointOf(Tenths{line.scale().min.value + step * line.scale().step.value}).x()));
+            most = std::max(
+                most,
+                std::abs(words[step]->mapTo(&open.window(), words[step]->rect().center()).x() -
+                         line.mapTo(&open.window(), line.pointOf(Tenths{line.scale().min.value + step * line.scale().step.value}))
+                             .x()));
         return most;
     };
     QTRY_VERIFY2(farthest() <= 3, qPrintable(QString::number(farthest())));
+}
+
+/// The line of a scale and the tray on the table lie the same way in every language.
+void AppLooksTest::slotsAndEndsKeepTheirSidesFromRightToLeft()
+{
+    QGuiApplication::setLayoutDirection(Qt::RightToLeft);
+    OpenWindow open(newStudy(tests::support::wholeStudy()));
+    open.window().startSession(protocols::ParticipantId("P01"));
+    const auto isLeftOf = [](const QWidget& left, const QWidget& right) {
+        return left.mapTo(left.window(), left.rect().center()).x() < right.mapTo(right.window(), right.rect().center()).x();
+    };
+    open.playTo("ScaleTraining");
+    QTRY_VERIFY(isLeftOf(open.widget<QLabel>("lowAnchor"), open.widget<QLabel>("highAnchor")));
+    QVERIFY(open.widget<QLabel>("lowAnchor").alignment().testFlag(Qt::AlignAbsolute));  // else Arabic words go to the right
+    InstructionView screen(open.window().participantSide(), nullptr);
+    screen.resize(1280, 800);
+    screen.show();
+    const auto& low = *screen.findChild<QLabel*>("participantLow");
+    const auto& high = *screen.findChild<QLabel*>("participantHigh");
+    QTRY_VERIFY(low.isVisible() && isLeftOf(low, high));
+    QVERIFY(low.alignment().testFlag(Qt::AlignAbsolute) && high.alignment().testFlag(Qt::AlignAbsolute));
+    open.playTo("PlacingTray");
+    QTRY_VERIFY(isLeftOf(open.widget<QFrame>("slotCardA"), open.widget<QFrame>("slotCardB")));
+    QVERIFY(isLeftOf(open.widget<QFrame>("slotCardB"), open.widget<QFrame>("slotCardC")));
 }
 
 void AppLooksTest::pagesAreSavedAsPictures()

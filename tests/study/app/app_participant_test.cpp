@@ -67,6 +67,8 @@ private Q_SLOTS:
     void aParticipantAgreesAnswersAndLearnsTheScaleOnATablet();
     void theTabletShowsNothingOfPresentations();
     void whoDoesNotAgreeIsTheOperatorsDecision();
+    void aDisagreementStandsBesideAnOpenPanelAndAfterIt();
+    void aConsentAfterADisagreementIsAskedForTwice();
     void aLateTapChangesNothing();
     void theOperatorsKeysHoldForAMoment();
     void aPanelOfTheOperatorStaysOpen();
@@ -77,9 +79,11 @@ private Q_SLOTS:
     void theSecondScreenShowsTheSame();
     void f4LeadsThereAndBack();
     void theClockOfABreakGoesOnBehindF4();
+    void wordsAndRecordingsAreThoseOfTheOpenStudy();
     void promptsAreDueAtTheirMoments();
     void theHeadphonesKeepTheVersionOfTheParticipant();
     void aRecordingWinsOverSpeech();
+    void aNumberIsReadBackWholeOrNotAtAll();
     void withoutSoundThePageSaysSo();
     void soundThatEndsInMidSessionIsShown();
 };
@@ -147,6 +151,51 @@ void AppParticipantTest::whoDoesNotAgreeIsTheOperatorsDecision()
     QVERIFY2(last.payloadJson.find("do not agree") != std::string::npos, last.payloadJson.c_str());
     QCOMPARE(session.act("\"agrees\":true"), 204);  // after a talk
     QCOMPARE(session.stage(), std::string("AskingFacts"));
+}
+
+void AppParticipantTest::aDisagreementStandsBesideAnOpenPanelAndAfterIt()
+{
+    TabletSession session(newStudy(tests::support::wholeStudy()));
+    session.open.perform(Begun{});
+    const auto isShown = [&] {
+        const auto* bar = session.open.window().currentPage()->findChild<QLabel*>("sessionMessage");
+        return session.open.message().startsWith("The participant does not agree.") && bar->property("role") == "fault";
+    };
+    session.open.gui().click("noteButton");
+    session.open.gui().type("half a no");
+    QCOMPARE(session.act("\"agrees\":false"), 204);
+    QVERIFY2(isShown() && !session.open.message().contains("stored"), qPrintable(session.open.message()));
+    session.open.gui().pressKey(Qt::Key_Escape);
+    QTRY_VERIFY2(isShown(), qPrintable(session.open.message()));
+    session.open.gui().click("noteButton");
+    QTRY_VERIFY2(isShown(), qPrintable(session.open.message()));
+    session.open.gui().type("They hesitate.");
+    session.open.gui().pressKey(Qt::Key_Return);
+    QTRY_VERIFY2(isShown() && session.open.message().endsWith("The note is stored."), qPrintable(session.open.message()));
+    QCOMPARE(session.act("\"agrees\":true"), 204);
+    QCOMPARE(session.open.message(), QString("The participant agreed on their own screen."));
+}
+
+void AppParticipantTest::aConsentAfterADisagreementIsAskedForTwice()
+{
+    auto recipe = tests::support::wholeStudy();
+    recipe.protocol =
+        QString::fromStdString(recipe.protocol).replace("\"dead_time_seconds\": 0,", "\"dead_time_seconds\": 0.7,").toStdString();
+    TabletSession session(newStudy(recipe));
+    session.open.perform(Begun{});
+    const auto enterAfter = [&](double seconds) {
+        session.open.clock().advanceSeconds(seconds);
+        session.open.gui().pressKey(Qt::Key_Return);
+        return session.stage();
+    };
+    session.act("\"agrees\":false");
+    QCOMPARE(enterAfter(1), std::string("Consenting"));
+    QVERIFY2(session.open.message().endsWith("press Enter once more."), qPrintable(session.open.message()));
+    session.act("\"agrees\":false");  // and they say it again
+    QCOMPARE(enterAfter(1), std::string("Consenting"));
+    QCOMPARE(enterAfter(0), std::string("Consenting"));  // this Enter bounced
+    QCOMPARE(enterAfter(1), std::string("AskingFacts"));
+    QCOMPARE(session.open.message(), QString());
 }
 
 void AppParticipantTest::aLateTapChangesNothing()
@@ -344,6 +393,32 @@ void AppParticipantTest::theClockOfABreakGoesOnBehindF4()
     QVERIFY2(clock.contains("3:1"), qPrintable(clock));
 }
 
+/// The tablet usually enters before the first session.
+void AppParticipantTest::wordsAndRecordingsAreThoseOfTheOpenStudy()
+{
+    auto recipe = tests::support::wholeStudy({.language = "de"});
+    recipe.protocol.insert(1, R"("prompts": {"wait": "w.wav", "feel": "f.wav"}, "participant_texts": {"agree": "Ja, gern"},)");
+    const auto study = newStudy(recipe);
+    TabletSession session(study, false);
+    QVERIFY(QTest::qWaitForWindowActive(&session.open.window()));
+    const auto words = [&] {
+        QTest::qWait(60);
+        return session.tablet->get("/words").body;
+    };
+    const QByteArray german = words();
+    QVERIFY2(german.contains("\"language\":\"de\"") && german.contains("\"agree\":\"Ja, gern\""), german.constData());
+    session.open.gui().pressKey(Qt::Key_F4);
+    QCOMPARE(session.open.widget<QLabel>("soundState").text(), QString("Recordings of the study: 2."));
+    session.open.gui().pressKey(Qt::Key_F4);
+    session.open.gui().click("closeStudyButton");
+    QVERIFY(words().contains("\"language\":\"en\""));
+    QCOMPARE(session.open.window().participantSound().state().recordings, 0);
+    session.open.window().openStudy(study.folder);
+    QCOMPARE(words(), german);
+    session.open.window().startSession(ParticipantId("P01"));
+    QCOMPARE(words(), german);
+}
+
 void AppParticipantTest::promptsAreDueAtTheirMoments()
 {
     OpenWindow open(newStudy(tests::support::wholeStudy()));
@@ -387,6 +462,38 @@ void AppParticipantTest::aRecordingWinsOverSpeech()
     const auto played = [&](bool hasVoice) { return study::app::playedFor(keys, prompts, hasVoice).prompts; };
     QVERIFY(played(true) == (std::vector<Prompt>{Recording{"/f.wav"}, SpokenText{"Which?"}}));
     QVERIFY(played(false) == std::vector<Prompt>{Recording{"/f.wav"}});
+}
+
+/// Half a number is another number.
+void AppParticipantTest::aNumberIsReadBackWholeOrNotAtAll()
+{
+    using namespace study::participant;
+    using study::app::CutNumber;
+    study::app::SaidPrompts prompts{{}, {{"point", "point"}, {"number_7", "7"}}, "en"};
+    for (int number = 0; number <= 10; ++number)
+        prompts.files["number_" + std::to_string(number)] = "/" + std::to_string(number) + ".wav";
+    prompts.files["wait"] = "/w.wav";
+    using Keys = std::vector<std::string>;
+    const auto played = [&](const Keys& keys, bool hasVoice) { return study::app::playedFor(keys, prompts, hasVoice).prompts; };
+    const auto cut = [&](const Keys& keys, bool hasVoice) { return study::app::cutNumberIn(keys, prompts, hasVoice); };
+    const Keys fiveFour{"number_5", "point", "number_4", "wait"}, high{"number_150", "point", "number_5", "wait"};
+    const Prompt wait = Recording{"/w.wav"};
+    // Recordings of numbers, none of the point.
+    QVERIFY(played(fiveFour, false) == std::vector<Prompt>{wait});
+    QVERIFY(cut(fiveFour, false) == (CutNumber{protocols::Tenths{54}, "point"}));
+    QVERIFY(played({"number_5", "wait"}, false) == (std::vector<Prompt>{Recording{"/5.wav"}, wait}));
+    QVERIFY(!cut({"number_5", "wait"}, false));
+    // A voice for the point.
+    const Together whole{{Recording{"/5.wav"}, SpokenText{"point"}, Recording{"/4.wav"}}};
+    QVERIFY(played(fiveFour, true) == (std::vector<Prompt>{whole, wait}));
+    QVERIFY(!cut(fiveFour, true));
+    // No number above 10.
+    for (const bool hasVoice : {true, false}) QVERIFY(played(high, hasVoice) == std::vector<Prompt>{wait});
+    QVERIFY(cut(high, true) == (CutNumber{protocols::Tenths{1505}, "number_150"}));
+    // Nothing for numbers at all is what the page of the headphones says before.
+    std::erase_if(prompts.files, [](const auto& file) { return file.first != "wait"; });
+    QVERIFY(played(fiveFour, false) == std::vector<Prompt>{wait});
+    QVERIFY(!cut(fiveFour, false));
 }
 
 void AppParticipantTest::withoutSoundThePageSaysSo()

@@ -2,6 +2,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QTest>
+#include <algorithm>
 
 #include "study/app/state/rating_text.h"
 #include "tests/support/played_session.h"
@@ -84,6 +85,7 @@ private Q_SLOTS:
     void scaleTrainingMayEndAtAnyTime();
     void checklistStoresItsReadingsAndTheTime();
     void everyBreakShowsItsReason();
+    void newQuestionsAreNamedWhereASittingEndsBeforeThem();
     void laterSittingOffersItsPreparation();
     void laterSittingMaySkipItsPreparation();
     void killedSessionOffersThePreparationToo();
@@ -211,6 +213,37 @@ void AppStagesTest::everyBreakShowsItsReason()
     QVERIFY2(lead().contains("another day") && lead().contains("lasted"), qPrintable(lead()));
     open.gui().click("secondButton");  // stop here for today
     QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
+}
+
+void AppStagesTest::newQuestionsAreNamedWhereASittingEndsBeforeThem()
+{
+    const auto folder = newStudy(wholeStudy());
+    const auto shows = [](OpenWindow& open, const QString& text) {
+        const auto labels = open.window().currentPage()->findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(),
+                           [&](const QLabel* label) { return label->isVisible() && label->text().contains(text); });
+    };
+    const QString questions = "Questions that follow: S1. Explain them before the participant puts the mask on.";
+    {
+        OpenWindow open(folder);
+        open.enrolAndBegin();
+        while (open.view().presentation < 6 || nameOf(open.view().state) != "Presenting") open.perform(open.nextEvent());
+        QVERIFY(!shows(open, questions));
+        open.clock().advanceSeconds(75 * 60);
+        open.playTo("OnBreak");
+        QVERIFY(std::get<OnBreak>(open.view().state.stage).reason == BreakReason::SittingOver);
+        QVERIFY(shows(open, questions) && shows(open, "continue on another day"));
+        open.window().close();
+    }
+    OpenWindow open(folder);
+    open.window().startSession(ParticipantId("P01"));
+    QVERIFY(shows(open, "Welcome back") && shows(open, questions));
+    pressKey(open, Qt::Key_G);
+    QCOMPARE(nameOf(open.view().state), std::string("OnBreak"));
+    QVERIFY(shows(open, "Break: new questions follow") && shows(open, questions));
+    QVERIFY(!shows(open, "This sitting has lasted") && !shows(open, "A tired hand"));
+    open.perform(BreakEnded{});
+    open.playTo("Presenting", "S1");
 }
 
 void AppStagesTest::laterSittingOffersItsPreparation()

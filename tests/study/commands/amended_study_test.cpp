@@ -120,6 +120,41 @@ private Q_SLOTS:
         QVERIFY(mustRun({"verify", study()}).out.contains("sound"));
     }
 
+    /// The headphones would go on with the old words, and the report would list the new ones.
+    void aNewTextWithAnOldRecordingIsNoted()
+    {
+        json protocol = json::parse(firstProtocol);
+        protocol["question_texts"] = {{"Q1", "Which one is it?"}};
+        protocol["participant_texts"] = {{"wait_title", "Please wait"}};
+        protocol["prompts"] = {{"question_Q1", "which.wav"}, {"wait", "wait.wav"}, {"number_5", "five.wav"}};
+        tests::support::buildStudy(at("recorded").toStdString(), {.protocol = protocol.dump()});
+        const auto notesAfter = [&](const json& amended) {
+            write(at("recorded/protocol.json"), amended.dump());
+            QStringList notes;
+            for (const QString& line :
+                 mustRun({"study", "amend", at("recorded"), "--who", "M", "--why", "pilot"}).out.split('\n'))
+                if (line.startsWith("note: ")) notes << line;
+            return notes;
+        };
+        protocol["consent"] = "Later consent";
+        QCOMPARE(notesAfter(protocol), QStringList());
+        protocol["question_texts"]["Q1"] = "Which piece is it?";
+        QStringList notes = notesAfter(protocol);
+        QVERIFY2(notes.size() == 1 && notes[0].startsWith("note: the text of Q1 changes, but not its recording which.wav"),
+                 qPrintable(notes.join('\n')));
+        protocol["participant_texts"]["wait_title"] = "Please wait a moment";
+        notes = notesAfter(protocol);
+        QVERIFY2(notes.size() == 1 && notes[0].contains("the prompt wait changes, but not its recording wait.wav"),
+                 qPrintable(notes.join('\n')));
+        protocol["language"] = "de";
+        protocol["question_texts"]["Q1"] = "Welches Stück ist es?";
+        notes = notesAfter(protocol);
+        QVERIFY2(notes.size() == 2 &&
+                     notes[0].contains("from en to de, but not that of the recordings five.wav, which.wav, wait.wav") &&
+                     notes[1].contains("the text of Q1 changes"),
+                 qPrintable(notes.join('\n')));
+    }
+
 private:
     double m_minutesBefore = 0;
 };

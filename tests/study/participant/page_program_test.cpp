@@ -4,6 +4,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QProcess>
+#include <QStandardPaths>
 #include <QTcpSocket>
 #include <QTest>
 #include <csignal>
@@ -16,6 +17,15 @@ using tests::support::Answer;
 using tests::support::Browser;
 
 namespace {
+
+const QString sources = QStringLiteral(VIS2HAP_SOURCE_DIR);
+
+/// A file of the page.
+QByteArray contentOf(const QString& name)
+{
+    QFile file(sources + "/study/participant/page/" + name);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
 
 /// The program, its lines, and a browser.
 struct RunningPage {
@@ -102,6 +112,55 @@ private Q_SLOTS:
         QVERIFY(tablet.get("/now").body.contains("I take part."));
         QCOMPARE(tablet.post("/act", R"({"number":1,"agrees":true})").status, 204);
         QVERIFY(page.nextLine() == LineFromPage(ParticipantAct{1, Agreement{true}}));
+    }
+
+    /// Its script in a stub of a browser, where Node.js is there to run it.
+    void thePageInABrowser_data()
+    {
+        QTest::addColumn<QString>("scenario");
+        for (const char* scenario :
+             {"aDisagreementIsThankedForOnlyAfterItWasSent", "aRefusedAnswerIsNamedAndStays", "aSecondTapDoesNotSendTheNextPage",
+              "aSlowReplyHoldsOnlyItsOwnPage", "theLoginPageOfANetworkIsNoConnection",
+              "aCodeThatTheLoginPageTookIsNotCalledWrong", "theWordsFollowTheStudy", "digitsOfOtherKeyboardsAreDigits",
+              "aBrowserWithoutACallIsNamedTooOld", "aBrowserOf2018ShowsEveryPage"})
+            QTest::newRow(scenario) << scenario;
+    }
+    void thePageInABrowser()
+    {
+        QFETCH(const QString, scenario);
+        const QString node = QStandardPaths::findExecutable("node");
+        if (node.isEmpty()) QSKIP("Node.js is not installed, so the script of the page was not run");
+        QProcess process;
+        process.start(node, {sources + "/tests/study/participant/page_in_node.js", sources, scenario});
+        QVERIFY(process.waitForFinished(20000));
+        QVERIFY2(process.exitCode() == 0, process.readAllStandardError().constData());
+    }
+
+    /// Old tablets show nothing of a script with a younger word, and touching buttons without their gaps.
+    void thePageIsWrittenForBrowsersOf2018()
+    {
+        const QByteArray script = contentOf("page.js"), style = contentOf("page.css");
+        QVERIFY(script.size() > 5000 && style.size() > 2000);
+        for (const char* younger : {"replaceChildren", "replaceAll", "?.", "??", "{...", ", ...rest", "catch {", ".at(",
+                                    "Object.fromEntries", "allSettled", "matchAll", "\\p{", "structuredClone"})
+            QVERIFY2(!script.contains(younger), younger);
+        for (const char* younger : {"inset:", "padding-block", "margin-inline", ":is(", ":where(", "aspect-ratio"})
+            QVERIFY2(!style.contains(younger), younger);
+        for (const QByteArray& line : style.split('\n'))
+            QVERIFY2(!line.contains("gap:") || line.contains("grid"), line.constData());  // flex has no gap there
+    }
+
+    /// The line counts from the left, so its ends must not turn with an Arabic page.
+    void theEndsOfTheLineKeepTheirSides()
+    {
+        const QByteArray style = contentOf("page.css");
+        const auto rule = [&](const QByteArray& selector) {
+            const auto at = style.indexOf("\n" + selector + " {");
+            return at < 0 ? QByteArray() : style.mid(at, style.indexOf('}', at) - at);
+        };
+        QVERIFY(rule(".ends").contains("direction: ltr"));
+        QVERIFY(rule(".ends span").contains("unicode-bidi: plaintext") && rule(".ends span").contains("text-align: left"));
+        QVERIFY(rule(".ends span:last-child").contains("text-align: right"));
     }
 
     void wrongCodesWaitAndASecondTabletIsRefused()

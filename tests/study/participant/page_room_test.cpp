@@ -348,6 +348,38 @@ private Q_SLOTS:
         QCOMPARE(words.at("texts").at("code_title").get<std::string>(), usual("code_title"));
     }
 
+    /// A page that stands open fetches other words by their name, also after a restart of the program.
+    void otherWordsHaveAnotherName()
+    {
+        Visit visit;
+        const auto nameIn = [&](const char* path, const char* key) {
+            return nlohmann::json::parse(visit.get(path).body).at(key).get<std::string>();
+        };
+        const std::string english = nameIn("/words", "name");
+        QCOMPARE(nameIn("/now", "words"), english);  // a browser with no code
+        QCOMPARE(Visit().get("/words").body, visit.get("/words").body);
+        visit.enter("482913");
+        QCOMPARE(nameIn("/now", "words"), english);
+        visit.room.take(PageTexts{"en", {{"agree", "Yes"}}}, 0);
+        QVERIFY(nameIn("/now", "words") != english);
+        QCOMPARE(nameIn("/now", "words"), nameIn("/words", "name"));
+        QVERIFY(english.find_first_of("0123456789") == std::string::npos);  // no code of a piece
+    }
+
+    /// A number that was copied from elsewhere often stands between two such marks.
+    void aFactWithMarksOfDirectionIsTakenWithoutThem()
+    {
+        Visit visit;
+        visit.enter("482913");
+        Instruction facts;
+        facts.task = Task::Facts;
+        facts.questions = {"age", "phone"};
+        visit.show(2, facts);
+        const PageReply told = visit.post("/act", "{\"number\":2,\"facts\":[\"\u2067٣١\u2069\",\"\u202a+49 30\u202c\"]}");
+        QCOMPARE(told.status, 204);
+        QVERIFY(told.lines.front() == LineFromPage(ParticipantAct{2, FactsTold{{"٣١", "+49 30"}}}));
+    }
+
     void cookiesAreFoundByTheirWholeName()
     {
         QCOMPARE(cookieIn("a=1; vis2hap=xyz; b=2", "vis2hap"), std::string("xyz"));

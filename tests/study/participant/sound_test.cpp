@@ -202,12 +202,15 @@ private Q_SLOTS:
     {
         for (const LineToSound& line :
              {LineToSound(NoiseLevel{0.08}), LineToSound(SpeechLanguage{"zh-Hant"}), LineToSound(SpeechLanguage{}),
-              LineToSound(PlayPrompts{{Recording{"/a b.wav"}, SpokenText{"Fühlen \"Sie\"."}, Recording{"/ü.wav"}}})})
+              LineToSound(PlayPrompts{{Recording{"/a b.wav"}, SpokenText{"Fühlen \"Sie\"."}, Recording{"/ü.wav"}}}),
+              LineToSound(PlayPrompts{{Together{{Recording{"/5.wav"}, SpokenText{"point"}}}, Recording{"/w.wav"}}}),
+              LineToSound(PlayPrompts{{Together{{SpokenText{"5"}}}}})})
             QVERIFY(lineToSound(lineOf(line)) == line);
         for (const char* line :
              {"", "{}", R"({"noise":0.5})", R"({"noise":-1})", R"({"noise":"loud"})", R"({"play":"a"})", R"({"play":[1]})",
-              R"({"play":[],"noise":0})", R"({"play":[{"say":1}]})", R"({"play":[{"say":"a","file":"b"}]})", R"({"language":7})",
-              R"({"language":"-v"})", R"({"language":"../mb"})", R"({"language":"abcdefghijklmnopqrstuvwxyz0123456789"})"})
+              R"({"play":[],"noise":0})", R"({"play":[[]]})", R"({"play":[["a",["b"]]]})", R"({"play":[{"say":1}]})",
+              R"({"play":[{"say":"a","file":"b"}]})", R"({"language":7})", R"({"language":"-v"})", R"({"language":"../mb"})",
+              R"({"language":"abcdefghijklmnopqrstuvwxyz0123456789"})"})
             QVERIFY_EXCEPTION_THROWN(lineToSound(line), protocols::Error);
     }
 
@@ -310,6 +313,15 @@ private Q_SLOTS:
         for (const auto& phase : protocol.phases)
             for (const auto& question : phase.questions) QCOMPARE(english.at("question_" + question.id.value), question.text);
         for (const auto& [key, text] : english) QVERIFY2(protocols::isPromptKey(protocol, key) && !text.empty(), key.c_str());
+        QVERIFY(!english.contains("number_101"));
+        for (const auto& [max, last] : {std::pair(2000, 200), {30000, 999}}) {
+            protocols::Protocol wide = protocol;
+            protocols::RatingScale scale;
+            scale.max = protocols::Tenths{max};
+            wide.phases[0].questions[0].kind = protocols::Rating{scale};
+            const auto texts = spokenTexts(wide);
+            QVERIFY(texts.contains("number_" + std::to_string(last)) && !texts.contains("number_" + std::to_string(last + 1)));
+        }
         protocol.language = "nl";  // has no usual texts
         protocol.participantTexts = {{"feel_title", "Voel"}, {"break_text", "Rust uit."}};
         protocol.phases[0].questions[1].text = "Hoe voelt het?";
@@ -358,6 +370,21 @@ private Q_SLOTS:
         const double tones = rmsOf(all.subspan(mixRateHz + mixRateHz / 10, mixRateHz * 3 / 10));
         QVERIFY(noise > 0.06 && noise < 0.14);
         QVERIFY2(tones > 0.34 && tones < 0.39, qPrintable(QString::number(tones)));  // 0.5 / sqrt(2), and a little noise
+    }
+
+    /// The recording of the point was lost after the study was made.
+    void aNumberWithALostRecordingIsNotPlayedInPart()
+    {
+        Speaking speaking(m_folder.path(), "exit 1");
+        const Recording digit{m_folder.filePath("tone.wav").toStdString()}, lost{m_folder.filePath("lost.wav").toStdString()};
+        const auto seconds = [&](const Prompt& number) {
+            const auto heard = speaking.heard({PlayPrompts{{number, digit}}});
+            return double(heard.size()) / mixRateHz - 0.5;
+        };
+        QCOMPARE(seconds(Together{{digit, digit, digit}}), 2.0);
+        QVERIFY2(!speaking.told.contains("fault"), speaking.told.constData());
+        QCOMPARE(seconds(Together{{digit, lost, digit}}), 0.5);
+        QVERIFY2(speaking.told.contains("lost.wav"), speaking.told.constData());
     }
 
     void theProgramRefusesWhatTheAppNeverSends()

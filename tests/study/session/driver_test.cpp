@@ -10,6 +10,7 @@
 #include "database/evidence/clear_log.h"
 #include "database/evidence/finger_records.h"
 #include "protocols/files/errors.h"
+#include "protocols/random.h"
 #include "tests/support/server/engine_session.h"
 
 using namespace study::session;
@@ -509,13 +510,35 @@ private Q_SLOTS:
         const auto stretch = recording.unstored({1});
         QCOMPARE(stretch->samples.size(), std::size_t(FingerRecording::mostSamples));
         QCOMPARE(stretch->leftOut, 300001 - FingerRecording::mostSamples);
-        QCOMPARE(stretch->samples.back().atNs, (FingerRecording::mostSamples - 1) * FingerRecording::leastGapNs);
+        // The second sample comes 2 ms early, and each of the others 5 ms after the one before.
+        QCOMPARE(stretch->samples.back().atNs, (FingerRecording::mostSamples - 1) * FingerRecording::leastGapNs - 2000000);
         recording.markStored();
         recording.add({400000000000, 1.0, {}, {}});
         QVERIFY(!recording.unstored({1}));  // the bound holds for the whole presentation
         recording.restart();
         recording.add({1, 1.0, {}, {}});
         QVERIFY(recording.unstored({1}));
+    }
+
+    /// A driver may send 200 samples a second, and no clock gives them exactly.
+    void aSourceOfTheHighestRateLosesNoSample()
+    {
+        protocols::Random random(7);
+        for (const std::int64_t jitterNs : {0, 3'000, 400'000, 1'200'000}) {
+            FingerRecording recording;
+            for (std::int64_t i = 0; i < 2000; ++i) {
+                const auto off = static_cast<std::int64_t>(random.below(static_cast<std::uint64_t>(2 * jitterNs + 1))) - jitterNs;
+                recording.add({1'000'000'000 + i * 5'000'000 + off, 1.0, {}, {}});
+            }
+            QCOMPARE(recording.unstored({1})->samples.size(), 2000u);
+            QCOMPARE(recording.unstored({1})->leftOut, 0);
+        }
+        for (const std::int64_t everyNs : {4'990'000, 4'000'000, 2'600'000, 1'000'000, 7'000}) {
+            FingerRecording recording;
+            for (std::int64_t atNs = 0; atNs < 10'000'000'000; atNs += everyNs) recording.add({atNs, 1.0, {}, {}});
+            const auto kept = recording.unstored({1})->samples.size();
+            QVERIFY2(kept <= 2001 && kept > 1600, qPrintable(QString::number(kept)));
+        }
     }
 
     /// An event of a log without operator reads back like one that names it.

@@ -491,6 +491,53 @@ private Q_SLOTS:
         QCOMPARE(session.name(), std::string("PlacingTray"));
     }
 
+    void aBreakAtTheEndOfASittingIsAnotherOneInTheNextSitting_data()
+    {
+        QTest::addColumn<bool>("endsAPhase");
+        QTest::newRow("within a phase") << false;
+        QTest::newRow("between two phases") << true;
+    }
+    void aBreakAtTheEndOfASittingIsAnotherOneInTheNextSitting()
+    {
+        QFETCH(const bool, endsAPhase);
+        Plan plan = smallPlan();
+        plan.protocol.sittingMinutes = 60;
+        Session session(plan);
+        session << SittingStarted{} << Begun{} << FamiliarisationDone{} << ScaleTrainingDone{};
+        if (endsAPhase) session.choose().choose().choose() << BreakEnded{};
+        session.waitMinutes(60);
+        session.choose();
+        const auto reason = [&] { return std::get<OnBreak>(session.state().stage).reason; };
+        const auto beginsPhase = [&] {
+            return viewOf(session.plan(), session.state(), protocols::ParticipantId("P01"), 0).phaseBegins;
+        };
+        QCOMPARE(reason(), BreakReason::SittingOver);
+        QCOMPARE(beginsPhase(), endsAPhase);
+        session << Paused{} << Resumed{};
+        QCOMPARE(reason(), BreakReason::SittingOver);  // it is the same sitting
+        session << Paused{} << SittingStarted{};
+        QCOMPARE(reason(), endsAPhase ? BreakReason::Phase : BreakReason::Block);
+        QCOMPARE(beginsPhase(), endsAPhase);
+    }
+
+    void newQuestionsBeginOnceAfterTheLastOfTheOldOnes()
+    {
+        Session session = atFirstTray();
+        const auto beginsPhase = [&] {
+            return viewOf(session.plan(), session.state(), protocols::ParticipantId("P01"), 0).phaseBegins;
+        };
+        QVERIFY(!beginsPhase());
+        session.choose().choose().choose() << BreakEnded{};
+        session.choose();
+        QVERIFY(beginsPhase());
+        session << Voided{"wrong swatch"};  // one of the old questions comes back
+        QVERIFY(!beginsPhase());
+        (session << BreakEnded{}).choose() << BreakEnded{};
+        QVERIFY(beginsPhase());
+        session << TrayReady{} << Answered{Tenths{50}} << Paused{} << Resumed{};
+        QVERIFY(!beginsPhase());  // they are known by now
+    }
+
     void aLaterSittingBeginsWithTheRefresherAndTheChecklist()
     {
         Session session = familiarising() << FamiliarisationDone{} << ScaleTrainingDone{}

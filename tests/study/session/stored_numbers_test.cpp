@@ -214,7 +214,7 @@ private Q_SLOTS:
 )");
         compare(rowsOf(folder, "SELECT event, trial, attempt, question, text, is_flag FROM notes ORDER BY id"), R"(
 14|2|1||wrong swatch|0
-15|1|1||a remark|1
+15|2|1||a remark|1
 21|2|2|Q1|misheard|0
 29|4|1||loud|0
 )");

@@ -289,8 +289,10 @@ void DisplayPage::showState()
     }
     if (isThere && display->reportsTouches()) facts << tr("reports touches (%1 so far)").arg(m_touches);
     if (isThere && !display->reportsTouches()) facts << tr("does not report touches: press T at the first touch");
+    const bool takesTickets = isThere && display->fetchesImages();
+    if (takesTickets) facts << tr("takes its images from the server only: no test patterns");
     showText(*m_about, facts.join(QStringLiteral("  ·  ")));
-    m_patterns->setUsable(isThere, scale());
+    m_patterns->setUsable(isThere && !takesTickets, scale());
     m_patterns->setShown(m_tried->shown());
     m_shown->setText(m_tried->shown() ? tr("On: %1").arg(patternName(*m_tried->shown())) : tr("Off: nothing can be felt"));
 }

@@ -5,7 +5,7 @@
 
 namespace database {
 
-/// Throws environmentFault where a database could not be written anew: SQLite needs room for a copy beside it, and for another
+/// Throws environmentFault where a database could not be written anew. SQLite needs room for a copy beside it, and for another
 /// one in its own folder for temporary files. The message says that nothing was erased.
 void requireRoomToWriteAnew(const std::filesystem::path& database);
 

@@ -44,7 +44,6 @@ stats::MatchSensitivity matchesOf(const StudyData& data, const std::vector<const
     return stats::matchSensitivity(answers);
 }
 
-/// Shares and intervals stay; every test against chance becomes undefined.
 void leaveUntested(stats::BinomialTest& test, const std::string& why)
 {
     test.why = why;
@@ -74,11 +73,7 @@ ConditionChoices analyseCondition(const StudyData& data, const AnswerCells& cell
         trials > 0 ? stats::Value(matches / static_cast<double>(trials)) : stats::Value::undefined("there are no trials");
     choices.againstChance = stats::binomialTest(correct, trials, chance);
     choices.participantsAgainstChance = stats::oneSampleTTest(cells.participantMeans(question, condition), {.mu = chance});
-    choices.noChance = whyNoChance(scoring, responses);
-    if (!choices.noChance.empty()) {
-        leaveUntested(choices.againstChance, choices.noChance);
-        leaveUntested(choices.participantsAgainstChance, choices.noChance);
-    }
+    leaveUntested(choices, whyNoChance(scoring, responses));
     if (scoring.isSameDifferent) {
         choices.matches = matchesOf(data, responses);
         choices.dPrime = choices.matches->dPrime.estimate;
@@ -153,7 +148,23 @@ void takeMatches(std::vector<ClusteredSensitivity>& sensitivities, const StudyDa
 int shownChance(const ChoiceAnalysis& choices)
 {
     const auto isTested = [](const ConditionChoices& one) { return one.noChance.empty(); };
-    return std::ranges::all_of(choices.conditions, isTested) ? choices.alternatives : 0;
+    return std::ranges::any_of(choices.conditions, isTested) ? choices.alternatives : 0;
+}
+
+std::vector<std::string> untestedConditions(const StudyData& data, const ChoiceAnalysis& choices)
+{
+    std::vector<std::string> names;
+    for (std::size_t c = 0; c < choices.conditions.size(); ++c)
+        if (!choices.conditions[c].noChance.empty()) names.push_back(data.conditions[c]);
+    return names;
+}
+
+void leaveUntested(ConditionChoices& choices, const std::string& why)
+{
+    if (why.empty()) return;
+    choices.noChance = why;
+    leaveUntested(choices.againstChance, why);
+    leaveUntested(choices.participantsAgainstChance, why);
 }
 
 DPrimeRule ruleOfDPrime(const ChoiceAnalysis& choices)

@@ -74,8 +74,14 @@ struct ChoiceAnalysis {
     InstructionAnalysis instructions;  ///< empty where no block instructs the participant
 };
 
-/// m where every condition is tested against 1/m, so that figures can show it as chance; otherwise 0.
+/// m where some condition is tested against 1/m, so that figures show it as chance; otherwise 0.
 int shownChance(const ChoiceAnalysis& choices);
+
+/// The names of the conditions that are not tested against 1/m; figures that show chance name them.
+std::vector<std::string> untestedConditions(const StudyData& data, const ChoiceAnalysis& choices);
+
+/// Leaves out the tests of a condition against chance; shares and intervals stay. Nothing changes where `why` is empty.
+void leaveUntested(ConditionChoices& choices, const std::string& why);
 
 DPrimeRule ruleOfDPrime(const ChoiceAnalysis& choices);
 

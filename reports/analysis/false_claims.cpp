@@ -5,6 +5,7 @@
 #include <map>
 
 #include "reports/cells/common_units.h"
+#include "reports/cells/crossed_answers.h"
 #include "stats/kernels/decimal_grid.h"
 #include "stats/power/measured_claims.h"
 
@@ -94,6 +95,15 @@ stats::StudyNull nullOf(const StudyData& data, const AnswerCells& cells, const s
     return null;
 }
 
+/// `residual`: the fitted SD of a cell's mean. What its answers differ by explains a part of it; they share the rest, so that
+/// simulated cells vary as the fitted ones do.
+void setResiduals(stats::StudyNull& null, double residual, const AnswersOfCells& answers)
+{
+    const double ratio = answers.sd / residual, ofAnswer = std::min(ratio * ratio, answers.perCell);
+    null.residualSd = residual * std::sqrt(1 - ofAnswer / answers.perCell);
+    null.answerSd = residual * std::sqrt(ofAnswer);
+}
+
 FalseClaimFinding findingFor(const std::string& question, const stats::StudyNull& null, double unit, std::size_t studies)
 {
     const bool isChoice = null.asked.kind() == stats::AnswerValues::Choices;
@@ -122,8 +132,9 @@ std::optional<FalseClaimFinding> falseClaimsOf(const StudyData& data, const Answ
     stats::StudyNull null = nullOf(data, cells, question, stats::AnswerValues::Ratings, ratings.model, ratings.claims);
     null.lowest = ratings.scale.min;
     null.highest = ratings.scale.max;
-    null.residualSd = *ratings.model.model.residualSd;
-    return findingFor(question, null, null.residualSd / stats::claimResidualSd, studies);
+    const double residual = *ratings.model.model.residualSd;
+    setResiduals(null, residual, answersOfCells(data, cells, question));
+    return findingFor(question, null, residual / stats::claimResidualSd, studies);
 }
 
 std::optional<FalseClaimFinding> falseClaimsOf(const StudyData& data, const AnswerCells& cells, const std::string& question,

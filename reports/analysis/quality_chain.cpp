@@ -18,13 +18,17 @@ ChainAnswer answerTo(const QuestionAnalysis& question, std::size_t condition)
     return {ratings.meanOfParticipants, ratings.ci95};
 }
 
-ChainQuestion chainQuestion(const QuestionAnalysis& question)
+ChainQuestion chainQuestion(const StudyData& data, const QuestionAnalysis& question)
 {
     if (const auto* choices = std::get_if<ChoiceAnalysis>(&question.findings))
-        return {question.question.id, true, 0, 1,
-                shownChance(*choices) > 0 ? std::optional(1.0 / choices->alternatives) : std::nullopt};
+        return {question.question.id,
+                true,
+                0,
+                1,
+                shownChance(*choices) > 0 ? std::optional(1.0 / choices->alternatives) : std::nullopt,
+                untestedConditions(data, *choices)};
     const auto& scale = std::get<RatingAnalysis>(question.findings).scale;
-    return {question.question.id, false, scale.min, scale.max};
+    return {question.question.id, false, scale.min, scale.max, {}, {}};
 }
 
 bool inOrderOfPaper(const RenderingPrice& a, const RenderingPrice& b)
@@ -59,7 +63,7 @@ QualityChain qualityChain(const StudyAnalysis& analysis)
     for (const QuestionAnalysis& question : analysis.questions)
         if (hasNumbers(question.question)) {
             asked.push_back(&question);
-            chain.questions.push_back(chainQuestion(question));
+            chain.questions.push_back(chainQuestion(data, question));
         }
     std::vector<RenderingPrice> prices;
     for (const RenderingPrice& price : data.prices)

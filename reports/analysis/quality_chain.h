@@ -17,7 +17,8 @@ struct ChainQuestion {
     std::string id;
     bool isChoice = false;              ///< shares correct; else means on the scale
     double low = 0, high = 1;           ///< what figures show: 0 to 1, or the scale
-    std::optional<double> chance = {};  ///< of a choice; none where it is not tested against chance
+    std::optional<double> chance = {};  ///< of a choice; none where no condition is tested against it
+    std::vector<std::string> untested;  ///< conditions that are not tested against chance
 };
 
 /// Share correct with Wilson's interval, or the mean rating with the interval over participants' means.

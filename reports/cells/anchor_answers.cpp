@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "reports/text/plain_words.h"
 #include "stats/kernels/decimal_grid.h"
 #include "stats/kernels/descriptive.h"
 #include "stats/tests/equivalence.h"
@@ -34,25 +35,32 @@ std::optional<stats::RatingReliability> ratingsTwice(const StudyData& data, cons
     return stats::ratingReliability(participants, scale.max, {.low = low, .high = high});
 }
 
-std::optional<stats::ChoiceReliability> choicesTwice(const StudyData& data, const QuestionInfo& info, int alternatives)
+/// Choices that came twice can lack what is compared: right and wrong alone do not say whether two wrong choices are the same.
+void compareChoices(const StudyData& data, const QuestionInfo& info, QuestionAnchors& anchors)
 {
-    const bool byOutcome = agreesByOutcome(data, info);
+    const bool byOutcome = anchors.choicesByOutcome;
     std::vector<stats::RepeatedChoices> participants;
+    std::size_t twice = 0, compared = 0;
     for (const auto& [participant, pairs] : answersTwice(data, info.id)) {
         auto& own = participants.emplace_back();
+        twice += pairs.size();
         for (const auto& [first, second] : pairs) {
             const auto* before = std::get_if<ChosenAnswer>(&first->content);
             const auto* after = std::get_if<ChosenAnswer>(&second->content);
-            // Right and wrong alone do not say whether two wrong choices are the same.
             if (before == nullptr || after == nullptr || (!byOutcome && (!before->answer || !after->answer))) continue;
             ++own.pairs;
             own.agreeing += byOutcome ? before->correct == after->correct : *before->answer == *after->answer;
             own.bothWrong += byOutcome && !before->correct && !after->correct;
         }
+        compared += own.pairs;
     }
-    if (participants.empty()) return std::nullopt;
-    return stats::choiceReliability(participants, alternatives,
-                                    byOutcome ? stats::ChoicesCompared::Outcomes : stats::ChoicesCompared::Answers);
+    if (compared > 0)
+        anchors.choices = stats::choiceReliability(
+            participants, anchors.alternatives, byOutcome ? stats::ChoicesCompared::Outcomes : stats::ChoicesCompared::Answers);
+    else if (twice > 0)
+        anchors.noChoices = counted(twice, "choice") +
+                            " came twice, but of none both answers are known; right and wrong alone do not say whether two "
+                            "wrong answers are the same";
 }
 
 std::optional<AnchorFloor> floorOf(const StudyData& data, const AnswerCells& cells, const std::string& question)
@@ -130,11 +138,11 @@ std::vector<QuestionAnchors> anchorsOf(const StudyData& data, const AnswerCells&
     std::vector<QuestionAnchors> all;
     if (data.mismatchedResponses.empty() && data.repeatedResponses.empty()) return all;
     for (const QuestionInfo& question : data.questions) {
-        QuestionAnchors anchors{question.id, {}, {}, {}, agreesByOutcome(data, question), 0};
+        QuestionAnchors anchors{.question = question.id, .choicesByOutcome = agreesByOutcome(data, question)};
         std::visit(protocols::Overloaded{
                        [&](const RightOrWrong& choice) {
                            anchors.alternatives = choice.alternatives;
-                           anchors.choices = choicesTwice(data, question, choice.alternatives);
+                           compareChoices(data, question, anchors);
                        },
                        [&](const NumberOnScale& scale) {
                            anchors.floor = floorOf(data, cells, question.id);
@@ -143,7 +151,7 @@ std::vector<QuestionAnchors> anchorsOf(const StudyData& data, const AnswerCells&
                        [](const OpenWords&) {},
                    },
                    scoringOf(question.kind));
-        if (anchors.floor || anchors.ratings || anchors.choices) all.push_back(std::move(anchors));
+        if (anchors.floor || anchors.ratings || anchors.choices || !anchors.noChoices.empty()) all.push_back(std::move(anchors));
     }
     return all;
 }

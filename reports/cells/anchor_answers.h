@@ -33,11 +33,12 @@ struct AnchorFloor {
 
 struct QuestionAnchors {
     std::string question;
-    std::optional<AnchorFloor> floor;                 ///< of a rating with mismatched presentations
-    std::optional<stats::RatingReliability> ratings;  ///< of a rating with repeated presentations
-    std::optional<stats::ChoiceReliability> choices;  ///< of a choice with repeated presentations
-    bool choicesByOutcome = false;                    ///< agreesByOutcome()
-    int alternatives = 0;                             ///< of `choices`
+    std::optional<AnchorFloor> floor = {};                 ///< of a rating with mismatched presentations
+    std::optional<stats::RatingReliability> ratings = {};  ///< of a rating with repeated presentations
+    std::optional<stats::ChoiceReliability> choices = {};  ///< of a choice with repeated presentations
+    std::string noChoices = {};                            ///< why there are none, although choices came twice; else empty
+    bool choicesByOutcome = false;                         ///< agreesByOutcome()
+    int alternatives = 0;                                  ///< of `choices`
 };
 
 /// The first and the second answer to one presentation, in the order of time. A presentation that was voided comes again later,
@@ -52,15 +53,15 @@ std::map<std::string, std::vector<AnswersTwice>> answersTwice(const StudyData& d
 /// study has other foils.
 bool agreesByOutcome(const StudyData& data, const QuestionInfo& question);
 
-/// One entry for each question with answers to anchors, in the order of the study.
+/// One entry for each question with answers to anchors, in the order of the study; also where they cannot be compared.
 std::vector<QuestionAnchors> anchorsOf(const StudyData& data, const AnswerCells& cells);
 
 /// The entry of this question; null without one.
 const QuestionAnchors* anchorsOf(const std::vector<QuestionAnchors>& anchors, const std::string& question);
 
-/// The ceiling of the mean rating, or of the share of right answers; null where nothing came twice.
+/// The ceiling of the mean rating, or of the share of right answers; null where nothing is compared.
 const stats::Estimate* ceilingOf(const QuestionAnchors& anchors);
-/// ICC(2,1) of ratings, or kappa of choices; null where nothing came twice.
+/// ICC(2,1) of ratings, or kappa of choices; null where nothing is compared.
 const stats::Estimate* reliabilityOf(const QuestionAnchors& anchors);
 
 }  // namespace reports

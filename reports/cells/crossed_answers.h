@@ -17,4 +17,12 @@ stats::CrossedStudy crossedAnswers(const StudyData& data, const AnswerCells& cel
 /// The same with one value for each cell, the mean of these repetitions.
 stats::CrossedStudy crossedCells(const StudyData& data, const AnswerCells& cells, const std::string& question);
 
+/// The answers behind the values of crossedCells().
+struct AnswersOfCells {
+    double perCell = 1;  ///< harmonic mean of their numbers; where units count equally, so many as have the variance of the mean
+    double sd = 0;       ///< of answers about the mean of their cell; 0 where no cell has two
+};
+
+AnswersOfCells answersOfCells(const StudyData& data, const AnswerCells& cells, const std::string& question);
+
 }  // namespace reports

@@ -31,9 +31,8 @@ std::string responseTimeSentence(TimesTaken times)
         case TimesTaken::ToEntry:
             return "Response time runs from the first touch, or from the moment when the tray was ready, to the entry of the "
                    "answer. "
-                   "It contains the operator's typing, because an older version of the program began this study and did not "
-                   "stamp "
-                   "the beginning of answers.";
+                   "It contains the operator's typing, because whole sittings lack the stamp of the beginning of answers, as in "
+                   "studies that an older version of the program began.";
         case TimesTaken::AsRecorded:
             return "The response times are those of the file. This program does not know how they were measured.";
     }

@@ -11,8 +11,8 @@
 namespace reports {
 
 /// Response time, s, as StudyData::times defines it: from the first touch of the display to the beginning of the answer. Studies
-/// that an older version began keep the time to the entry; answers of other experiments bring their own times. None: not
-/// recorded.
+/// with whole sittings of an older version keep the time to the entry; answers of other experiments bring their own times. None:
+/// not recorded.
 std::optional<double> responseTimeOf(const StudyResponse& response);
 
 /// The response times of the answers that carry one, s.

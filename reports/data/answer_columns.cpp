@@ -7,6 +7,7 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/question_ids.h"
+#include "reports/data/table_marks.h"
 #include "reports/text/plain_words.h"
 
 namespace reports {
@@ -139,8 +140,14 @@ private:
         else if (const std::size_t end = name.find('_'); end != std::string::npos && isUsualName(name.substr(0, end)))
             fail("the column \"" + name + "\" is unknown", m_place,
                  "a question such as " + name.substr(0, end) + ", alone or with _correct, _seconds, _answer, _trial or _sitting");
-        else
+        else if (!isOfExport(name))
             m_columns.unused.push_back(name.empty() ? "a column without a name" : name);
+    }
+
+    /// Columns that readAnswerRows() has used.
+    bool isOfExport(const std::string& name) const
+    {
+        return (name == stateColumn && m_rows.hasStates) || (name == kindColumn && !m_rows.answeredBy.empty());
     }
 
     /// "trial", "sitting", "instruction" and "anchor" hold for every question of the row, "Q1_trial" and "Q1_sitting" for one.

@@ -7,6 +7,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/number_text.h"
 #include "protocols/files/utf8.h"
+#include "reports/data/answer_rows.h"
 
 namespace reports {
 
@@ -84,6 +85,18 @@ std::optional<double> answerNumberOrMissing(const protocols::CsvTable& table, st
 {
     requirePoint(table, row, column);
     return protocols::numberOrMissing(table, row, column);
+}
+
+std::optional<bool> markAt(const protocols::CsvTable& table, std::size_t row, std::size_t column, const MarkWords& words)
+{
+    const std::string& cell = table.rows[row][column];
+    if (protocols::isMissing(cell)) return std::nullopt;
+    const auto number = protocols::numberIn(cell);
+    if (number == 0.0 || number == 1.0) return number == 1.0;
+    throw protocols::badInput(
+        {quotedCell(cell) + " is neither " + words.one + " nor " + words.zero, placeOfCell(table, row, column),
+         "1 (" + std::string(words.one) + ") or 0 (" + words.zero + "); or one of the words " + wordsForScores(),
+         "replace the words; an empty cell is a missing value"});
 }
 
 }  // namespace reports

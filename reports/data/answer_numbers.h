@@ -18,4 +18,14 @@ double answerNumberAt(const protocols::CsvTable& table, std::size_t row, std::si
 /// The same; none where the value is missing.
 std::optional<double> answerNumberOrMissing(const protocols::CsvTable& table, std::size_t row, std::size_t column);
 
+/// What 1 and 0 of a mark mean, for messages.
+struct MarkWords {
+    const char* one;
+    const char* zero;
+};
+
+/// 1 or 0 as true or false; none where the value is missing. Throws badInput for anything else. Words such as TRUE and FALSE are
+/// numbers by then (readAnswerRows).
+std::optional<bool> markAt(const protocols::CsvTable& table, std::size_t row, std::size_t column, const MarkWords& words);
+
 }  // namespace reports

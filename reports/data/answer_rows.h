@@ -33,9 +33,14 @@ struct AnswerRows {
     std::map<std::string, protocols::AnswerKind> kinds;  ///< of questions that a long table holds
     std::set<std::string> assumedChoices;                ///< questions of a long table that does not tell their alternatives
     std::set<std::string> mixedChoices;                  ///< questions of an own export with several numbers of alternatives
+    std::map<std::string, std::vector<bool>> given;      ///< questions in words of an own export: rows that are answers
     std::vector<std::string> unused;                     ///< columns of a long table that are not analysed
-    std::size_t voided = 0;                              ///< rows marked as void; of an own export, presentations
-    std::size_t ofWithdrawn = 0;                         ///< rows of an own export by participants who withdrew
+    std::size_t voided = 0;                              ///< rows marked as void, or their presentations
+    bool namesPresentations = false;                     ///< an own export with the columns `trial` and `attempt`
+    std::size_t ofWithdrawn = 0;                         ///< rows by participants who withdrew
+    std::size_t wordsAlone = 0;                          ///< rows with words, of questions with choices or ratings
+    bool hasStates = false;                              ///< the column "state" tells who withdrew
+    std::set<std::string> answeredBy;                    ///< "human", "scripted", "simulated"; empty where no column tells
     TimesTaken times = TimesTaken::AsRecorded;           ///< what the seconds are
     std::string taken;                                   ///< what the file was taken for; empty for a usual one
     bool isOwnExport = false;                            ///< answers.csv of this program, a public one, too
@@ -45,21 +50,22 @@ struct AnswerRows {
 
 /// Reads a wide or a long table. A long one has a column `question` and one row an answer, with `correct` (right or wrong),
 /// `rating` or `answer` (words), and any of `seconds`, `repetition`, `session`, `group`, `trial`, `sitting`, `voided`. The
-/// answers.csv of this program is long. Its rows of participants who withdrew are left out. `place` is its trial, and
-/// `alternatives` tells how many answers a choice had. Its seconds are `response_seconds`, unless an answer has no stamp of its
-/// beginning. Another long table may have such a column, too: it counts where every answer has a value. A column `anchor` whose
-/// values are mismatched, repeated or missing marks answers to anchors; in a long table their trial stands behind the word, so
-/// that two mismatches with one image stay two. A table of one question needs no column `question`: it is called Q1. TRUE and
-/// FALSE, also in German and French, are read as 1 and 0 in columns of right and wrong answers. Names of participants, fabrics,
-/// conditions and the like lose the blanks at their ends. Throws badInput as
-/// readForeignTable() does, for an unknown column of `names`, for a doubled answer, for more than 200 questions (10,000 in an own
-/// export), and where the wide table would have more than 20 million cells.
+/// answers.csv of this program is long. `place` is its trial, `alternatives` tells how many answers a choice had, and every row
+/// of a question in words is an answer, also an empty one. Its seconds are `response_seconds`, unless whole sittings have no
+/// stamps of the beginning of answers (SittingStamps). The same holds for such a column of another long table. Rows whose `state`
+/// is withdrawn are left out, where the column has only the words of an export; `kind` tells who answered. A column `anchor`
+/// whose values are mismatched, repeated or missing marks answers to anchors; in a long table their trial stands behind the word,
+/// so that two mismatches with one image stay two. A table of one question needs no column `question`: it is called Q1. TRUE and
+/// FALSE, also in German and French, are read as 1 and 0 in columns of right and wrong answers, and in `voided` and `late`. Names
+/// of participants, fabrics, conditions and the like lose the blanks at their ends. Throws badInput as readForeignTable() does,
+/// for an unknown column of `names`, for a doubled answer, for a question with both choices and ratings, for more than 200
+/// questions (10,000 in an own export), and where the wide table would have more than 20 million cells.
 AnswerRows readAnswerRows(const std::filesystem::path& file, const AnswerRowsOptions& options, int alternatives);
 
 /// A name without the blanks, tabs and no-break spaces that a spreadsheet leaves at its ends.
 std::string_view nameWithoutBlanks(std::string_view cell);
 
-/// The words that columns of right and wrong answers may hold instead of 1 and 0: "true/false, wahr/falsch, ...".
+/// The words that such columns may hold instead of 1 and 0: "true/false, wahr/falsch, ...".
 std::string wordsForScores();
 
 }  // namespace reports

@@ -13,6 +13,7 @@
 #include "protocols/files/number_text.h"
 #include "protocols/files/utf8.h"
 #include "reports/data/answer_columns.h"
+#include "reports/data/answer_notes.h"
 #include "reports/data/answer_numbers.h"
 #include "reports/text/plain_words.h"
 
@@ -49,11 +50,15 @@ public:
         if (m_data.responses.empty()) fail("there are no answers", m_where, "at least one row with an answer");
         countAnswersOfCells();
         m_data.times = m_rows.times;
+        m_data.simulated = m_rows.answeredBy.contains("simulated");
+        m_data.scripted = m_rows.answeredBy.contains("scripted");
+        m_data.knowsKinds = !m_rows.answeredBy.empty();
         m_data.voided = m_rows.voided;
         m_data.choicesRepeatedAnew = m_rows.choicesRepeatedAnew;
         putInOrder();
         requireKnownContrasts();
-        writeNotes();
+        if (m_options.note)
+            for (const std::string& note : answerNotes(m_rows, m_columns, m_data, m_hasOtherScale, m_where)) m_options.note(note);
         return std::move(m_data);
     }
 
@@ -136,29 +141,6 @@ private:
                 fail(named + "repeats an earlier one", m_where, "each pair of conditions once, in one order",
                      "leave out one of the two --planned");
         }
-    }
-
-    void writeNotes() const
-    {
-        if (!m_options.note) return;
-        if (!m_rows.taken.empty()) m_options.note(m_where + ": read with " + m_rows.taken);
-        std::vector<std::string> unused = m_columns.unused;
-        unused.insert(unused.end(), m_rows.unused.begin(), m_rows.unused.end());
-        if (!unused.empty()) m_options.note(m_where + ": not analysed: " + listed(unused));
-        std::vector<std::string> assumed;
-        for (const QuestionInfo& question : m_data.questions)
-            if (question.alternativesAssumed) assumed.push_back(question.id);
-        if (!assumed.empty())
-            m_options.note(m_where + ": the choices of " + listed(assumed) + " are tested against 1/" +
-                           std::to_string(usualAlternatives) +
-                           ", the default of this program; name the number of alternatives by --alternatives or --protocol");
-        if (m_hasOtherScale)
-            m_options.note(m_where + ": some ratings are outside 0 to 10; name their scale by --scale LOW,HIGH or by --protocol");
-        if (m_rows.voided > 0)
-            m_options.note(m_where + ": " + counted(m_rows.voided, m_rows.isOwnExport ? "voided presentation" : "voided answer") +
-                           " left out");
-        if (m_rows.ofWithdrawn > 0)
-            m_options.note(m_where + ": " + counted(m_rows.ofWithdrawn, "answer") + " of participants who withdrew left out");
     }
 
     void readDesign(const protocols::Protocol& protocol)
@@ -275,10 +257,14 @@ private:
         return *taken > *given->deadlineSeconds;
     }
 
-    /// As the export says; none without a deadline or a time.
-    std::optional<bool> lateIn(std::size_t row, std::size_t column) const
+    /// Seconds; none where the time is missing. Some programs write -999 for a missing one, which no mean may hold.
+    std::optional<double> timeIn(std::size_t row, const std::optional<std::size_t>& column) const
     {
-        return cell(row, column).empty() ? std::nullopt : std::optional(cell(row, column) == "1");
+        const auto taken = column ? answerNumberOrMissing(m_table, row, *column) : std::nullopt;
+        if (taken && *taken < 0)
+            fail("the time " + cell(row, *column) + " is negative", nameOf(row) + ", column " + m_table.columns[*column],
+                 "seconds from 0", "a time is not negative: leave the cells of missing times empty");
+        return taken;
     }
 
     void readGroup(std::size_t row, const std::string& participant)
@@ -318,15 +304,15 @@ private:
             if (const auto content = contentIn(row, columns)) {
                 StudyResponse response{participant, fabric, condition, columns.info.id, *content};
                 response.repetition = repetition;
-                std::optional<double> taken;
-                if (columns.time) taken = answerNumberOrMissing(m_table, row, *columns.time);
+                const std::optional<double> taken = timeIn(row, columns.time);
                 response.seconds = taken;
                 response.trial = countIn(row, columns.trial ? columns.trial : m_columns.trial);
                 const auto sitting = columns.sitting ? columns.sitting : m_columns.sitting;
                 response.sitting = sitting ? countIn(row, sitting) : session;
                 response.instruction = instruction;
                 learnInstruction(columns, instruction);
-                response.late = columns.late ? lateIn(row, *columns.late) : isLate(columns.info, instruction, taken);
+                response.late = columns.late ? markAt(m_table, row, *columns.late, {"late", "in time"})
+                                             : isLate(columns.info, instruction, taken);
                 if (columns.touchedBy) response.touchedBy = cell(row, *columns.touchedBy);
                 response.entries = countIn(row, columns.entries);
                 responsesOf(anchor, isCatch).push_back(std::move(response));
@@ -354,10 +340,18 @@ private:
         return static_cast<int>(*number);
     }
 
+    /// Whether an own export has an answer in words here, which may be empty, or NA.
+    bool isGivenInWords(std::size_t row, const QuestionInfo& question) const
+    {
+        const auto given = m_rows.given.find(question.id);
+        return given != m_rows.given.end() && row < given->second.size() && given->second[row] &&
+               std::holds_alternative<OpenWords>(scoringOf(question.kind));
+    }
+
     /// None where the cell is missing.
     std::optional<AnswerContent> contentIn(std::size_t row, const QuestionColumns& columns)
     {
-        if (protocols::isMissing(cell(row, *columns.value))) return std::nullopt;
+        if (protocols::isMissing(cell(row, *columns.value)) && !isGivenInWords(row, columns.info)) return std::nullopt;
         const std::string place = nameOf(row) + ", column " + m_table.columns[*columns.value];
         return std::visit(
             protocols::Overloaded{

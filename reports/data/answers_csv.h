@@ -40,9 +40,9 @@ struct AnswersCsvOptions {
 /// Columns with other names are not analysed; options.note names them. It also names choices that are tested against the default
 /// of 1/3. The answers to a question of same or different are "same" and "different", in any case of letters.
 /// Throws badInput naming row and column: a missing or malformed column, a column Q1_x with an unknown x, a doubled row, a value
-/// that is no number, a participant in two groups, a rating outside the scale; a contrast of options.planned that repeats an
-/// earlier one, in either order, or names one condition twice or an unknown one. Where neither the protocol nor options.scale
-/// names a scale, it is 0 to 10; for an export of this program options.note then names ratings outside it instead.
+/// that is no number, a negative time, a participant in two groups, a rating outside the scale; a contrast of options.planned
+/// that repeats an earlier one, in either order, or names one condition twice or an unknown one. Where neither the protocol nor
+/// options.scale names a scale, it is 0 to 10; for an export of this program options.note then names ratings outside it instead.
 StudyData readAnswersCsv(const std::filesystem::path& file, const AnswersCsvOptions& options = {});
 
 }  // namespace reports

@@ -55,7 +55,7 @@ struct StudyResponse {
 /// What the times of a study are.
 enum class TimesTaken {
     ToBeginning,  ///< from the first touch to the beginning of the answer: the participant's time
-    ToEntry,      ///< to the entry of the answer, because this study was begun by a version without the stamp of its beginning
+    ToEntry,      ///< to the entry of the answer, because whole sittings lack the stamp of its beginning, as in older versions
     AsRecorded,   ///< another laboratory's file states them
 };
 
@@ -145,6 +145,7 @@ struct StudyData {
     bool blinded = true;
     bool simulated = false;  ///< any participant is simulated; every section of the page says so
     bool scripted = false;
+    bool knowsKinds = true;           ///< false: a table of answers that does not tell whether people answered
     std::vector<std::string> stamps;  ///< sentences that the page must print
     std::vector<std::string> participants;
     std::set<std::string> finished;  ///< participants who gave every answer and ended; only blinded reports read it

@@ -157,7 +157,8 @@ std::vector<Figure> accuracyFigures(const StudyAnalysis& analysis, FigureWidth w
                           analysis.data, question.id() + ": share correct by response time, of " +
                                              counted(accuracy.participants.size(), "participant") +
                                              ". Points: quarters of each participant's own times, all conditions together. "
-                                             "Whiskers: 95 % interval over participants, for these fabrics."),
+                                             "Whiskers: 95 % interval over participants, for these fabrics." +
+                                             untestedText(analysis.data, question.findings)),
                       .section = PageSection::Speed,
                       .question = question.id()};
         figure.svg = AccuracyPlot(accuracy, shownChance(question.findings), question.id() + ": share correct by response time",

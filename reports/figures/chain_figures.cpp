@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "protocols/files/markup_text.h"
 #include "protocols/files/number_text.h"
@@ -10,6 +11,7 @@
 #include "reports/analysis/quality_chain.h"
 #include "reports/charts/chart_colours.h"
 #include "reports/text/condition_label.h"
+#include "reports/text/plain_words.h"
 
 namespace reports {
 namespace {
@@ -109,6 +111,19 @@ std::vector<ChainPanel> panelsOf(const QualityChain& chain)
     const auto bits = pointsOf([](const ChainRow& row) { return PanelPoint{row.bitsPerSecond, row.bitsPerSecondCi95}; });
     if (extentOf(bits)) panels.push_back(linearPanel("information", "bits per second", bits));
     return panels;
+}
+
+/// What the dashed lines are, and the conditions that they do not hold for.
+std::string chainChanceText(const QualityChain& chain)
+{
+    const auto shown = std::span(chain.questions).first(std::min(chain.questions.size(), mostChainQuestions));
+    const bool hasLine = std::ranges::any_of(shown, [](const ChainQuestion& one) { return one.chance.has_value(); });
+    std::string text = hasLine ? ". Dashed line: chance." : ".";
+    for (const ChainQuestion& one : shown)
+        if (!one.untested.empty())
+            text += " " + one.id + " is not tested against chance under " + listed(one.untested) +
+                    ": the pairs were not half the same there.";
+    return text;
 }
 
 /// Panels side by side in lines of three, so that the labels can be read on a phone. Every line repeats the labels of the rows.
@@ -237,7 +252,6 @@ std::vector<Figure> chainFigures(const StudyAnalysis& analysis, FigureWidth widt
     if (chain.rows.empty()) return {};
     const std::vector<ChainPanel> panels = panelsOf(chain);
     const std::string intervals = answerIntervalsText(chain);
-    const bool hasChance = std::ranges::any_of(panels, [](const ChainPanel& panel) { return panel.chance.has_value(); });
     Figure figure{
         .name = "chain",
         .caption = stampedCaption(
@@ -245,7 +259,7 @@ std::vector<Figure> chainFigures(const StudyAnalysis& analysis, FigureWidth widt
             "Speed against accuracy, from milliseconds to people. Upper panels, over fabrics: median time of the signals "
             "of one image; error of the signal and difference under a simulated finger, both from the accurate rendering "
             "of the same condition. Other panels: participants' answers. Whiskers: 95 % intervals" +
-                (intervals.empty() ? "" : ". " + intervals) + (hasChance ? ". Dashed line: chance." : ".") +
+                (intervals.empty() ? "" : ". " + intervals) + chainChanceText(chain) +
                 " A missing point has its reason in the table."),
         .section = PageSection::Chain};
     figure.svg = ChainPlot(chain, panels, "Speed against accuracy, from milliseconds to people", figure.caption, width).drawn();

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "reports/analysis/choice_analysis.h"
 #include "reports/charts/figure_width.h"
 #include "reports/data/study_data.h"
 #include "reports/text/page_section.h"
@@ -20,5 +21,8 @@ struct Figure {
 
 /// The caption, with a note on simulated participants.
 std::string stampedCaption(const StudyData& data, const std::string& caption);
+
+/// For the caption of a figure that shows chance: the conditions that are not tested against it. Empty where all are.
+std::string untestedText(const StudyData& data, const ChoiceAnalysis& choices);
 
 }  // namespace reports

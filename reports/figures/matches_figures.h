@@ -8,7 +8,8 @@
 
 namespace reports {
 
-/// Bars with Wilson's 95 % intervals and the chance line; counts on the left axis, shares on the right.
+/// Bars of the mean share with its 95 % interval over participants and fabrics, or over participants where fabrics cannot be a
+/// sample. The chance line where some condition is tested against it. Counts on the left axis, shares on the right.
 std::vector<Figure> matchesFigures(const StudyAnalysis& analysis, FigureWidth width);
 
 }  // namespace reports

@@ -44,7 +44,7 @@ Figure conditionsFigure(const StudyAnalysis& analysis, const AnalysedQuestion<Ch
                       analysis.data, question.id() +
                                          ": speed against accuracy. Numbered points: median response time and share correct of a "
                                          "condition. Bars: 95 % intervals over participants, for these fabrics." +
-                                         line),
+                                         line + untestedText(analysis.data, question.findings)),
                   .section = PageSection::Speed,
                   .question = question.id()};
     plot.description = figure.caption;
@@ -72,7 +72,8 @@ Figure instructionsFigure(const StudyAnalysis& analysis, const AnalysedQuestion<
                       question.id() +
                           ": speed against accuracy by instruction, all conditions together. Points: median response time and "
                           "share correct." +
-                          lines + " Bars: 95 % intervals over participants, for these fabrics."),
+                          lines + " Bars: 95 % intervals over participants, for these fabrics." +
+                          untestedText(analysis.data, question.findings)),
                   .section = PageSection::Speed,
                   .question = question.id()};
     plot.description = figure.caption;

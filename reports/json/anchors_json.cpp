@@ -88,6 +88,7 @@ nlohmann::ordered_json anchorsMember(const StudyAnalysis& analysis)
         if (anchors.floor) row["mismatched"] = floorRow(*anchors.floor);
         if (anchors.ratings) row["repeated"] = repeatedRow(*anchors.ratings, analysis.data.equivalenceBounds);
         if (anchors.choices) row["repeated"] = repeatedRow(*anchors.choices, anchors.choicesByOutcome, anchors.alternatives);
+        if (!anchors.noChoices.empty()) putNull(row, "repeated", anchors.noChoices);
         part["anchors"].push_back(std::move(row));
     }
     return part;

@@ -84,7 +84,10 @@ void addAboveChance(const TakeRow& take, const std::string& question, const Ques
         putMean(row, finding.claim.mean);
         putP(row, "p", finding.claim.above.p, finding.claim.above.logP);
         putP(row, "p_adjusted", finding.claim.pAdjusted);
-        row["above_chance"] = finding.claim.isAbove;
+        if (finding.claim.above.p.exists())
+            row["above_chance"] = finding.claim.isAbove;
+        else
+            putNull(row, "above_chance", finding.claim.above.p.why());
         putReasonsLast(row);
         take(std::move(row));
     }

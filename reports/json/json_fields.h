@@ -11,6 +11,9 @@ namespace reports {
 
 using Json = nlohmann::ordered_json;
 
+/// Why nothing says whether people answered, where the answers come from a table.
+inline constexpr const char* kindsUnknown = "the table does not tell who answered: an export has a column kind";
+
 /// object[key] = null, object["why"][key] = why.
 void putNull(Json& object, const std::string& key, const std::string& why);
 

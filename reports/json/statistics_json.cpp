@@ -64,19 +64,22 @@ Json dataPart(const StudyAnalysis& analysis)
     const NumberOnScale scale = commonScale(analysis);
     Json questions = Json::array();
     for (const QuestionAnalysis& question : analysis.questions) questions.push_back(questionRow(question, scale));
-    return {{"participants", data.participants},
-            {"fabrics", data.fabrics},
-            {"conditions", data.conditions},
-            {"questions", questions},
-            {"alternatives", firstAlternatives(data)},
-            {"scale", {scale.min, scale.max}},
-            {"scripted", data.scripted},
-            {"stamps", data.stamps},
-            {"responses", analysis.completeness.present},
-            {"expected_responses", analysis.completeness.expected},
-            {"missing_responses", analysis.completeness.missing()},
-            {"missing_by_condition", missingPart(analysis)},
-            {"voided_presentations", data.voided}};
+    Json part{{"participants", data.participants},
+              {"fabrics", data.fabrics},
+              {"conditions", data.conditions},
+              {"questions", questions},
+              {"alternatives", firstAlternatives(data)},
+              {"scale", {scale.min, scale.max}},
+              {"scripted", data.scripted},
+              {"stamps", data.stamps},
+              {"responses", analysis.completeness.present},
+              {"expected_responses", analysis.completeness.expected},
+              {"missing_responses", analysis.completeness.missing()},
+              {"missing_by_condition", missingPart(analysis)},
+              {"voided_presentations", data.voided}};
+    if (!data.knowsKinds) putNull(part, "scripted", kindsUnknown);
+    putReasonsLast(part);
+    return part;
 }
 
 Json countedRate(const stats::Rejections& rejections)

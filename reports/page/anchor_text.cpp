@@ -67,8 +67,9 @@ std::string reliabilitySentences(const std::string& question, const stats::Ratin
 
 std::string choiceSentences(const std::string& question, const QuestionAnchors& anchors)
 {
-    const stats::ChoiceReliability& found = *anchors.choices;
     std::string text = question + " test&ndash;retest: ";
+    if (!anchors.choices) return text + protocols::escapedMarkup(anchors.noChoices) + ".";
+    const stats::ChoiceReliability& found = *anchors.choices;
     if (anchors.choicesByOutcome)
         text += counted(found.pairs, "choice") + " came twice, the second time beside other foils; " +
                 std::to_string(found.agreeing - found.bothWrong) + " were right both times and " +
@@ -101,7 +102,8 @@ std::string choiceAnchorsText(const StudyAnalysis& analysis)
 {
     std::vector<std::string> items;
     for (const auto& question : questionsWith<ChoiceAnalysis>(analysis))
-        if (const QuestionAnchors* anchors = anchorsOf(analysis.anchors, question.id()); anchors != nullptr && anchors->choices)
+        if (const QuestionAnchors* anchors = anchorsOf(analysis.anchors, question.id());
+            anchors != nullptr && (anchors->choices || !anchors->noChoices.empty()))
             items.push_back(choiceSentences("<b>" + protocols::escapedMarkup(question.id()) + "</b>", *anchors));
     return listedAnchors(items);
 }

@@ -36,8 +36,7 @@ std::vector<std::string> aboveChance(const ChoiceAnalysis& choices, Generalisati
 std::vector<std::string> withoutChance(const StudyAnalysis& analysis, const ChoiceAnalysis& choices)
 {
     std::vector<std::string> labels;
-    for (std::size_t c = 0; c < choices.conditions.size(); ++c)
-        if (!choices.conditions[c].noChance.empty()) labels.push_back(htmlLabel(analysis.data.conditions[c]));
+    for (const std::string& condition : untestedConditions(analysis.data, choices)) labels.push_back(htmlLabel(condition));
     return labels;
 }
 

@@ -157,12 +157,15 @@ anchorFloor <- function(question) {
   interval <- testOf(means)$conf.int
   list(n = length(value), mean = mean(value), sd = sd(value), ci95_low = interval[1], ci95_high = interval[2])
 }
-# ICC(2,1) of two answers each, from the table of the analysis of variance.
+# ICC(2,1) of two answers each, from the table of the analysis of variance; none of a single pair, or of pairs that do
+# not differ.
 intraclass <- function(x, y) {
   n <- length(x)
+  if (n < 2 || areEqual(c(x, y))) return(NA_real_)
   target <- factor(rep(seq_len(n), 2))
   squares <- anova(lm(c(x, y) ~ target + gl(2, n)))[["Mean Sq"]]
-  (squares[1] - squares[3]) / (squares[1] + squares[3] + 2 * (squares[2] - squares[3]) / n)
+  below <- squares[1] + squares[3] + 2 * (squares[2] - squares[3]) / n
+  if (below > 1e-12 * (squares[1] + squares[3])) (squares[1] - squares[3]) / below else NA_real_
 }
 withinSd <- function(x, y) sqrt(mean((y - x)^2) / 2)
 # Interval over participants, each left out once, on the scale of `there`.
@@ -170,8 +173,9 @@ jackknife <- function(own, statistic, there, back) {
   of <- function(rows) there(statistic(rows$x, rows$y))
   people <- unique(own$participant)
   n <- length(people)
+  if (n < 3) return(c(NA, NA))
   pseudo <- vapply(people, function(one) n * of(own) - (n - 1) * of(own[own$participant != one, ]), 0)
-  if (n < 3 || !all(is.finite(pseudo))) return(c(NA, NA))
+  if (!all(is.finite(pseudo))) return(c(NA, NA))
   back(of(own) + c(-1, 1) * qt(0.975, n - 1) * sd(pseudo) / sqrt(n))
 }
 anchorRatings <- function(question, top) {
@@ -190,6 +194,7 @@ anchorRatings <- function(question, top) {
 }
 # Share of pairs that agree, each by a score of 0 to 1, with Wilson's interval and the design effect of participants.
 shareOfPairs <- function(scores, participant) {
+  if (length(scores) == 0) return(c(NA, NA, NA))
   pairs <- c(table(participant))
   share <- mean(scores)
   squares <- sum((c(tapply(scores, participant, sum)) - share * pairs)^2)
@@ -558,9 +563,9 @@ computed <- function(g) {
     logistic_model = laplace(g$question, g$a, g$b, logisticOf(g$question, plainGroups)),
     logistic_model_crossed = laplace(g$question, g$a, g$b, logisticOf(g$question, crossedGroups)),
     ordinal_model = laplace(g$question, g$a, g$b, ordinalOf(g$question, g$low)),
-    anchor_floor = anchorFloor(g$question),
-    anchor_ratings = quietly(anchorRatings(g$question, g$high)),
-    anchor_choices = quietly(anchorChoices(g$question, g$low, g$high)),
+    anchor_floor = orNothing(anchorFloor(g$question)),
+    anchor_ratings = orNothing(quietly(anchorRatings(g$question, g$high))),
+    anchor_choices = orNothing(quietly(anchorChoices(g$question, g$low, g$high))),
     stop("expected.csv has an unknown section: ", g$section))
 }
 

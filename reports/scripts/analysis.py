@@ -168,14 +168,21 @@ def equivalence(question, a, b, low, high):
 
 
 def intraclass(pairs):
-    """ICC(2,1) of two answers each."""
+    """ICC(2,1) of two answers each; none of a single pair, or where the pairs do not differ."""
     n = len(pairs)
+    if n < 2 or are_equal([x for pair in pairs for x in pair]):
+        return math.nan
     centre = mean([x for pair in pairs for x in pair])
     rows, columns = [mean(pair) for pair in pairs], [mean([pair[k] for pair in pairs]) for k in (0, 1)]
     targets = 2 * math.fsum((x - centre) ** 2 for x in rows) / (n - 1)
     occasions = n * math.fsum((x - centre) ** 2 for x in columns)
     error = math.fsum((pair[k] - row - columns[k] + centre) ** 2 for pair, row in zip(pairs, rows) for k in (0, 1)) / (n - 1)
-    return (targets - error) / (targets + error + 2 * (occasions - error) / n)
+    below = targets + error + 2 * (occasions - error) / n
+    return (targets - error) / below if below > 1e-12 * (targets + error) else math.nan
+
+
+def at_least_0(number):
+    return number if math.isnan(number) else max(0.0, number)
 
 
 def within_sd(pairs):
@@ -217,10 +224,10 @@ def anchor_floor(question):
 def anchor_ratings(question, top):
     own = [[(float(first), float(second)) for first, second in pairs] for pairs in twice(question)]
     pairs = [pair for of_one in own for pair in of_one]
-    icc, noise = intraclass(pairs) if len(pairs) > 1 else math.nan, within_sd(pairs)
+    icc, noise = intraclass(pairs), within_sd(pairs)
     shifts = [mean([second - first for first, second in of_one]) for of_one in own]
     result = {"pairs": len(pairs), "icc": icc, "within_sd": noise, "mean_difference": mean(shifts),
-              "ceiling_of_correlation": math.sqrt(max(0.0, icc)), "ceiling_of_mean": top - noise / math.sqrt(2 * math.pi)}
+              "ceiling_of_correlation": math.sqrt(at_least_0(icc)), "ceiling_of_mean": top - noise / math.sqrt(2 * math.pi)}
     result["icc_ci95_low"], result["icc_ci95_high"] = jackknife(own, intraclass, math.atanh, math.tanh)
     result["within_sd_ci95_low"], result["within_sd_ci95_high"] = jackknife(own, within_sd, math.log, math.exp)
     result["ci95_low"], result["ci95_high"] = interval(shifts, 0.95)
@@ -230,6 +237,8 @@ def anchor_ratings(question, top):
 def share_of_pairs(own):
     """Share of pairs that agree, each by a score of 0 to 1, with Wilson's interval and the design effect of participants."""
     n = sum(len(scores) for scores in own)
+    if n == 0:
+        return math.nan, math.nan, math.nan
     share = math.fsum(score for scores in own for score in scores) / n
     independent = n * share * (1 - share)
     squares = math.fsum((math.fsum(scores) - share * len(scores)) ** 2 for scores in own)
@@ -250,7 +259,7 @@ def anchor_choices(question, m, k):
     kappa, kappa_low, kappa_high = ((m * value - 1) / (m - 1) for value in blind)
     return {"pairs": sum(map(len, own)), "agreement": share, "agreement_ci95_low": low, "agreement_ci95_high": high,
             "kappa": kappa, "kappa_ci95_low": kappa_low, "kappa_ci95_high": kappa_high,
-            "ceiling_of_proportion": (1 + math.sqrt((k - 1) * max(0.0, k * share - 1))) / k}
+            "ceiling_of_proportion": (1 + math.sqrt((k - 1) * at_least_0(k * share - 1))) / k}
 
 
 def holm(found):

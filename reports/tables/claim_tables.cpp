@@ -98,11 +98,16 @@ TableCell sensitivityCell(const ClusteredSensitivity& sensitivity)
     return cell;
 }
 
-/// A mean that could be tested may have no test, because guessing is not right in 1/m of the answers.
+/// There is no test where guessing is not right in 1/m of the answers, and where answers do not vary.
 std::string aboveChanceText(const stats::ChanceClaim& claim)
 {
     if (claim.isAbove) return "yes";
-    return claim.mean.why.empty() && !claim.above.p.exists() ? "not tested" : "not shown";
+    return claim.above.p.exists() ? "not shown" : "not tested";
+}
+
+bool isTestedEverywhere(const ChoiceAnalysis& choices)
+{
+    return std::ranges::all_of(choices.conditions, [](const ConditionChoices& one) { return one.noChance.empty(); });
 }
 
 Table chanceTable(const std::string& id, const ChoiceAnalysis& choices)
@@ -113,7 +118,7 @@ Table chanceTable(const std::string& id, const ChoiceAnalysis& choices)
                     (ruleOfDPrime(choices) == DPrimeRule::OfHits
                          ? "d′ of hits and false alarms, with intervals by the jackknife"
                          : "d′ of that share, whose interval is that of the share in units of d′") +
-                    (shownChance(choices) > 0 ? "" : "; not tested where the pairs were not half the same"),
+                    (isTestedEverywhere(choices) ? "" : "; not tested where the pairs were not half the same"),
                 {"condition",
                  "holds for",
                  "share",

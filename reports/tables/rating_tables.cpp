@@ -89,10 +89,14 @@ Table anchorsTable(const StudyAnalysis& analysis)
         else
             row.resize(row.size() + 4, blankCell());
         row.push_back(anchors.floor ? numberCell(anchors.floor->shareAbove, 2) : blankCell());
-        const stats::Estimate* ceiling = ceilingOf(anchors);
-        row.push_back(ceiling == nullptr ? blankCell()
-                                         : countCell(anchors.ratings ? anchors.ratings->pairs : anchors.choices->pairs));
-        for (const stats::Estimate* estimate : {reliabilityOf(anchors), ceiling})
+        const stats::Value none = stats::Value::undefined(anchors.noChoices);
+        const stats::Estimate noEstimate{none, {none, none}};
+        const bool isWithout = !anchors.noChoices.empty();  // choices came twice, and nothing of them can be compared
+        const stats::Estimate* ceiling = isWithout ? &noEstimate : ceilingOf(anchors);
+        row.push_back(isWithout            ? countCell(0)
+                      : ceiling == nullptr ? blankCell()
+                                           : countCell(anchors.ratings ? anchors.ratings->pairs : anchors.choices->pairs));
+        for (const stats::Estimate* estimate : {isWithout ? &noEstimate : reliabilityOf(anchors), ceiling})
             if (estimate != nullptr)
                 addEstimate(row, estimate->value, estimate->ci95);
             else

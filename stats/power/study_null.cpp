@@ -30,6 +30,23 @@ std::vector<AskedAnswer> allAnswers(const StudyNull& null)
     return answers;
 }
 
+/// What the answers of a cell have in common beside the effects, and what each has for itself.
+class RatingResiduals {
+public:
+    RatingResiduals(const StudyNull& null, Draws& draws) : m_null(null), m_draws(draws) {}
+
+    double of(std::span<const AskedAnswer> answers, std::size_t place)
+    {
+        if (place == 0 || answers[place] != answers[place - 1]) m_ofCell = m_draws.normal(m_null.residualSd);
+        return m_null.answerSd > 0 ? m_ofCell + m_draws.normal(m_null.answerSd) : m_ofCell;
+    }
+
+private:
+    const StudyNull& m_null;
+    Draws& m_draws;
+    double m_ofCell = 0;
+};
+
 double meanOver(std::span<const std::size_t> numbers, std::span<const double> values)
 {
     double sum = 0;
@@ -89,6 +106,7 @@ FalseClaims simulateStudyNull(const StudyNull& null, const SimulationOptions& op
     const auto analysis = [&](Draws& draws, std::span<Value> p) {
         std::vector<double> values;
         values.reserve(answers.size());
+        RatingResiduals residuals(null, draws);
         const auto people = effectsOf(asked.participants(), null.participantSd, draws),
                    fabrics = effectsOf(asked.fabrics(), null.fabricSd, draws);
         for (std::size_t c = 0; c < asked.conditions(); ++c) {
@@ -97,9 +115,9 @@ FalseClaims simulateStudyNull(const StudyNull& null, const SimulationOptions& op
             while (values.size() < answers.size() && answers[values.size()].condition == c) {
                 const auto& [condition, i, f] = answers[values.size()];
                 const double effects = people[i] + fabrics[f] + ofPeople[i] + ofFabrics[f];
-                values.push_back(
-                    isChoice ? (draws.happens(shareOfLogOdds(intercept + effects)) ? 1.0 : 0.0)
-                             : std::clamp(null.centre + effects + draws.normal(null.residualSd), null.lowest, null.highest));
+                values.push_back(isChoice ? (draws.happens(shareOfLogOdds(intercept + effects)) ? 1.0 : 0.0)
+                                          : std::clamp(null.centre + effects + residuals.of(answers, values.size()), null.lowest,
+                                                       null.highest));
             }
         }
         const auto claims =

@@ -13,6 +13,7 @@ namespace stats {
 /// One answer of a study: its cell.
 struct AskedAnswer {
     std::size_t condition = 0, participant = 0, fabric = 0;
+    bool operator==(const AskedAnswer&) const = default;
 };
 
 /// Answers of a cell that a comparison takes, by unit; units count equally. The numbers are places in StudyNull::answers.
@@ -37,9 +38,11 @@ struct StudyNull {
     double fabricSd = 0;
     double participantConditionSd = 0;
     double fabricConditionSd = 0;
-    double residualSd = 1;                             ///< ratings only
+    double residualSd = 1;                             ///< ratings only: of a cell
+    double answerSd = 0;                               ///< ratings only: of the answers of a cell about what the cell has
     AnswerCube asked{AnswerValues::Ratings, 0, 0, 0};  ///< cells without a value stay missing
-    /// Every answer, by condition, where cells have several. Empty: one answer in each cell that `asked` has.
+    /// Every answer, by condition, where cells have several; those of a cell side by side. Empty: one answer in each cell that
+    /// `asked` has.
     std::vector<AskedAnswer> answers;
     std::vector<ComparedConditions> compared;  ///< by contrast, where cells have several answers
     std::vector<ContrastPair> contrasts;

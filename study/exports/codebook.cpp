@@ -39,6 +39,7 @@ struct ColumnMeaning {
 constexpr const char* nanoseconds = "ns on the clock of the sitting; in a public export since its first presentation";
 
 constexpr const char* meaningOfState = "how far the session came; reports leave out who withdrew";
+constexpr const char* meaningOfKind = "who answered; only human participants are evidence about people";
 
 constexpr ColumnMeaning answerMeanings[] = {
     {"participant", "text", "", any, "id of the participant"},
@@ -72,6 +73,7 @@ constexpr ColumnMeaning answerMeanings[] = {
     {"attempt", "whole number", "", from(1), "number of this presentation of the trial; a void starts the next"},
     {"sitting", "whole number", "", from(1), "times that the session had been opened"},
     {"state", "text", "", oneOf("started; finished; withdrawn"), meaningOfState},
+    {"kind", "text", "", oneOf("human; scripted; simulated"), meaningOfKind},
     {"instruction", "text", "", any, "what the block asked of the speed; empty where it asked nothing"},
     {"deadline_seconds", "number", "s", any, "deadline of the block"},
     {"late", "whole number", "", oneOf("0; 1"), "1 where the answer came after the deadline"},
@@ -82,7 +84,7 @@ constexpr ColumnMeaning answerMeanings[] = {
 constexpr ColumnMeaning participantMeanings[] = {
     {"slot", "whole number", "", from(1), "running order of the study that this participant has"},
     {"participant", "text", "", any, "id of the participant"},
-    {"kind", "text", "", oneOf("human; scripted; simulated"), "who answered; only human participants are evidence about people"},
+    {"kind", "text", "", oneOf("human; scripted; simulated"), meaningOfKind},
     {"state", "text", "", oneOf("started; finished; withdrawn"), meaningOfState},
     {"protocol_version", "whole number", "", from(1), "version of the protocol that the session followed"},
 };
@@ -90,7 +92,7 @@ constexpr ColumnMeaning participantMeanings[] = {
 constexpr ColumnMeaning progressMeanings[] = {
     {"participant", "text", "", any, "id of the participant; empty where nobody has the running order"},
     {"slot", "whole number", "", from(1), "running order of the study that this participant has"},
-    {"kind", "text", "", oneOf("human; scripted; simulated"), "who answered; only human participants are evidence about people"},
+    {"kind", "text", "", oneOf("human; scripted; simulated"), meaningOfKind},
     {"state", "text", "", oneOf("free; started; finished; withdrawn"), "how far the session came"},
     {"answers", "whole number", "", from(0), "answers that count"},
     {"expected", "whole number", "", from(0), "answers of a whole session"},

@@ -89,13 +89,13 @@ ExportedAnswers::ExportedAnswers(const database::StudyStore& store, const protoc
         if (!isFirst) began->second = std::min(began->second, answer.record.readyAtNs);
     });
     m_places = inTime.places();
-    for (const auto& enrolment : store.enrolments()) m_states.emplace(enrolment.participant, enrolment.state);
+    for (const auto& enrolment : store.enrolments()) m_enrolments.emplace(enrolment.participant, enrolment);
 }
 
 std::vector<std::string> ExportedAnswers::columns() const
 {
     std::vector<std::string> columns(protocols::answerColumns().begin(), protocols::answerColumns().end());
-    columns.insert(columns.end(), {"place", "attempt", "sitting", "state"});
+    columns.insert(columns.end(), {"place", "attempt", "sitting", "state", "kind"});
     if (hasInstructions(m_protocol)) columns.insert(columns.end(), {"instruction", "deadline_seconds", "late"});
     if (hasAnchors(m_protocol)) columns.emplace_back("anchor");
     if (m_isPublic) std::erase_if(columns, isPrivateColumn);
@@ -111,8 +111,8 @@ void ExportedAnswers::eachAnswer(const std::function<void(const CurrentAnswer&)>
 
 bool ExportedAnswers::isLeftOut(const CurrentAnswer& answer) const
 {
-    return m_isPublic &&
-           (isWorded(m_protocol, answer.record.question) || m_states.at(answer.participant) == database::SlotState::Withdrawn);
+    return m_isPublic && (isWorded(m_protocol, answer.record.question) ||
+                          m_enrolments.at(answer.participant).state == database::SlotState::Withdrawn);
 }
 
 /// One answer of an unblinded study, in the order of export.json.
@@ -120,6 +120,7 @@ std::vector<ExportedField> ExportedAnswers::rowOf(const CurrentAnswer& answer) c
 {
     const auto& record = answer.record;
     const auto& entry = m_naming.of(answer.participant, record.trial);
+    const database::Enrolment& enrolment = m_enrolments.at(answer.participant);
     std::vector<std::string> alternatives;
     for (const auto& fabric : record.alternatives) alternatives.push_back(fabric.value);
     const auto* question = questionWith(m_protocol, record.question);
@@ -163,7 +164,8 @@ std::vector<ExportedField> ExportedAnswers::rowOf(const CurrentAnswer& answer) c
                                    {"place", std::int64_t{m_places.at(records::presentationOf(answer))}},
                                    {"attempt", std::int64_t{answer.attempt}},
                                    {"sitting", std::int64_t{answer.sitting}},
-                                   {"state", nameOf(m_states.at(answer.participant))}};
+                                   {"state", nameOf(enrolment.state)},
+                                   {"kind", nameOf(enrolment.kind)}};
     if (hasInstructions(m_protocol)) addInstruction(row, entry, answer);
     if (hasAnchors(m_protocol)) row.push_back(anchorOf(entry));
     return row;

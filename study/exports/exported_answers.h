@@ -50,7 +50,7 @@ private:
     const records::Naming& m_naming;
     bool m_isPublic;
     records::Places m_places;
-    std::map<protocols::ParticipantId, database::SlotState> m_states;
+    std::map<protocols::ParticipantId, database::Enrolment> m_enrolments;
     /// Of a public export: when the first presentation of a sitting was ready. The raw clock runs since the computer was started,
     /// so that stamps of several people would tell days and times.
     std::map<std::pair<protocols::ParticipantId, int>, std::int64_t> m_beganAtNs;

@@ -267,8 +267,8 @@ void requirePublishable(const database::StudyStore& store, const ExportForm& for
 std::vector<std::string> leftFrom(const fs::path& out, const fs::path& draft)
 {
     std::vector<std::string> left;
-    for (const char* name : {"answers.csv", "participants.csv", "codebook.csv", "conditions.csv", "export.json",
-                             "finger_samples.csv", "log.csv", "acts.csv", "log.txt"})
+    for (const char* name : {"answers.csv", "participants.csv", "codebook.csv", "conditions.csv", "progress.csv", "balance.csv",
+                             "flags.csv", "export.json", "finger_samples.csv", "log.csv", "acts.csv", "log.txt"})
         if (fs::exists(out / name) && !fs::exists(draft / name)) left.emplace_back(name);
     return left;
 }

@@ -8,6 +8,7 @@
 #include "protocols/files/sha256.h"
 #include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
+#include "protocols/protocol_json.h"
 #include "study/making/plan_json.h"
 #include "study/making/plan_text.h"
 
@@ -74,12 +75,23 @@ ordered_json registeredJson(const database::StudyStore& store, const Preregistra
                                  "see `vis2hap verify`; restore the study from a backup"});
 }
 
-/// A protocol without bounds keeps those that were registered for it. An earlier version of this program had another default.
-void keepRegisteredBounds(StudyPlan& plan, const ordered_json& registered)
+/// Whether the version of the protocol that was registered states no bounds, either.
+bool statesNoBounds(const database::StudyStore& store, const ordered_json& registered)
 {
-    const ordered_json::json_pointer protocol("/study/protocol_sha256"), low("/plan/equivalence_bounds/0"),
-        high("/plan/equivalence_bounds/1");
-    if (!plan.protocol.hasUsualBounds || !registered.contains(protocol) || registered.at(protocol) != plan.version.sha256) return;
+    const ordered_json::json_pointer hash("/study/protocol_sha256");
+    const auto versions = store.protocolVersions();
+    const auto named = std::ranges::find_if(versions, [&](const database::ProtocolVersion& version) {
+        return registered.contains(hash) && registered.at(hash) == version.sha256;
+    });
+    return named != versions.end() &&
+           protocols::keptProtocolFromJson(named->json, "the study's protocol", store.facts().programVersion).hasUsualBounds;
+}
+
+/// A protocol without bounds keeps those that were registered for it. An earlier version of this program had another default.
+void keepRegisteredBounds(const database::StudyStore& store, const ordered_json& registered, StudyPlan& plan)
+{
+    const ordered_json::json_pointer low("/plan/equivalence_bounds/0"), high("/plan/equivalence_bounds/1");
+    if (!plan.protocol.hasUsualBounds || !statesNoBounds(store, registered)) return;
     if (!registered.contains(high) || !registered.at(low).is_number() || !registered.at(high).is_number()) return;
     plan.protocol.equivalenceBounds = {registered.at(low), registered.at(high)};
     plan.power = analyse::questionPowers(plan.protocol);
@@ -150,7 +162,7 @@ Preregistered preregister(database::StudyStore& store, const PreregistrationCall
     Preregistered done;
     if (!records.empty()) {
         const ordered_json before = registeredJson(store, records.back());
-        keepRegisteredBounds(plan, before);
+        keepRegisteredBounds(store, before, plan);
         done.changes = changesBetween(before["plan"], plannedPart(plan));
     }
     done.isNew = records.empty() || !done.changes.empty();

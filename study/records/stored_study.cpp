@@ -15,6 +15,7 @@
 #include "protocols/records/anchor_trials.h"
 #include "protocols/records/trial_lists.h"
 #include "reports/cells/finger_motion.h"
+#include "reports/data/sitting_stamps.h"
 #include "reports/json/prices_json.h"
 #include "reports/json/signals_json.h"
 #include "reports/text/plain_words.h"
@@ -134,12 +135,21 @@ reports::StudyResponse responseOf(const database::CurrentAnswer& answer, const N
             .late = isLate(entry, answer)};
 }
 
-/// Times of two definitions must not meet in one table. A study that an older version began keeps the older definition.
-reports::TimesTaken timesOf(const std::vector<database::CurrentAnswer>& answers)
+/// The rule of its export, too: only answers that are analysed decide.
+reports::TimesTaken timesOf(const std::vector<database::CurrentAnswer>& answers, const protocols::Protocol& protocol,
+                            const std::set<std::string>& analysed)
 {
-    const bool allBegun =
-        std::ranges::all_of(answers, [](const auto& answer) { return answer.record.answerBegunAtNs.has_value(); });
-    return allBegun ? reports::TimesTaken::ToBeginning : reports::TimesTaken::ToEntry;
+    using Content = reports::SittingStamps::Content;
+    reports::SittingStamps stamps;
+    for (const auto& answer : answers) {
+        if (answer.voided || !analysed.contains(answer.participant.value)) continue;
+        const auto* question = questionWith(protocol, answer.record.question);
+        const bool isInWords =
+            question == nullptr || std::holds_alternative<reports::OpenWords>(reports::scoringOf(question->kind));
+        stamps.add(answer.participant.value, std::to_string(answer.sitting), isInWords ? Content::Words : Content::Number,
+                   answer.record.answerBegunAtNs.has_value());
+    }
+    return stamps.times();
 }
 
 /// Where the answers to such a presentation are kept.
@@ -189,7 +199,7 @@ void readAnswers(const std::vector<database::CurrentAnswer>& answers, const prot
 {
     const std::set<std::string> analysed(data.participants.begin(), data.participants.end());
     std::set<PresentationKey> voided;
-    data.times = timesOf(answers);
+    data.times = timesOf(answers, protocol, analysed);
     PlacesInTime inTime;
     for (const auto& answer : answers) inTime.add(answer);
     const Places places = inTime.places();

@@ -25,6 +25,7 @@ public:
         for (const QuestionPlaces& places : placesOfQuestions(study)) {
             m_questions.emplace(places.question, places);
             m_count += places.count();
+            m_hasPairs = m_hasPairs || asksForSameness(places);
         }
         std::map<protocols::FabricId, std::size_t> fabrics;
         for (std::size_t i = 0; i < study.fabrics.size(); ++i) fabrics[study.fabrics[i]] = i;
@@ -36,9 +37,12 @@ public:
     }
 
     std::size_t count() const { return m_count; }
+    /// Whether some question asks for same or different.
+    bool hasPairs() const { return m_hasPairs; }
 
     struct Place {
         std::size_t at = 0;
+        bool isPair = false;  ///< the question asks for same or different
         const protocols::AnswerKind* kind = nullptr;
         const protocols::FabricId* truth = nullptr;
     };
@@ -50,7 +54,8 @@ public:
         if (image == m_images.end()) return std::nullopt;
         const QuestionPlaces& places = m_questions.at(answer.record.question);
         const Image& shown = image->second;
-        return Place{places.at(shown.condition, shown.fabric, runOf(trial, *places.phase)), places.kind, shown.truth};
+        return Place{places.at(shown.condition, shown.fabric, runOf(trial, *places.phase)), asksForSameness(places), places.kind,
+                     shown.truth};
     }
 
 private:
@@ -70,6 +75,7 @@ private:
     }
 
     std::size_t m_count = 0;
+    bool m_hasPairs = false;
     std::map<protocols::QuestionId, QuestionPlaces> m_questions;
     std::map<std::string, Image> m_images;  ///< by open file code
 };
@@ -99,6 +105,7 @@ SimulatedAnswers numbersOf(const MemoryStudy& study, const SimulatedSession& ses
     numbers.voided = session.voided;
     numbers.refusals = session.refusals;
     numbers.values.assign(places.count(), SimulatedAnswers::none);
+    if (places.hasPairs()) numbers.wasSame.assign(places.count(), SimulatedAnswers::noPair);
     numbers.seconds.assign(places.count(), std::numeric_limits<double>::quiet_NaN());
     for (const CurrentAnswer& answer : session.answers) {
         if (answer.voided) continue;
@@ -106,6 +113,8 @@ SimulatedAnswers numbersOf(const MemoryStudy& study, const SimulatedSession& ses
         const auto place = places.of(answer, session.list);
         if (!place) continue;
         numbers.values[place->at] = numberOf(answer.record, *place);
+        if (place->isPair && numbers.values[place->at] != SimulatedAnswers::none)
+            numbers.wasSame[place->at] = answer.record.alternatives.front() == *place->truth ? 1 : 0;
         if (answer.responseSeconds) numbers.seconds[place->at] = *answer.responseSeconds;
         numbers.corrections += answer.corrections;
     }
@@ -153,6 +162,8 @@ std::vector<QuestionPlaces> placesOfQuestions(const MemoryStudy& study)
         }
     return places;
 }
+
+bool asksForSameness(const QuestionPlaces& question) { return std::holds_alternative<protocols::SameDifferent>(*question.kind); }
 
 protocols::ParticipantId simulatedId(int number)
 {

@@ -34,9 +34,13 @@ struct QuestionPlaces {
 /// In the order of the questions; one behind the other. They point into the study's protocol.
 std::vector<QuestionPlaces> placesOfQuestions(const MemoryStudy& study);
 
+/// Whether the question asks for same or different.
+bool asksForSameness(const QuestionPlaces& question);
+
 /// The valid answers of one participant as numbers. Rows are questions, conditions, fabrics and runs in the order of the study.
 struct SimulatedAnswers {
     static constexpr std::int16_t none = std::numeric_limits<std::int16_t>::min();
+    static constexpr std::int8_t noPair = -1;
 
     int number = 0;  ///< of the participant, from 1
     bool hasWithdrawn = false;
@@ -46,6 +50,9 @@ struct SimulatedAnswers {
     /// [question x condition x fabric x run]: a rating in tenths of a scale point, 1 for right, 0 for wrong; none where nothing
     /// valid was answered, and for words.
     std::vector<std::int16_t> values;
+    /// Of answers to same or different: 1 where the pair was the same, 0 where it differed; noPair for all others. Empty where no
+    /// question asks for it, and in shards of earlier versions.
+    std::vector<std::int8_t> wasSame;
     /// The response times of the same answers, s; NaN where there is none.
     std::vector<double> seconds;
 };

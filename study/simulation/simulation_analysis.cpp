@@ -1,24 +1,22 @@
 #include "study/simulation/simulation_analysis.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <optional>
 #include <utility>
 
 #include "reports/analysis/pair_comparisons.h"
+#include "reports/cells/chance_level.h"
 #include "stats/claims/median_time.h"
 #include "stats/claims/speed_contrasts.h"
 #include "stats/kernels/decimal_grid.h"
 #include "stats/kernels/descriptive.h"
 #include "stats/tests/forced_choice.h"
 #include "stats/tests/multiplicity.h"
+#include "study/simulation/question_cells.h"
 
 namespace study::simulation {
 
 namespace {
 
-using reports::AnswerCells;
 using reports::StudyAnalysis;
 using reports::StudyData;
 using stats::Value;
@@ -34,203 +32,6 @@ const char* const leftOut =
 const char* const instructionsLeftOut =
     "The blocks instruct the participant. A simulation in memory averages over the instructions, as the main tables of a report "
     "do. It leaves out what the instructions change: speed and accuracy under each of them, their differences, and late answers.";
-
-/// The numbers of one question, sorted for its tests. Those of one cell (condition x fabric) are averaged as in the report.
-class QuestionCells {
-public:
-    QuestionCells(const QuestionPlaces& places, const std::vector<const SimulatedAnswers*>& participants, double perUnit)
-        : m_participants(participants),
-          m_places(places),
-          m_perUnit(perUnit),
-          m_isComplete(participants.size(), true),
-          m_hasRepetitions(mostAnswers() > 1)
-    {
-        for (std::size_t c = 0; c < conditions(); ++c) {
-            auto& means = m_means.emplace_back();
-            for (std::size_t p = 0; p < participants.size(); ++p) {
-                const auto values = valuesOf(c, p);
-                means.push_back(stats::meanOf(m_places.runs == 1 ? values : cellMeans(c, p)));
-                if (values.size() != answersUnder()) m_isComplete[p] = false;
-            }
-        }
-    }
-
-    std::size_t conditions() const { return m_places.conditions; }
-    std::size_t fabrics() const { return m_places.fabrics; }
-    std::size_t participants() const { return m_participants.size(); }
-    /// Answers of a complete participant under a condition.
-    std::size_t answersUnder() const { return m_places.fabrics * m_places.runs; }
-
-    std::vector<double> valuesOf(std::size_t condition, std::size_t participant) const
-    {
-        std::vector<double> values;
-        for (std::size_t f = 0; f < fabrics(); ++f) addCell(values, condition, participant, f);
-        return values;
-    }
-    /// Of one cell.
-    std::vector<double> valuesOf(std::size_t condition, std::size_t participant, std::size_t fabric) const
-    {
-        std::vector<double> values;
-        addCell(values, condition, participant, fabric);
-        return values;
-    }
-    std::vector<double> secondsOf(std::size_t condition, std::size_t participant) const
-    {
-        std::vector<double> seconds;
-        for (std::size_t f = 0; f < fabrics(); ++f)
-            for (std::size_t r = 0; r < m_places.runs; ++r)
-                if (const double time = m_participants[participant]->seconds[m_places.at(condition, f, r)]; !std::isnan(time))
-                    seconds.push_back(time);
-        return seconds;
-    }
-    std::vector<double> allValues(std::size_t condition) const
-    {
-        return gathered([&](std::size_t p) { return valuesOf(condition, p); });
-    }
-    std::vector<double> allSeconds(std::size_t condition) const
-    {
-        return gathered([&](std::size_t p) { return secondsOf(condition, p); });
-    }
-
-    std::vector<double> means(std::size_t condition) const
-    {
-        std::vector<double> existing;
-        for (const Value& mean : m_means[condition])
-            if (mean.exists()) existing.push_back(*mean);
-        return existing;
-    }
-    AnswerCells::PairedMeans pairedMeans(std::size_t a, std::size_t b) const
-    {
-        AnswerCells::PairedMeans paired;
-        for (std::size_t p = 0; p < participants(); ++p) {
-            if (m_isComplete[p] && fabrics() > 0) {
-                paired.a.push_back(*m_means[a][p]);
-                paired.b.push_back(*m_means[b][p]);
-            } else if (const auto both = commonMeans({a, b}, p); !both.empty()) {
-                paired.a.push_back(both[0]);
-                paired.b.push_back(both[1]);
-            }
-        }
-        return paired;
-    }
-    stats::BlockTable completeBlocks() const
-    {
-        stats::BlockTable table;
-        table.conditions = conditions();
-        std::vector<std::size_t> all(conditions());
-        std::iota(all.begin(), all.end(), std::size_t{0});
-        for (std::size_t p = 0; p < participants(); ++p) {
-            const auto row = commonMeans(all, p);
-            table.values.insert(table.values.end(), row.begin(), row.end());
-            table.blocks += row.empty() ? 0 : 1;
-        }
-        return table;
-    }
-    /// Blocks of participant, fabric and run that are answered in every condition.
-    stats::BlockTable completeSuccesses() const
-    {
-        stats::BlockTable table;
-        table.conditions = conditions();
-        for (std::size_t p = 0; p < participants(); ++p)
-            for (std::size_t f = 0; f < fabrics(); ++f)
-                for (std::size_t r = 0; r < m_places.runs; ++r) addRow(table, [&](std::size_t c) { return valueAt(c, p, f, r); });
-        return table;
-    }
-    std::size_t answered() const
-    {
-        std::size_t count = 0;
-        for (std::size_t c = 0; c < conditions(); ++c) count += allValues(c).size();
-        return count;
-    }
-
-private:
-    std::optional<double> valueAt(std::size_t condition, std::size_t participant, std::size_t fabric, std::size_t run) const
-    {
-        const auto value = m_participants[participant]->values[m_places.at(condition, fabric, run)];
-        if (value == SimulatedAnswers::none) return std::nullopt;
-        return value / m_perUnit;
-    }
-    void addCell(std::vector<double>& values, std::size_t condition, std::size_t participant, std::size_t fabric) const
-    {
-        for (std::size_t r = 0; r < m_places.runs; ++r)
-            if (const auto value = valueAt(condition, participant, fabric, r)) values.push_back(*value);
-    }
-    /// Means of the fabrics that the participant answered.
-    std::vector<double> cellMeans(std::size_t condition, std::size_t participant) const
-    {
-        std::vector<double> means;
-        for (std::size_t f = 0; f < fabrics(); ++f)
-            if (const Value mean = stats::meanOf(valuesOf(condition, participant, f)); mean.exists()) means.push_back(*mean);
-        return means;
-    }
-    /// Most answers of one participant in one cell.
-    std::size_t mostAnswers() const
-    {
-        std::size_t most = 0;
-        for (std::size_t p = 0; p < participants() && most < m_places.runs; ++p)
-            for (std::size_t c = 0; c < conditions(); ++c)
-                for (std::size_t f = 0; f < fabrics(); ++f) most = std::max(most, valuesOf(c, p, f).size());
-        return most;
-    }
-    /// The numbers of a fabric under each of these conditions, where all have one: in runs that are answered under all of them.
-    /// Where no cell holds several answers, runs need not match.
-    std::vector<std::vector<double>> commonValues(const std::vector<std::size_t>& conditions, std::size_t participant,
-                                                  std::size_t fabric) const
-    {
-        std::vector<std::vector<double>> values(conditions.size());
-        for (std::size_t r = 0; r < m_places.runs; ++r) {
-            const auto isThere = [&](std::size_t c) { return valueAt(c, participant, fabric, r).has_value(); };
-            if (m_hasRepetitions && !std::ranges::all_of(conditions, isThere)) continue;
-            for (std::size_t i = 0; i < values.size(); ++i)
-                if (const auto value = valueAt(conditions[i], participant, fabric, r)) values[i].push_back(*value);
-        }
-        if (std::ranges::any_of(values, [](const auto& own) { return own.empty(); })) return {};
-        return values;
-    }
-    /// Means over the fabrics that the participant answered under each of these conditions; empty without such a fabric.
-    std::vector<double> commonMeans(const std::vector<std::size_t>& conditions, std::size_t participant) const
-    {
-        std::vector<std::vector<double>> cells(conditions.size());
-        for (std::size_t f = 0; f < fabrics(); ++f) {
-            const auto values = commonValues(conditions, participant, f);
-            for (std::size_t i = 0; i < values.size(); ++i) cells[i].push_back(*stats::meanOf(values[i]));
-        }
-        std::vector<double> means;
-        for (const auto& own : cells)
-            if (!own.empty()) means.push_back(*stats::meanOf(own));
-        return means;
-    }
-
-    template <class Part>
-    std::vector<double> gathered(const Part& part) const
-    {
-        std::vector<double> all;
-        for (std::size_t p = 0; p < participants(); ++p) {
-            const auto some = part(p);
-            all.insert(all.end(), some.begin(), some.end());
-        }
-        return all;
-    }
-
-    template <class NumberUnder>
-    void addRow(stats::BlockTable& table, const NumberUnder& numberUnder) const
-    {
-        const std::size_t before = table.values.size();
-        for (std::size_t c = 0; c < conditions(); ++c)
-            if (const auto number = numberUnder(c)) table.values.push_back(*number);
-        if (table.values.size() == before + conditions() && conditions() > 0)
-            ++table.blocks;
-        else
-            table.values.resize(before);
-    }
-
-    const std::vector<const SimulatedAnswers*>& m_participants;
-    QuestionPlaces m_places;
-    double m_perUnit;
-    std::vector<bool> m_isComplete;           ///< whether the participant answered everything
-    bool m_hasRepetitions;                    ///< whether some cell holds several answers
-    std::vector<std::vector<Value>> m_means;  ///< [condition][participant]
-};
 
 reports::PairedMeansOf meansIn(const StudyData& data, const QuestionCells& cells)
 {
@@ -297,8 +98,17 @@ reports::ConditionChoices choicesUnder(const QuestionCells& cells, std::size_t c
     under.againstChance = stats::binomialTest(correct, trials, chance);
     under.participantsAgainstChance = stats::oneSampleTTest(cells.means(condition), {.mu = chance});
     if (scoring.isSameDifferent) {
-        under.dPrime = under.dPrimeSe =
-            Value::undefined("a simulation in memory keeps right and wrong, not hits and false alarms");
+        std::vector<stats::MatchAnswer> pairs;
+        std::vector<reports::PairList> lists;
+        for (const auto& list : cells.pairLists(condition)) {
+            const auto same = std::ranges::count_if(list, &stats::MatchAnswer::wasSame);
+            lists.push_back({same, static_cast<long long>(list.size()) - same});
+            pairs.insert(pairs.end(), list.begin(), list.end());
+        }
+        leaveUntested(under, whyNotHalved(lists));
+        under.matches = stats::matchSensitivity(pairs);
+        under.dPrime = under.matches->dPrime.estimate;
+        under.dPrimeSe = under.matches->seDPrime;
         return under;
     }
     const auto sensitivity = stats::forcedChoice(correct, trials, alternatives);
@@ -308,8 +118,9 @@ reports::ConditionChoices choicesUnder(const QuestionCells& cells, std::size_t c
 }
 
 /// Median time, bits per second and balanced integration score of each condition.
-std::vector<reports::ConditionSpeed> speedOf(const QuestionCells& cells, int alternatives)
+std::vector<reports::ConditionSpeed> speedOf(const QuestionCells& cells, const reports::ChoiceAnalysis& choices)
 {
+    const int alternatives = choices.alternatives;
     std::vector<stats::ConditionSpeedCells> under(cells.conditions());
     for (std::size_t c = 0; c < cells.conditions(); ++c)
         for (std::size_t p = 0; p < cells.participants(); ++p)
@@ -322,8 +133,8 @@ std::vector<reports::ConditionSpeed> speedOf(const QuestionCells& cells, int alt
         std::vector<double> existing;
         for (const Value& score : scores[c])
             if (score.exists()) existing.push_back(*score);
-        std::vector<stats::ParticipantChoices> choices;
-        for (const auto& cell : under[c]) choices.push_back(cell.choices);
+        std::vector<stats::ParticipantChoices> chosen;
+        for (const auto& cell : under[c]) chosen.push_back(cell.choices);
         reports::ConditionSpeed speed{times.median, times.mean, stats::meanOf(existing), {}, {}, {}, correct, {}};
         std::vector<std::vector<double>> seconds;
         for (std::size_t p = 0; p < cells.participants(); ++p) seconds.push_back(cells.secondsOf(c, p));
@@ -332,7 +143,9 @@ std::vector<reports::ConditionSpeed> speedOf(const QuestionCells& cells, int alt
         speed.shareCi95 = reports::shareIntervalOf(under[c]);
         if (correct.exists() && times.mean.exists())
             speed.bitsPerSecond = stats::bitsPerSecond(*correct, alternatives, *times.mean);
-        speed.bitsPerSecondCi95 = stats::informationRate(choices, alternatives).ci95;
+        speed.bitsPerSecondCi95 = stats::informationRate(chosen, alternatives).ci95;
+        if (const std::string& why = choices.conditions[c].noChance; !why.empty())
+            speed.bitsPerSecond = speed.bitsPerSecondCi95.low = speed.bitsPerSecondCi95.high = Value::undefined(why);
         const auto test = stats::oneSampleTTest(existing);
         speed.scoreCi95 = test.why.empty() ? test.ci : stats::Interval{Value::undefined(test.why), Value::undefined(test.why)};
         speeds.push_back(speed);
@@ -342,9 +155,8 @@ std::vector<reports::ConditionSpeed> speedOf(const QuestionCells& cells, int alt
 
 reports::ChoiceAnalysis choicesOf(const StudyData& data, const QuestionCells& cells, const reports::RightOrWrong& scoring)
 {
-    const int alternatives = scoring.alternatives;
     reports::ChoiceAnalysis choices;
-    choices.alternatives = alternatives;
+    choices.alternatives = scoring.alternatives;
     std::vector<Value> p;
     for (std::size_t c = 0; c < cells.conditions(); ++c) {
         choices.conditions.push_back(choicesUnder(cells, c, scoring));
@@ -354,7 +166,7 @@ reports::ChoiceAnalysis choicesOf(const StudyData& data, const QuestionCells& ce
     for (std::size_t c = 0; c < holm.size(); ++c) choices.conditions[c].pHolm = holm[c];
     choices.cochran = stats::cochranTest(cells.completeSuccesses());
     choices.comparisons = comparePairs(data, meansIn(data, cells));
-    choices.speed.conditions = speedOf(cells, alternatives);
+    choices.speed.conditions = speedOf(cells, choices);
     return choices;
 }
 

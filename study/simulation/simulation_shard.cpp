@@ -54,6 +54,17 @@ bool isPossible(const protocols::AnswerKind& kind, std::int16_t value)
     return rating != nullptr ? rating->scale.holds({value}) : value == 0 || value == 1;
 }
 
+/// Whether it is known of answers to same or different, and of no others, which pairs were the same.
+bool arePossiblePairs(const SimulatedAnswers& one, const QuestionPlaces& question)
+{
+    for (std::size_t i = question.first; i < question.first + question.count(); ++i) {
+        const bool isPair = asksForSameness(question) && one.values[i] != SimulatedAnswers::none;
+        const bool isKnown = one.wasSame[i] == 0 || one.wasSame[i] == 1;
+        if (isPair ? !isKnown : one.wasSame[i] != SimulatedAnswers::noPair) return false;
+    }
+    return true;
+}
+
 bool isPossibleTime(double seconds) { return std::isnan(seconds) || (std::isfinite(seconds) && seconds >= 0); }
 
 SimulatedAnswers answersOfOne(const ordered_json& json, const MemoryStudy& study)
@@ -69,10 +80,14 @@ SimulatedAnswers answersOfOne(const ordered_json& json, const MemoryStudy& study
     one.refusals = countIn(json, "refusals");
     one.values = numbersFrom<std::int16_t>(json.at("values"), values);
     one.seconds = numbersFrom<double>(json.at("seconds"), values);
-    for (const QuestionPlaces& question : questions)
+    if (json.contains("was_same")) one.wasSame = numbersFrom<std::int8_t>(json.at("was_same"), values);
+    for (const QuestionPlaces& question : questions) {
+        if (!one.wasSame.empty() && !arePossiblePairs(one, question))
+            throw ordered_json::other_error::create(501, "an impossible pair", nullptr);
         for (std::size_t i = question.first; i < question.first + question.count(); ++i)
             if (!isPossible(*question.kind, one.values[i]) || !isPossibleTime(one.seconds[i]))
                 throw ordered_json::other_error::create(501, "an impossible answer", nullptr);
+    }
     return one;
 }
 
@@ -140,7 +155,7 @@ SharedSimulation sharedSimulationFrom(const ordered_json& options, const std::st
 ordered_json answersJson(const std::vector<SimulatedAnswers>& answers)
 {
     ordered_json json = ordered_json::array();
-    for (const SimulatedAnswers& one : answers)
+    for (const SimulatedAnswers& one : answers) {
         json.push_back({{"participant", one.number},
                         {"withdrawn", one.hasWithdrawn},
                         {"voided", one.voided},
@@ -148,6 +163,8 @@ ordered_json answersJson(const std::vector<SimulatedAnswers>& answers)
                         {"refusals", one.refusals},
                         {"values", hexOf(one.values)},
                         {"seconds", hexOf(one.seconds)}});
+        if (!one.wasSame.empty()) json.back()["was_same"] = hexOf(one.wasSame);
+    }
     return json;
 }
 

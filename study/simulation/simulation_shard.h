@@ -28,7 +28,8 @@ struct SharedSimulation {
 /// Throws badInput, naming `where`, for other options than sharedOptions() gives.
 SharedSimulation sharedSimulationFrom(const nlohmann::ordered_json& options, const std::string& where);
 
-/// One object for each participant. Numbers are hexadecimal: little-endian, values of 2 bytes and times of 8.
+/// One object for each participant. Numbers are hexadecimal: little-endian, values of 2 bytes and times of 8; where some question
+/// asks for same or different, 1 byte for each value says which pairs were the same.
 nlohmann::ordered_json answersJson(const std::vector<SimulatedAnswers>& answers);
 
 /// The answers of participants `first`, `first` + 1, ... Throws badInput, naming `where`, for other JSON than answersJson()

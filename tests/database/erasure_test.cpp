@@ -107,14 +107,23 @@ private Q_SLOTS:
     }
 
     /// Afterwards nobody could search it: what was removed is known no more.
+    void aFileThatCannotBeReadHoldsAnErasureUp_data()
+    {
+        QTest::addColumn<bool>("isInFolder");
+        QTest::newRow("a file") << false;
+        QTest::newRow("a folder that may be listed and not entered") << true;
+    }
     void aFileThatCannotBeReadHoldsAnErasureUp()
     {
+        QFETCH(const bool, isInFolder);
         const StudyFolder folder = newStudy();
-        const std::filesystem::path file = folder.folder / "notes.txt";
+        const std::filesystem::path closed = folder.folder / "closed";
+        const std::filesystem::path file = isInFolder ? closed / "notes.txt" : folder.folder / "notes.txt";
+        if (isInFolder) std::filesystem::create_directory(closed);
         OpenSession session(folder, "S01");
         session.playUntilAnswers(3);
         protocols::writeWholeFile(file, "of another account");
-        std::filesystem::permissions(file, std::filesystem::perms::none);
+        std::filesystem::permissions(isInFolder ? closed : file, std::filesystem::perms(isInFolder ? 0444 : 0));
         const auto erase = [&] {
             return session.store.erase({protocols::ParticipantId("S01"), true, "Ada", "asked for it", {}});
         };
@@ -124,13 +133,14 @@ private Q_SLOTS:
             for (const auto& entry : std::filesystem::recursive_directory_iterator(own.front())) own.push_back(entry.path());
             for (const auto& path : own)
                 if (::lchown(path.c_str(), 65534, 65534) != 0) QSKIP("this file system knows no owners");
-            QCOMPARE(::chown(file.c_str(), 0, 0), 0);
+            if (!isInFolder) QCOMPARE(::chown(file.c_str(), 0, 0), 0);
             QCOMPARE(::seteuid(65534), 0);
         }
         const QString told = errorOf(erase);
         if (isRoot) QCOMPARE(::seteuid(0), 0);
         QVERIFY2(told.contains("notes.txt") && told.contains("nothing was erased"), qPrintable(told));
         QCOMPARE(session.store.answers().size(), 3u);
+        if (isInFolder) std::filesystem::permissions(closed, std::filesystem::perms(0755));
         std::filesystem::remove(file);
         QCOMPARE(erase().answers, 3);
     }

@@ -161,6 +161,27 @@ private Q_SLOTS:
         QVERIFY(!anchors[0].choicesByOutcome && anchors[1].choicesByOutcome);
     }
 
+    /// Two wrong choices may be two different ones, so that right and wrong alone say nothing about agreement.
+    void choicesWithoutTheFabricChosenAreNotCompared()
+    {
+        StudyData data = builders::emptyStudy(1, 3, {"h"}, {{"Q1", "", builders::amongThree}});
+        for (const char* fabric : {"F01", "F02"}) {
+            data.responses.push_back(builders::right("P01", fabric, "h", "Q1", false));
+            data.repeatedResponses.push_back(builders::right("P01", fabric, "h", "Q1", false));
+        }
+        const StudyAnalysis analysis = analyse(data, {.depth = Depth::Quick});
+        QCOMPARE(analysis.anchors.size(), std::size_t{1});
+        QVERIFY(!analysis.anchors[0].choices && ceilingOf(analysis.anchors[0]) == nullptr);
+        const std::string reason = "2 choices came twice, but of none both answers are known";
+        const auto json = resultsJson(analysis, {})["anchors"][0];
+        QVERIFY(json["repeated"].is_null());
+        QVERIFY2(json["why"]["repeated"].get<std::string>().starts_with(reason), json.dump().c_str());
+        const QString words = QString::fromStdString(choiceAnchorsText(analysis));
+        QVERIFY2(words.contains(QString::fromStdString(reason)), qPrintable(words));
+        QVERIFY2(lastingText(reportTables(analysis), "anchors").startsWith("Q1|"),
+                 qPrintable(lastingText(reportTables(analysis), "anchors")));
+    }
+
     void theFloorStandsBesideTheLowestCondition()
     {
         StudyData data = builders::emptyStudy(2, 1, {"a", "b"}, {{"Q2", "", builders::onScale}});

@@ -19,6 +19,33 @@ std::filesystem::path written(const QTemporaryDir& folder, const std::string& te
 
 const std::string header = "participant,fabric,condition,Q1_correct,Q2\n";
 
+/// The columns of answers.csv that the reader uses, and those that only an export has together.
+const std::string exported =
+    "participant,trial,question,fabric,condition,alternatives,answer,correct,rating,seconds,response_seconds,touched_by,"
+    "answer_begun_at,stored_at,corrections,voided,sitting,state,kind,late\n";
+
+/// A row of it; an empty `response` has no stamp of the beginning of the answer.
+std::string exportedRow(int trial, const std::string& question, const std::string& answer, const std::string& response = "2",
+                        const std::string& sitting = "1")
+{
+    const bool isChoice = question == "Q1", isRating = question == "Q2";
+    return "P1," + std::to_string(trial) + "," + question + ",F01,c" + std::to_string(trial) +
+           R"(,"[""F02"",""F01"",""F03""]",)" +
+           (isRating ? ",," + answer : answer + "," + (isChoice ? (answer == "F01" ? "1," : "0,") : ",")) + ",3," + response +
+           ",display," + (response.empty() ? "" : "5") + ",9,0,0," + sitting + ",finished,human,\n";
+}
+
+/// The notes on this table, one a line.
+QString notesOn(const std::filesystem::path& file)
+{
+    QString notes;
+    reports::AnswersCsvOptions options;
+    options.alternatives = 3;
+    options.note = [&](const std::string& sentence) { notes += QString::fromStdString(sentence) + "\n"; };
+    reports::readAnswersCsv(file, options);
+    return notes;
+}
+
 }  // namespace
 
 class AnswersCsvTest : public QObject {
@@ -108,6 +135,20 @@ private Q_SLOTS:
         QTest::newRow("doubled answer of a long table")
             << QString("participant,fabric,condition,question,rating\nP1,F1,a,Q2,5\nP1,F1,a,Q2,6\n")
             << QStringList{"line 3", "twice", "--map repetition=COLUMN"};
+        QTest::newRow("a choice and its confidence in one row")
+            << QString("participant,fabric,condition,question,correct,rating\nP1,F1,a,Q1,1,7\n")
+            << QStringList{"line 2", "the question Q1 has both a choice (correct) and a rating", "another question id"};
+        QTest::newRow("a rating among choices")
+            << QString("participant,fabric,condition,question,correct,rating\nP1,F1,a,Q1,1,\nP1,F1,b,Q1,,7\n")
+            << QStringList{"line 3", "the question Q1 has both"};
+        QTest::newRow("a negative time") << QString("participant,fabric,condition,Q2,Q2_seconds\nP1,F1,a,5,3\nP2,F1,a,5,-999\n")
+                                         << QStringList{"line 3", "column Q2_seconds", "the time -999 is negative", "empty"};
+        QTest::newRow("a negative time of a long table")
+            << QString("participant,fabric,condition,question,rating,seconds\nP1,F1,a,Q2,5,-1\n")
+            << QStringList{"line 2", "the time -1 is negative"};
+        QTest::newRow("a word for void")
+            << QString("participant,fabric,condition,question,rating,voided\nP1,F1,a,Q2,5,0\nP1,F1,b,Q2,5,slipped\n")
+            << QStringList{"line 3", "column voided", "\"slipped\" is neither voided nor valid", "true/false"};
         QTest::newRow("doubled column") << QString("participant,fabric,condition,Q2,Q2\n") << QStringList{"Q2", "twice"};
         QTest::newRow("missing column") << QString("participant,fabric,Q2\nP1,F1,5\n") << QStringList{"condition"};
         QTest::newRow("no question") << QString("participant,fabric,condition\nP1,F1,a\n") << QStringList{"no question"};
@@ -293,6 +334,151 @@ private Q_SLOTS:
         QVERIFY_EXCEPTION_THROWN(
             reports::readAnswersCsv(written(folder, "subject,fabric,render,hit\nS1,F1,a,1\nS1,F1,b,0\n"), options),
             protocols::Error);
+    }
+
+    /// Other programs write the column in their own way: R as TRUE and FALSE, pandas as 1.0 and 0.0.
+    void voidedIsReadInAnyUsualForm()
+    {
+        std::string text = "participant,fabric,condition,question,rating,voided\n";
+        int row = 0;
+        for (const char* voided : {"0", "no", "FALSE", "0.0", "", "NA", "1", "yes", "TRUE", "1.0"})
+            text += "P1,F" + std::to_string(++row) + ",a,Q2,5," + voided + "\n";
+        QTemporaryDir folder;
+        const auto data = reports::readAnswersCsv(written(folder, text));
+        QCOMPARE(data.responses.size(), std::size_t{6});
+        QCOMPARE(data.voided, std::size_t{4});
+    }
+
+    void theSlotsOfAnExportAreRead()
+    {
+        QTemporaryDir folder;
+        const auto data = reports::readAnswersCsv(
+            written(folder, exported + exportedRow(1, "Q1", "F01") + exportedRow(2, "Q1", "F02") + exportedRow(3, "Q1", "F03")));
+        std::vector<int> slots;
+        for (const auto& response : data.responses)
+            slots.push_back(std::get<reports::ChosenAnswer>(response.content).slot.value_or(-1));
+        QCOMPARE(slots, (std::vector<int>{1, 0, 2}));
+    }
+
+    /// A column with gaps that pandas saved again holds 1.0 and 0.0.
+    void lateAnswersOfAnExportStayLate()
+    {
+        const std::pair<const char*, std::optional<bool>> forms[] = {{"1", true},    {"0", false}, {"1.0", true}, {"0.0", false},
+                                                                     {"True", true}, {"NA", {}},   {"", {}}};
+        std::string text = exported;
+        int trial = 0;
+        for (const auto& [late, meaning] : forms) {
+            text += exportedRow(++trial, "Q2", "5");
+            text.insert(text.size() - 1, late);
+        }
+        QTemporaryDir folder;
+        const auto data = reports::readAnswersCsv(written(folder, text));
+        QCOMPARE(data.responses.size(), std::size(forms));
+        for (std::size_t i = 0; i < std::size(forms); ++i) QVERIFY2(data.responses[i].late == forms[i].second, forms[i].first);
+        std::string other = exported + exportedRow(1, "Q2", "5");
+        other.insert(other.size() - 1, "2");
+        try {
+            reports::readAnswersCsv(written(folder, other));
+            QFAIL("2 was read as late or in time");
+        } catch (const protocols::Error& error) {
+            QVERIFY2(QString(error.what()).contains("\"2\" is neither late nor in time"), error.what());
+        }
+    }
+
+    /// Who said nothing has answered, and "NA" may be a word. In a table of another lab they are missing values.
+    void emptyWordsOfAnExportAreAnswers()
+    {
+        QTemporaryDir folder;
+        const auto data = reports::readAnswersCsv(
+            written(folder, exported + exportedRow(1, "Why", "") + exportedRow(2, "Why", "NA") + exportedRow(3, "Why", "soft")));
+        QStringList words;
+        for (const auto& response : data.responses)
+            words << QString::fromStdString(std::get<reports::WordedAnswer>(response.content).words);
+        QCOMPARE(words, (QStringList{"", "NA", "soft"}));
+        const auto other = reports::readAnswersCsv(written(folder,
+                                                           "participant,fabric,condition,question,answer\n"
+                                                           "P1,F1,a,Why,\nP1,F2,a,Why,NA\nP1,F3,a,Why,soft\n"));
+        QCOMPARE(other.responses.size(), std::size_t{1});
+    }
+
+    /// The export need not be whole: its column `state` alone tells who withdrew.
+    void whoWithdrewIsLeftOutOfEveryTable()
+    {
+        const std::string rows = "P1,F1,a,Q2,5,finished\nP2,F1,a,Q2,9,withdrawn\nP2,F1,b,Q2,9,withdrawn\nP1,F1,b,Q2,6,finished\n";
+        QTemporaryDir folder;
+        const auto file = written(folder, "participant,fabric,condition,question,rating,state\n" + rows);
+        QCOMPARE(reports::readAnswersCsv(file).participants, std::vector<std::string>{"P1"});
+        QVERIFY2(notesOn(file).contains("2 answers of participants who withdrew left out"), qPrintable(notesOn(file)));
+        QVERIFY2(!notesOn(file).contains("not analysed"), qPrintable(notesOn(file)));
+        const auto wide = written(folder, "participant,fabric,condition,Q2,state\nP1,F1,a,5,started\nP2,F1,a,9,withdrawn\n");
+        QCOMPARE(reports::readAnswersCsv(wide).participants, std::vector<std::string>{"P1"});
+        QVERIFY2(notesOn(wide).contains("1 row of participants who withdrew left out"), qPrintable(notesOn(wide)));
+        // Another lab's column of this name means something else.
+        const auto other = written(folder, "participant,fabric,condition,Q2,state\nP1,F1,a,5,withdrawn\nP2,F1,a,9,Ohio\n");
+        QCOMPARE(reports::readAnswersCsv(other).participants.size(), std::size_t{2});
+        QVERIFY2(notesOn(other).contains("not analysed: state"), qPrintable(notesOn(other)));
+    }
+
+    /// Without some of its technical columns, too: blank glass is no condition, and the trays tell the alternatives.
+    void anExportMayLackTechnicalColumns()
+    {
+        const std::string tray = R"("[""F1"",""F2""]")";
+        QTemporaryDir folder;
+        const auto file = written(folder,
+                                  "participant,trial,question,fabric,condition,alternatives,answer,correct,state\n"
+                                  "P1,1,Q1,F1,f," +
+                                      tray + ",F1,1,finished\nP1,2,Q1,F2,catch," + tray + ",F1,0,finished\nP1,3,Q1,F2,h," + tray +
+                                      ",F1,0,finished\nP2,1,Q1,F2,h," + tray + ",F1,0,withdrawn\n");
+        const auto data = reports::readAnswersCsv(file);
+        QCOMPARE(data.conditions, (std::vector<std::string>{"f", "h"}));
+        QCOMPARE(data.catchResponses.size(), std::size_t{1});
+        QVERIFY(data.questions[0].kind == protocols::AnswerKind(protocols::ForcedChoice{2}));
+        QCOMPARE(data.participants, std::vector<std::string>{"P1"});
+    }
+
+    void theColumnKindTellsWhoAnswered()
+    {
+        QTemporaryDir folder;
+        const auto tableOf = [&](const char* first, const char* second) {
+            return written(
+                folder, std::string("participant,fabric,condition,Q2,kind\nP1,F1,a,5,") + first + "\nP2,F1,a,6," + second + "\n");
+        };
+        const auto simulated = reports::readAnswersCsv(tableOf("human", "simulated"));
+        QVERIFY(simulated.knowsKinds && simulated.simulated && !simulated.scripted);
+        const auto people = reports::readAnswersCsv(tableOf("human", "human"));
+        QVERIFY(people.knowsKinds && !people.simulated);
+        QVERIFY(!notesOn(tableOf("human", "scripted")).contains("not analysed"));
+        const auto other = tableOf("human", "robot");
+        QVERIFY(!reports::readAnswersCsv(other).knowsKinds);
+        QVERIFY2(notesOn(other).contains("not analysed: kind"), qPrintable(notesOn(other)));
+        const auto unknown = reports::readAnswersCsv(written(folder, header + "P1,F1,a,1,5\n"));
+        QVERIFY(!unknown.knowsKinds && !unknown.simulated);
+    }
+
+    /// An answer without the stamp of its beginning has no time; it decides nothing about the others.
+    void oneMissingStampLosesOneTime()
+    {
+        QTemporaryDir folder;
+        const std::string whole = exportedRow(1, "Q1", "F01") + exportedRow(2, "Q2", "5") + exportedRow(3, "Why", "", "");
+        const auto data = reports::readAnswersCsv(written(folder, exported + whole + exportedRow(4, "Q2", "6", "")));
+        QVERIFY(data.times == reports::TimesTaken::ToBeginning);
+        QCOMPARE(data.responses.size(), std::size_t{4});
+        QVERIFY(data.responses[0].seconds == 2.0 && data.responses[1].seconds == 2.0);
+        QVERIFY(!data.responses[2].seconds && !data.responses[3].seconds);
+        // A sitting without any stamp is that of an earlier version: two definitions must not meet.
+        const auto old = reports::readAnswersCsv(
+            written(folder, exported + whole + exportedRow(4, "Q2", "6", "", "2") + exportedRow(5, "Q2", "6", "", "2")));
+        QVERIFY(old.times == reports::TimesTaken::ToEntry);
+        for (const auto& response : old.responses) QVERIFY(response.seconds == 3.0);
+    }
+
+    /// Words beside the ratings of a question are no ratings.
+    void answersWithoutTheirNumberAreCounted()
+    {
+        QTemporaryDir folder;
+        const auto file =
+            written(folder, "participant,fabric,condition,question,rating,answer\nP1,F1,a,Q2,5,\nP1,F1,b,Q2,,no idea\n");
+        QVERIFY2(notesOn(file).contains("1 answer without correct or rating left out"), qPrintable(notesOn(file)));
     }
 
     /// Bounds of half a point would cover the whole of a scale from 0 to 1.

@@ -132,6 +132,26 @@ private Q_SLOTS:
                      qPrintable(caption));
     }
 
+    void conditionsWithoutATestAgainstChanceAreNamed()
+    {
+        StudyData data = studyOfQualities();
+        data.questions[0].kind = protocols::SameDifferent{};
+        std::size_t place = 0;
+        for (auto& response : data.responses) {
+            auto* choice = std::get_if<reports::ChosenAnswer>(&response.content);
+            if (choice == nullptr) continue;
+            const bool wasSame = response.condition == "h_g@fast" || place / 3 % 2 == 0;  // three conditions of a cell
+            choice->answer = wasSame == choice->correct ? "same" : "different";
+            ++place;
+        }
+        const auto analysis = reports::analyse(std::move(data), {.depth = reports::Depth::Quick});
+        QCOMPARE(qualityChain(analysis).questions[0].chance, std::optional(0.5));
+        const auto figure = chainFigures(analysis, reports::FigureWidth::TwoColumns)[0];
+        QVERIFY2(figure.caption.find(". Dashed line: chance. Q1 is not tested against chance under h_g@fast: the pairs were not "
+                                     "half the same there.") != std::string::npos,
+                 figure.caption.c_str());
+    }
+
     void hostileNumbersStillDraw()
     {
         StudyData data = studyOfQualities();

@@ -8,6 +8,8 @@
 #include <sstream>
 
 #include "protocols/files/errors.h"
+#include "protocols/orders/same_different.h"
+#include "reports/cells/chance_level.h"
 #include "reports/data/answers_csv.h"
 #include "reports/json/results_json.h"
 #include "reports/json/statistics_json.h"
@@ -344,6 +346,82 @@ private Q_SLOTS:
         QCOMPARE(simulated->first.undefined, std::size_t{50});
         for (const reports::ContrastFinding& finding : reports::claimsOf(analysis.questions.front())->contrasts)
             if (finding.generalisation == stats::Generalisation::FabricsLikeThese) QVERIFY(!finding.claim.difference.p.exists());
+    }
+
+    /// A rating that stands there several times tells no more than once, and the cells of simulated studies vary as before.
+    void repeatedRatingsAreSimulatedLikeOneInEachCell()
+    {
+        StudyData once =
+            builders::study(8, 5, {"a", "b", "c"},
+                            {[](int, int, int) { return true; },
+                             [](int p, int f, int c, int) { return (40 + 2 * c + (p * 13 + f * 29 + c * 17) % 31) / 10.0; }});
+        std::erase_if(once.questions, [](const auto& question) { return question.id != "Q2"; });
+        std::erase_if(once.responses, [](const auto& response) { return response.question != "Q2"; });
+        const auto simulated = [](const StudyData& data) {
+            return reports::analyse(data, {.depth = Depth::Quick, .resimulated = 400}).falseClaims.front().simulated.value();
+        };
+        const auto repeated = [&](std::size_t times, double difference) {
+            StudyData data = once;
+            data.answersPerCell = times;
+            data.responses.clear();
+            for (std::size_t r = 0; r < times; ++r)
+                for (reports::StudyResponse response : once.responses) {
+                    std::get<reports::RatedAnswer>(response.content).rating += r % 2 == 0 ? difference : -difference;
+                    response.repetition = std::to_string(r);
+                    data.responses.push_back(response);
+                }
+            return data;
+        };
+        const stats::FalseClaims expected = simulated(once);
+        QVERIFY(expected.first.rejected > 0 && expected.any.rejected > 0);
+        for (const std::size_t times : {2U, 4U}) {
+            const stats::FalseClaims same = simulated(repeated(times, 0));
+            QCOMPARE(same.first.rejected, expected.first.rejected);
+            QCOMPARE(same.any.rejected, expected.any.rejected);
+            // Answers that differ have draws of their own; four standard errors.
+            const stats::FalseClaims differing = simulated(repeated(times, 0.5));
+            QVERIFY(std::fabs(differing.first.rate() - expected.first.rate()) < 4 * std::sqrt(2 * 0.05 * 0.95 / 400));
+        }
+    }
+
+    /// Of seven pairs under a condition, three or four are the same, by turns over the participants. Whoever is left out takes
+    /// one of them away.
+    void chanceIsTestedWhereParticipantsOfADrawnDesignWithdrew()
+    {
+        const protocols::StudySize size{10, 2, 7};
+        protocols::Random random(11);
+        const auto drawn = drawSameDifferent(drawRunningOrders(size, protocols::FabricOrder::Even, random), size, random);
+        StudyData all = builders::emptyStudy(10, 7, {"a", "b"}, {{"S1", "", protocols::SameDifferent{}}});
+        for (std::size_t p = 0; p < drawn.orders.size(); ++p)
+            for (std::size_t at = 0; at < drawn.orders[p].size(); ++at) {
+                const protocols::Rendering& shown = drawn.orders[p][at];
+                all.responses.push_back(builders::right(all.participants[p], all.fabrics[static_cast<std::size_t>(shown.fabric)],
+                                                        all.conditions[static_cast<std::size_t>(shown.label)], "S1",
+                                                        drawn.trays[p][at].front() == shown.fabric));
+                std::get<reports::ChosenAnswer>(all.responses.back().content).answer = "same";  // whatever lies there
+            }
+        long long most = 0;
+        for (std::size_t first = 0; first < 10; ++first)
+            for (std::size_t second = 0; second < first; ++second) {
+                StudyData data = all;
+                const std::string one = all.participants[first], other = all.participants[second];
+                std::erase_if(data.participants, [&](const auto& id) { return id == one || id == other; });
+                std::erase_if(data.responses,
+                              [&](const auto& response) { return response.participant == one || response.participant == other; });
+                std::vector<const reports::StudyResponse*> underA;
+                reports::PairList pairs;
+                for (const reports::StudyResponse& response : data.responses) {
+                    if (response.condition != "a") continue;
+                    underA.push_back(&response);
+                    ++(std::get<reports::ChosenAnswer>(response.content).correct ? pairs.same : pairs.different);
+                }
+                QCOMPARE(reports::whyNoChance({2, true}, underA), std::string());
+                if (std::abs(pairs.excess()) <= most) continue;
+                most = std::abs(pairs.excess());
+                for (const Json& row : reports::resultsJson(reports::analyse(data, {.depth = Depth::Quick}))["above_chance"])
+                    QVERIFY(row["p"].is_number() && row["p"] > 0.05 && row["above_chance"] == false);
+            }
+        QCOMPARE(most, 2LL);  // of 56
     }
 
     void progressRunsFromTheFirstToTheLastStep()

@@ -58,6 +58,25 @@ protocols::AnswerKind scale(int min, int max)
     return rating;
 }
 
+/// People say "same" at random, but mostly. `sameOfTen`: of ten pairs under each condition so many are the same.
+StudyData studyOfPairs(const std::vector<int>& sameOfTen)
+{
+    StudyData data = builders::emptyStudy(6, 10, conditions, {{"Same", "Is it the same?", protocols::SameDifferent{}}});
+    for (std::size_t c = 0; c < conditions.size(); ++c)
+        for (int p = 0; p < 6; ++p)
+            for (int f = 0; f < 10; ++f) {
+                const bool wasSame = (f + p) % 10 < sameOfTen[c];
+                const bool saidSame = (p * 37 + f * 11 + static_cast<int>(c) * 5 + p * f) % 14 != 0;
+                StudyResponse response =
+                    builders::right(data.participants[static_cast<std::size_t>(p)], data.fabrics[static_cast<std::size_t>(f)],
+                                    conditions[c], "Same", wasSame == saidSame);
+                response.seconds = 2 + (p + f) % 5;
+                std::get<ChosenAnswer>(response.content).answer = saidSame ? "same" : "different";
+                data.responses.push_back(response);
+            }
+    return data;
+}
+
 std::size_t countOf(const std::string& text, const std::string& part)
 {
     std::size_t count = 0;
@@ -269,27 +288,11 @@ private Q_SLOTS:
         QVERIFY(page().find("is not tested against 1/2, because 45 % of the pairs were the same") != std::string::npos);
     }
 
-    // 80 % of the pairs are the same, and people say "same" at random, but mostly: three quarters of that are right.
+    // 80 % of the pairs are the same: three quarters of the guesses are right.
     void guessersAmongUnevenPairsAreNotAboveChance()
     {
-        const auto studyWith = [](int sameOfTen) {
-            StudyData data = builders::emptyStudy(6, 10, conditions, {{"Same", "Is it the same?", protocols::SameDifferent{}}});
-            for (std::size_t c = 0; c < conditions.size(); ++c)
-                for (int p = 0; p < 6; ++p)
-                    for (int f = 0; f < 10; ++f) {
-                        const bool wasSame = (f + p) % 10 < sameOfTen;
-                        const bool saidSame = (p * 37 + f * 11 + static_cast<int>(c) * 5 + p * f) % 14 != 0;
-                        StudyResponse response = builders::right(data.participants[static_cast<std::size_t>(p)],
-                                                                 data.fabrics[static_cast<std::size_t>(f)], conditions[c], "Same",
-                                                                 wasSame == saidSame);
-                        response.seconds = 2 + (p + f) % 5;
-                        std::get<ChosenAnswer>(response.content).answer = saidSame ? "same" : "different";
-                        data.responses.push_back(response);
-                    }
-            return data;
-        };
         const std::string why = "guessing is not right in half of the answers: 48 of 60 pairs were the same";
-        const StudyAnalysis analysis = analyse(studyWith(8));
+        const StudyAnalysis analysis = analyse(studyOfPairs({8, 8, 8}));
         const Json results = resultsJson(analysis), &one = results["questions"]["Same"]["f"];
         QVERIFY(one["proportion"].get<double>() > 0.7 && one["ci95"][0].is_number());
         for (const char* test : {"p_chance", "p_chance_participants"})
@@ -297,7 +300,8 @@ private Q_SLOTS:
         QCOMPARE(results["above_chance"].size(), 2 * conditions.size());
         for (const Json& row : results["above_chance"]) {
             QVERIFY(row["estimate"].is_number() && row["p"].is_null() && row["p_adjusted"].is_null());
-            QVERIFY(row["above_chance"] == false && row["why"]["p"].get<std::string>() == why);
+            for (const char* field : {"p", "above_chance"})
+                QVERIFY(row[field].is_null() && row["why"][field].get<std::string>() == why);
         }
         QVERIFY(results["speed_accuracy"]["f"]["bits_per_second"].is_null());
         const Json statistics = statisticsJson(analysis);
@@ -313,7 +317,45 @@ private Q_SLOTS:
         const auto table = protocols::readForeignTable(path("report") / "tables" / "above_chance_same.csv").table;
         QCOMPARE(table.rows[0][*table.column("above chance")], std::string("not tested"));
         // Halves are tested as before.
-        for (const Json& row : resultsJson(analyse(studyWith(5)))["above_chance"]) QVERIFY(row["p"].is_number());
+        for (const Json& row : resultsJson(analyse(studyOfPairs({5, 5, 5})))["above_chance"]) QVERIFY(row["p"].is_number());
+    }
+
+    void figuresNameTheConditionsWithoutATestAgainstChance()
+    {
+        const StudyAnalysis analysis = analyse(studyOfPairs({8, 5, 5}));
+        std::size_t withChance = 0;
+        for (const Figure& figure : reportFigures(analysis)) {
+            if (figure.section != PageSection::Matches && figure.section != PageSection::Speed) continue;
+            const bool names = figure.caption.find(" Not tested against chance under v_grey: ") != std::string::npos;
+            QVERIFY2(names == (figure.svg.find(">chance") != std::string::npos), figure.name.c_str());
+            withChance += names ? 1 : 0;
+        }
+        QCOMPARE(withChance, std::size_t(3));  // matches, speed against accuracy, accuracy by time
+        for (const ReportTable& one : reportTables(analysis))
+            if (one.table.name == "above_chance_same") QVERIFY(one.table.caption.ends_with("the pairs were not half the same"));
+    }
+
+    // Seven pairs halve into three and four; a list that ended early may lack more of one half.
+    void halvesMayDifferAsDrawsMakeThem()
+    {
+        const auto isTested = [](std::size_t some, PairList list, std::size_t others, PairList other) {
+            std::vector<PairList> lists(some, list);
+            lists.insert(lists.end(), others, other);
+            return whyNotHalved(lists).empty();
+        };
+        QVERIFY(isTested(5, {4, 3}, 3, {3, 4}) && isTested(6, {4, 3}, 4, {3, 4}));
+        QVERIFY(!isTested(10, {4, 3}, 0, {}) && !isTested(3, {4, 3}, 0, {}) && !isTested(9, {4, 3}, 1, {3, 4}));
+        QVERIFY(isTested(6, {4, 4}, 1, {3, 1}) && !isTested(6, {4, 4}, 1, {5, 1}));
+        QVERIFY(!isTested(6, {4, 4}, 2, {5, 3}) && !isTested(1, {4, 4}, 10, {3, 1}));
+        QVERIFY(!isTested(9, {1, 0}, 0, {}));
+        // Whoever says "same" to every pair is right in half of them, or a standard error more.
+        for (const long long pairs : {1, 3, 5, 7})
+            for (std::size_t people = 1; people < 60; ++people)
+                for (std::size_t more = people / 2; more <= people; ++more) {
+                    const auto excess = static_cast<double>(2 * more) - static_cast<double>(people);
+                    if (isTested(more, {(pairs + 1) / 2, pairs / 2}, people - more, {pairs / 2, (pairs + 1) / 2}))
+                        QVERIFY(excess <= 1 || excess * excess <= std::min(2.25, static_cast<double>(pairs)) * double(people));
+                }
     }
 
     void halvesMayDifferByOddNumbers_data()

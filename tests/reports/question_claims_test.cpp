@@ -325,7 +325,8 @@ private Q_SLOTS:
         const QString page = pageOf(data);
         QVERIFY(page.contains("All answers were right under") && !page.contains("All answers were wrong under"));
         const Json row = reports::resultsJson(reports::analyse(data))["above_chance"][1];
-        QVERIFY(row["p"].is_null() && row["estimate"] == 1.0 && row["above_chance"] == false);
+        QVERIFY(row["p"].is_null() && row["estimate"] == 1.0 && row["above_chance"].is_null());
+        QCOMPARE(row["why"]["above_chance"], row["why"]["p"]);
     }
 
     void twoConditionsHaveTheirVerdictInTheSummary()

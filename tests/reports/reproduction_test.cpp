@@ -93,6 +93,28 @@ std::string anchoredCsv()
     return csv;
 }
 
+/// Ten participants as in studyCsv(). One presentation came twice, and its answers cannot be compared: choices of which only
+/// right and wrong are known, ratings that are all equal, or one rating alone.
+std::string uncomparableCsv(const QString& what)
+{
+    std::string csv = "participant,fabric,condition,Q1_correct,Q2,anchor\n";
+    const char* conditions[] = {"f", "h", "h&f"};
+    for (int p = 0; p < 10; ++p)
+        for (int f = 0; f < 3; ++f)
+            for (int c = 0; c < 3; ++c) {
+                const int mixed = (7 * p + 5 * f + 3 * c * c + p * f) % 11;
+                const bool isRepeated = f == 0 && c == 0;
+                const std::string cell =
+                    "P" + std::to_string(p) + ",F" + std::to_string(f) + "," + conditions[c] + (mixed > 5 - c ? ",1," : ",0,");
+                const std::string rating =
+                    isRepeated && what == "equal ratings" ? "5.1" : std::to_string((mixed * 7 + 11 * c) % 100 / 10.0);
+                csv += cell + rating + ",\n";
+                if (isRepeated && (what != "one rating" || p == 0))
+                    csv += cell + (what == "choices" ? "" : rating) + ",repeated\n";
+            }
+    return csv;
+}
+
 bool has(const QString& program)
 {
     if (QStandardPaths::findExecutable(program).isEmpty()) return false;
@@ -175,6 +197,46 @@ private Q_SLOTS:
         const QString numbers = QString::fromStdString(reports::expectedNumbersCsv(analysis));
         QCOMPARE(numbers.count("anchor_choices,Q1,,,3,2,"), 8);
         QCOMPARE(numbers.count("anchor_choices,Five,,,3,3,"), 8);
+    }
+
+    /// Right and wrong alone do not say whether two wrong choices are the same: there is no number to compute.
+    void choicesWithoutTheirFabricHaveNoRows()
+    {
+        QTemporaryDir place;
+        const fs::path answers = fs::path(place.path().toStdString()) / "study.csv";
+        protocols::writeWholeFile(answers, uncomparableCsv("choices"));
+        const auto analysis = reports::analyse(reports::readAnswersCsv(answers), {.depth = reports::Depth::Quick});
+        QVERIFY(!analysis.data.repeatedResponses.empty());
+        QCOMPARE(QString::fromStdString(reports::expectedNumbersCsv(analysis)).count("anchor_choices"), 0);
+    }
+
+    /// A script that stops computes none of the other numbers, either.
+    void anchorsThatCannotBeComparedStopNoScript_data()
+    {
+        QTest::addColumn<QString>("program");
+        QTest::addColumn<QString>("script");
+        QTest::addColumn<QString>("what");
+        for (const char* what : {"choices", "equal ratings", "one rating"}) {
+            QTest::addRow("R, %s", what) << "Rscript"
+                                         << "analysis.R" << what;
+            QTest::addRow("Python, %s", what) << "python3"
+                                              << "analysis.py" << what;
+        }
+    }
+    void anchorsThatCannotBeComparedStopNoScript()
+    {
+        QFETCH(const QString, program);
+        QFETCH(const QString, script);
+        QFETCH(const QString, what);
+        if (!has(program)) QSKIP(qPrintable(program + " (or scipy) is not installed, so its script is not run"));
+        QTemporaryDir place;
+        const fs::path folder(place.path().toStdString());
+        protocols::writeWholeFile(folder / "study.csv", uncomparableCsv(what));
+        reports::writeReproduction(
+            reports::analyse(reports::readAnswersCsv(folder / "study.csv"), {.depth = reports::Depth::Quick}), folder);
+        const auto [code, said] = ran(program, script, folder);
+        QVERIFY2(code == 0 && isReproduced(said), qPrintable(said));
+        QCOMPARE(said.contains("anchor_ratings: "), what != "choices");
     }
 
     void modelsOfEqualRatingsHaveTheirRows()

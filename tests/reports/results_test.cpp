@@ -171,6 +171,17 @@ private Q_SLOTS:
         QCOMPARE(unexplained(statisticsOf(data), "statistics"), QString());
     }
 
+    /// A table of another lab does not say whether people answered, so neither may the report.
+    void whoAnsweredIsUnknownWithoutAColumnForIt()
+    {
+        StudyData data = builders::paperSized();
+        QCOMPARE(resultsOf(data)["study"]["simulated"], false);
+        data.knowsKinds = false;
+        const Json study = resultsOf(data)["study"], described = statisticsOf(data)["data"];
+        QVERIFY(study["simulated"].is_null() && study["why"].contains("simulated"));
+        QVERIFY(described["scripted"].is_null() && described["why"].contains("scripted"));
+    }
+
     void everyPairIsComparedOnceInTheOrderOfConditions()
     {
         const Json results = resultsOf(builders::paperSized());

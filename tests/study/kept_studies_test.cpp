@@ -64,12 +64,13 @@ Json inTheOldShape(const Json& results)
 /// The export of `half` with the K-labels of 0.5.0 in place of the conditions. The key of `half` gives them.
 QByteArray labelled(QByteArray csv) { return csv.replace(",f_g,\"[", ",K2,\"[").replace(",f,\"[", ",K1,\"["); }
 
-/// Without the columns that answers have since 0.7.0: times before their entry, entries, and where in the session they stand.
+/// Without the columns that answers have since 0.7.0: times before their entry, entries, where in the session they stand, and who
+/// answered.
 QByteArray inTheOldColumns(const QByteArray& csv)
 {
     static const QRegularExpression newer(QStringLiteral(
         ",(touch_ended_at|\\d*),(answer_begun_at|\\d*),(answer_begun_by|script|),(entries|),(response_seconds|[-+.e\\d]*)"
-        ",(place|\\d+),(attempt|\\d+),(sitting|\\d+),(state|[a-z]+)\n"));
+        ",(place|\\d+),(attempt|\\d+),(sitting|\\d+),(state|[a-z]+),(kind|[a-z]+)\n"));
     return QString::fromUtf8(csv).replace(newer, QStringLiteral("\n")).toUtf8();
 }
 
@@ -98,7 +99,8 @@ private Q_SLOTS:
     {
         mustRun({"export", at("finished"), "--out", at("out"), "--format", "csv"});
         const QByteArray csv = bytesOf(at("out/answers.csv"));
-        QVERIFY(csv.startsWith("participant,trial,") && csv.contains(",entries,response_seconds,place,attempt,sitting,state\n"));
+        QVERIFY(csv.startsWith("participant,trial,") &&
+                csv.contains(",entries,response_seconds,place,attempt,sitting,state,kind\n"));
         QCOMPARE(inTheOldColumns(csv), bytesOf(kept("finished-answers.csv")));
     }
 

@@ -11,15 +11,6 @@ namespace {
 // The defaults of stats::RatingTruth hold for a scale of this length. Other scales are stretched to it.
 constexpr double hapticScale = 10;
 
-/// Number of answers to a question under one condition, of which a test takes the mean: one under each instruction.
-int runsOf(const protocols::Protocol& protocol, const std::string& question)
-{
-    for (const protocols::Phase& phase : protocol.phases)
-        for (const protocols::Question& one : phase.questions)
-            if (one.id.value == question) return phase.runs();
-    return 1;
-}
-
 }  // namespace
 
 stats::RatingTruth ratingTruthOf(const protocols::RatingScale& scale)
@@ -48,7 +39,7 @@ stats::PowerOptions powerOptionsOf(const protocols::Protocol& protocol, const Te
     if (tested.choices) options.design.alternatives = tested.choices->alternatives;
     if (tested.ratings) {
         options.ratings = ratingTruthOf(tested.ratings->scale);
-        options.ratings.residual /= runsOf(protocol, tested.ratings->question);
+        options.ratings.residual /= tested.ratings->runs;  // the tests take the mean over the instructions
     }
     return options;
 }

@@ -28,6 +28,14 @@ std::vector<protocols::Question> questionsOf(const protocols::Protocol& protocol
     return all;
 }
 
+int runsOf(const protocols::Protocol& protocol, const protocols::Question& question)
+{
+    for (const protocols::Phase& phase : protocol.phases)
+        for (const protocols::Question& one : phase.questions)
+            if (one.id == question.id) return phase.runs();
+    return 1;
+}
+
 void requireQuestion(const std::vector<protocols::Question>& all, const std::string& name)
 {
     std::string names;
@@ -40,12 +48,12 @@ void requireQuestion(const std::vector<protocols::Question>& all, const std::str
                                names.empty() ? "no such option, because no answer has a test" : "one of " + names, ""});
 }
 
-void take(const protocols::Question& question, TestedQuestions& tested)
+void take(const protocols::Question& question, int runs, TestedQuestions& tested)
 {
     if (const auto* rating = std::get_if<protocols::Rating>(&question.kind))
-        tested.ratings = TestedRatings{question.id.value, rating->scale, {}};
+        tested.ratings = TestedRatings{question.id.value, rating->scale, runs};
     else
-        tested.choices = TestedChoices{question.id.value, question.kind, protocols::alternativesOf(question.kind), {}};
+        tested.choices = TestedChoices{question.id.value, question.kind, protocols::alternativesOf(question.kind), runs};
 }
 
 bool isTaken(const protocols::AnswerKind& kind, const TestedQuestions& tested)
@@ -86,9 +94,9 @@ TestedQuestions testedQuestions(const protocols::Protocol& protocol, const std::
     if (!question.empty()) requireQuestion(all, question);
     TestedQuestions tested;
     for (const protocols::Question& one : all)
-        if (one.id.value == question) take(one, tested);
+        if (one.id.value == question) take(one, runsOf(protocol, one), tested);
     for (const protocols::Question& one : all)
-        if (hasTest(one.kind) && !isTaken(one.kind, tested)) take(one, tested);
+        if (hasTest(one.kind) && !isTaken(one.kind, tested)) take(one, runsOf(protocol, one), tested);
     for (const protocols::Question& one : all) addOther(one, tested);
     return tested;
 }
@@ -100,6 +108,7 @@ void putTested(ordered_json& json, const TestedQuestions& tested)
         json["rated"] = {{"question", rated->question},
                          {"scale", {rated->scale.min.inScaleUnits(), rated->scale.max.inScaleUnits()}},
                          {"step", rated->scale.step.inScaleUnits()},
+                         {"answers_averaged", rated->runs},
                          {"questions_with_other_scales", rated->others}};
         addLeftOut(leftOut, rated->others, "another scale; see it by --question");
     }
@@ -107,6 +116,8 @@ void putTested(ordered_json& json, const TestedQuestions& tested)
         json["chosen"] = {{"question", chosen->question},
                           {"kind", nameOf(chosen->kind)},
                           {"alternatives", chosen->alternatives},
+                          {"answers_in_cell", chosen->runs},
+                          {"answers_counted", 1},
                           {"questions_with_other_alternatives", chosen->others}};
         addLeftOut(leftOut, chosen->others, "another number of alternatives; see it by --question");
     }
@@ -122,9 +133,15 @@ std::string textOf(const TestedQuestions& tested)
         text += "The ratings are those of " + rated->question + ", from " + number(rated->scale.min) + " to " +
                 number(rated->scale.max) + " in steps of " + number(rated->scale.step) + "." +
                 othersText("Another scale", rated->others) + "\n";
+    if (tested.ratings && tested.ratings->runs > 1)
+        text += "The residual variance is that of a mean of " + std::to_string(tested.ratings->runs) +
+                " ratings, one under each instruction.\n";
     if (const auto& chosen = tested.choices)
         text += "The choices are those of " + chosen->question + ", among " + std::to_string(chosen->alternatives) + " answers." +
                 othersText("Another number of alternatives", chosen->others) + "\n";
+    if (tested.choices && tested.choices->runs > 1)
+        text += "One choice in a cell is counted. The protocol asks for " + std::to_string(tested.choices->runs) +
+                ", one under each instruction, so the power is higher (see vis2hap protocol show).\n";
     if (!tested.inWords.empty()) {
         text += "Left out, because answers in words have no test:";
         for (const std::string& id : tested.inWords) text += " " + id;

@@ -15,7 +15,8 @@ namespace study::analyse {
 struct TestedRatings {
     std::string question;
     protocols::RatingScale scale;
-    std::vector<std::string> others;  ///< questions with another scale
+    int runs = 1;                          ///< answers to a cell, one under each instruction; the tests take their mean
+    std::vector<std::string> others = {};  ///< questions with another scale
 };
 
 /// The simulated choices have the alternatives of this question. Same or different is a choice between two.
@@ -23,7 +24,8 @@ struct TestedChoices {
     std::string question;
     protocols::AnswerKind kind;
     int alternatives = 2;
-    std::vector<std::string> others;  ///< questions with another number of alternatives
+    int runs = 1;                          ///< answers to a cell, one under each instruction; the simulated choices have one
+    std::vector<std::string> others = {};  ///< questions with another number of alternatives
 };
 
 struct TestedQuestions {

@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <map>
+#include <opencv2/core.hpp>
 #include <random>
 
 #include "database/keys.h"
@@ -89,6 +90,7 @@ private Q_SLOTS:
     void theWrongDisplayIsRefused();
     void theFirstTicketAfterAnEndedConnectionIsShown();
     void otherProgramsDoNotKeepTheStationOut();
+    void anImageInPlaceOfATicketIsRefusedByName();
     void aDriverThatCannotStartIsNamedAtTheStation_data();
     void aDriverThatCannotStartIsNamedAtTheStation();
 
@@ -318,6 +320,23 @@ void OwnDisplayTest::otherProgramsDoNotKeepTheStationOut()
     std::unique_ptr<rendering::HapticDisplay> display;
     QCOMPARE(errorOf([&] { display = rendering::openDisplay(served.specification); }), QString());
     QVERIFY(display->fetchesImages());
+}
+
+/// As a test pattern is: its bytes are passed over, and the connection stays.
+void OwnDisplayTest::anImageInPlaceOfATicketIsRefusedByName()
+{
+    studyOnServer("patterned", "display");
+    const QString device = m_folder.filePath("patterned-device");
+    const ServedDisplay served(m_server->address("patterned", "device"), referenceAt(device));
+    const auto display = rendering::openDisplay(served.specification);
+    for (const cv::Size size : {cv::Size(1280, 800), cv::Size(60, 40)}) {
+        const QString refusal = errorOf([&] { display->show(cv::Mat(size, CV_8UC1, cv::Scalar('\n'))); });
+        QVERIFY2(refusal.contains("the display refuses: this display takes tickets only"), qPrintable(refusal));
+        QVERIFY2(!refusal.contains("tried"), qPrintable(refusal));
+        QCOMPARE(errorOf([&] { display->processMessages(); }), QString());
+        QCOMPARE(errorOf([&] { display->clear(); }), QString());
+    }
+    QCOMPARE(cv::countNonZero(rendering::readPgm((device + "/current.pgm").toStdString())), 0);
 }
 
 void OwnDisplayTest::aDriverThatCannotStartIsNamedAtTheStation_data()

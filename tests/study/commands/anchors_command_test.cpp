@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -147,6 +148,11 @@ private Q_SLOTS:
         const Json own = jsonIn(path("report/results.json")), again = jsonIn(path("again/results.json"));
         QCOMPARE(again["anchors"].dump(), own["anchors"].dump());
         QCOMPARE(again["questions"].dump(), own["questions"].dump());
+        QVERIFY(own["study"]["simulated"] == true && again["study"]["simulated"] == true);
+        QVERIFY(textIn(path("again/index.html")).contains("SIMULATED participants"));
+        const auto kind = table.column("kind");
+        QVERIFY(kind && std::ranges::all_of(table.rows, [&](const auto& row) { return row[*kind] == "simulated"; }));
+        QVERIFY(textIn(path("export/codebook.csv")).contains("answers.csv,kind,text,,human; scripted; simulated,"));
     }
 
     /// The trays of one phase hold all five fabrics, so that a choice can be the same again; the other phase has other foils.

@@ -41,7 +41,8 @@ std::string protocolOf(const json& phases)
 json rating(const json& questions) { return {{"questions", questions}, {"scale", {{"min", 0}, {"max", 10}}}}; }
 json choice(const char* question, int alternatives) { return {{"questions", {question}}, {"alternatives", alternatives}}; }
 
-/// Answers one presentation as a person does: the first question is touched, each answer takes a time to type.
+/// Answers one presentation as a person does: the first question is touched, each answer takes a time to type. Words are empty or
+/// "NA"; nobody begins to type an empty answer.
 void answer(OpenSession& session)
 {
     const auto presenting = std::get<Presenting>(session.driver->state().stage);
@@ -51,7 +52,12 @@ void answer(OpenSession& session)
     study::session::AnswerStamps stamps;
     stamps.begunAgoNs = 700'000'000;
     stamps.begunBy = study::session::BegunBy::Entry;
-    session.send(study::session::Answered{responseTo(session.driver->view()), stamps});
+    study::session::GivenAnswer given = responseTo(session.driver->view());
+    if (auto* words = std::get_if<study::session::Words>(&given)) {
+        words->text = session.driver->state().answersStored % 2 == 0 ? "" : "NA";
+        if (words->text.empty()) stamps.begunAgoNs.reset();
+    }
+    session.send(study::session::Answered{given, stamps});
 }
 
 void playUntilAnswers(OpenSession& session, int answers)
@@ -152,6 +158,39 @@ private Q_SLOTS:
         // The file alone tells the kind of each answer.
         for (const char* part : {"questions", "above_chance", "speed_accuracy"})
             QCOMPARE(QString::fromStdString(alone[part].dump(1)), QString::fromStdString(own[part].dump(1)));
+    }
+
+    /// An empty answer in words is an answer. It has no stamp of its beginning, and takes no time from the choices and ratings.
+    void slotsTimesAndEmptyWordsSurviveTheExport()
+    {
+        const QString of = study(
+            {choice("Q1", 3), {{"questions", {"Q2", "Why"}}, {"scale", {{"min", 0}, {"max", 10}}}, {"free_text", {"Why"}}}});
+        mustRun({"export", of, "--out", of + "-exported"});
+        const auto numbersOf = [&](const QStringList& arguments) {
+            const json results = resultsOf(arguments), statistics = json::parse(bytesOf(at("report/statistics.json")));
+            return json{{"questions", results["questions"]},
+                        {"quality", results["quality"]},
+                        {"speed", results["speed_accuracy"]},
+                        {"slots", statistics["q1_confusion"]["slots"]},
+                        {"missing", statistics["data"]["missing_responses"]}};
+        };
+        const json own = numbersOf({of});
+        QVERIFY(QString::fromStdString(bytesOf(at("report/index.html"))).contains("to the beginning of the answer"));
+        const json again = numbersOf({"--from", of + "-exported/answers.csv", "--protocol", of + "/protocol.json"});
+        QCOMPARE(QString::fromStdString(again.dump(1)), QString::fromStdString(own.dump(1)));
+        QVERIFY(own["slots"].size() > 1 && own["missing"] == 0);
+        QVERIFY(own["questions"]["Why"]["f"]["answers"].get<int>() > 0);
+    }
+
+    /// The page of the study and that of its export say alike that no person answered.
+    void whoAnsweredStandsInTheExport()
+    {
+        const QString of = study(json::array({rating({"Q2"})}));
+        mustRun({"export", of, "--public", "--author", "A", "--out", of + "-public"});
+        const Rows rows = *csvRows(bytesOf(of + "-public/answers.csv"));
+        for (std::size_t row = 1; row < rows.size(); ++row) QCOMPARE(cellAt(rows, row, "kind"), std::string("scripted"));
+        QVERIFY(resultsOf({"--from", of + "-public/answers.csv"})["study"]["simulated"] == false);
+        QVERIFY(QString::fromStdString(bytesOf(at("report/index.html"))).contains("SCRIPTED participants"));
     }
 
     void answersOfWithdrawnPeopleAreMarkedAndNotPublished()

@@ -64,6 +64,36 @@ private:
         QVERIFY2(ended.messages().size() == 1 && ended.err.contains(what), qPrintable(ended.err));
     }
 
+    /// Merges the shards without the answers to pairs that differed under the first condition, then as an earlier version wrote
+    /// them.
+    void unevenPairsAreNotTested(const QStringList& files) const
+    {
+        const auto mergedWith = [&](const auto& change) {
+            QStringList forged;
+            for (const QString& file : files) {
+                forged.append(file + "-changed");
+                forge(file, forged.last(), [&](json& shard) {
+                    for (json& one : shard["values"]["answers"]) change(one);
+                });
+            }
+            support::mustRun(QStringList{"merge"} + forged + QStringList{"--out", at("changed")});
+            return json::parse(bytesOf(at("changed/results.json")).toStdString())["questions"]["S1"];
+        };
+        const json uneven = mergedWith([](json& one) {
+            auto &values = one["values"].get_ref<std::string&>(), &wasSame = one["was_same"].get_ref<std::string&>();
+            for (std::size_t i = 18; i < 18 + 3; ++i) {  // behind 9 choices and 9 ratings
+                if (wasSame.substr(2 * i, 2) != "00") continue;
+                values.replace(4 * i, 4, "0080");
+                wasSame.replace(2 * i, 2, "ff");
+            }
+        });
+        QVERIFY(uneven["v_grey"]["p_chance"].is_null() && uneven["v_grey"]["p_chance_participants"].is_null());
+        QVERIFY(QString::fromStdString(uneven["v_grey"]["why"]["p_chance"].get<std::string>()).contains("pairs were the same"));
+        QVERIFY(uneven["f"]["p_chance"].is_number());
+        const json earlier = mergedWith([](json& one) { one.erase("was_same"); });
+        QVERIFY(earlier["v_grey"]["p_chance"].is_number());
+    }
+
 private Q_SLOTS:
     void initTestCase()
     {
@@ -149,8 +179,12 @@ private Q_SLOTS:
     void simulatedParticipantsMerge()
     {
         support::mustRun({"fabrics", "make", at("cloth"), "--fabrics", "3", "--samples", "10", "--seed", "4"});
-        support::mustRun(
-            {"study", "new", at("study"), "--dataset", at("cloth"), "--protocol", m_protocol, "--seed", "1", "--no-passphrase"});
+        json protocol = json::parse(bytesOf(m_protocol).toStdString());
+        protocol["phases"].push_back({{"questions", {"S1"}}, {"same_different", true}});
+        protocol["question_texts"]["S1"] = "Do you see what you touch?";
+        write(at("pairs.json"), QByteArray::fromStdString(protocol.dump()));
+        support::mustRun({"study", "new", at("study"), "--dataset", at("cloth"), "--protocol", at("pairs.json"), "--seed", "1",
+                          "--no-passphrase"});
         // More participants than places, and some of them withdraw.
         const QStringList call{"simulate", at("study"), "--in-memory", "--participants", "31", "--seed", "6", "--mishaps"};
         const QString one = support::mustRun(call + QStringList{"--out", at("whole")}).out;
@@ -185,6 +219,9 @@ private Q_SLOTS:
         damaged("values", 4 * 9, "fc7f");  // the first rating, behind 9 choices
         damaged("seconds", 0, "000000000000f07f");
         damaged("seconds", 0, "00000000000014c0");
+        damaged("was_same", 0, "00");  // of a choice among three
+        damaged("was_same", 2 * 18, "02");
+        unevenPairsAreNotTested(files);
         forge(files[0], at("same"), [](json&) {});
         support::mustRun(QStringList{"merge", at("same")} + files.mid(1) + QStringList{"--out", at("forged-out")});
     }

@@ -88,6 +88,9 @@ private Q_SLOTS:
             instructed.close();
             return powerOf({"--protocol", instructed.fileName()})["assumed"]["variance_residual"].get<double>();
         };
+        QVERIFY(support::mustRun({"power", "--studies", "40", "--protocol",
+                                  QString(VIS2HAP_SOURCE_DIR) + "/protocols/examples/speed_accuracy.json"})
+                    .out.contains("One choice in a cell is counted. The protocol asks for 3"));
         const double once = residual("");
         const double twice =
             residual(R"(, "instructions": [{"id": "fast", "aim": "speed"}, {"id": "exact", "aim": "accuracy"}])");

@@ -369,6 +369,13 @@ private Q_SLOTS:
         record.json = plan.dump(2) + "\n";
         recordPreregistration({{study.toStdString()}, database::StudyStore::Access::Write}, record);
         QVERIFY(mustRun({"study", "preregister", study}).out.contains("nothing has changed"));
+        write(study + "/protocol.json",
+              QString::fromStdString(withoutBounds()).replace("How close is it?", "How close does it feel?"));
+        mustRun({"study", "amend", study, "--who", "M", "--why", "clearer words"});
+        mustRun({"study", "preregister", study});
+        QCOMPARE(registered(study).size(), std::size_t(2));
+        QVERIFY(!bytesOf(study + "/preregistration-2.txt").contains("since registration 1: equivalence_bounds"));
+        QCOMPARE(jsonOf(study + "/preregistration-2.json")["plan"]["equivalence_bounds"], json::parse("[-0.5, 0.5]"));
         answer(study, "S01", 27);
         mustRun({"unblind", study, "--who", "M", "--why", "done"});
         mustRun({"report", study, "--out", at("half")});

@@ -68,6 +68,32 @@ tests::support::StudyRecipe placesFor(int participants)
 /// The fewest who give 40 answers to each question under a label.
 constexpr int enough = 14;
 
+/// Three participants: choices, then a rating and words.
+constexpr const char* withWords = R"({"schema": "vis2hap.protocol/1", "name": "Words", "participants": 3,
+    "fabrics": ["F01", "F02", "F03"], "conditions": ["v_grey", "h&f"], "dead_time_seconds": 0,
+    "question_texts": {"Why": "Why?"}, "phases": [{"questions": ["Q1"], "alternatives": 3},
+               {"questions": ["Q2", "Why"], "scale": {"min": 0, "max": 10}, "free_text": ["Why"]}]})";
+
+/// Plays to the end as a person does: choices and ratings are typed from 0.5 s before their entry on, words are empty.
+void playTyped(OpenSession& session)
+{
+    namespace s = study::session;
+    while (true) {
+        const auto* presenting = std::get_if<s::Presenting>(&session.driver->state().stage);
+        if (presenting == nullptr) {
+            if (!session.step()) return;
+            continue;
+        }
+        if (presenting->question == 0) session.send(s::Touched{});
+        session.clock.advanceSeconds(2);
+        const s::GivenAnswer answer = tests::support::responseTo(session.driver->view());
+        if (std::holds_alternative<s::Words>(answer))
+            session.send(s::Answered{s::Words{}});
+        else
+            session.send(s::Answered{answer, {.begunAgoNs = 500'000'000}});
+    }
+}
+
 /// Two participants: 7 choices, of which one comes a second time, then 8 presentations with two ratings, of which two are catch
 /// trials.
 constexpr const char* withExtras = R"({"schema": "vis2hap.protocol/1", "name": "Extras", "participants": 2,
@@ -161,6 +187,28 @@ private Q_SLOTS:
         QCOMPARE(sittings["Q1"][1] + sittings["Q1"][2], 6);
         QVERIFY(sittings["Q1"][1] >= 2 && sittings["Q1"][2] >= 3);
         QCOMPARE(sittings["Q2"], (std::map<int, int>{{2, 6}}));
+    }
+
+    /// Nobody begins to type an empty answer in words. A sitting without any stamp was run by an earlier version.
+    void anEmptyAnswerTakesNoTimeFromTheOthers()
+    {
+        QTemporaryDir place;
+        const auto folder = tests::support::buildStudy(place.filePath("study").toStdString(), {.protocol = withWords});
+        {
+            OpenSession session(folder, "P01");
+            playTyped(session);
+        }
+        const reports::StudyData data = maskedData(folder);
+        QVERIFY(data.times == reports::TimesTaken::ToBeginning);
+        for (const reports::StudyResponse& response : data.responses) {
+            const bool isInWords = std::holds_alternative<reports::WordedAnswer>(response.content);
+            QVERIFY2(isInWords != response.seconds.has_value(), response.question.c_str());
+            if (response.question == "Q1") QCOMPARE(*response.seconds, 1.5);
+        }
+        OpenSession(folder, "P02").playToEnd();
+        const auto old = maskedData(folder);
+        QVERIFY(old.times == reports::TimesTaken::ToEntry);
+        QVERIFY(std::ranges::all_of(old.responses, [](const auto& response) { return response.seconds.has_value(); }));
     }
 
     void aBlindedReportHasTheHeadOfTheLogAndNoEmptyTable()

@@ -135,7 +135,7 @@ std::vector<std::string> linesOf(const std::vector<CurrentAnswer>& answers)
 bool sameBits(const SimulatedAnswers& a, const SimulatedAnswers& b)
 {
     return a.number == b.number && a.hasWithdrawn == b.hasWithdrawn && a.voided == b.voided && a.corrections == b.corrections &&
-           a.refusals == b.refusals && a.values == b.values && a.seconds.size() == b.seconds.size() &&
+           a.refusals == b.refusals && a.values == b.values && a.wasSame == b.wasSame && a.seconds.size() == b.seconds.size() &&
            std::memcmp(a.seconds.data(), b.seconds.data(), a.seconds.size() * sizeof(double)) == 0;
 }
 
@@ -192,6 +192,10 @@ class SimulationTest : public QObject {
                     QVERIFY(mine.conditions[c].count.correct == choices->conditions[c].count.correct &&
                             mine.conditions[c].count.trials == choices->conditions[c].count.trials &&
                             mine.conditions[c].pHolm == choices->conditions[c].pHolm &&
+                            mine.conditions[c].noChance == choices->conditions[c].noChance &&
+                            mine.conditions[c].dPrime == choices->conditions[c].dPrime &&
+                            mine.conditions[c].dPrimeSe == choices->conditions[c].dPrimeSe &&
+                            mine.speed.conditions[c].bitsPerSecond == choices->speed.conditions[c].bitsPerSecond &&
                             mine.conditions[c].participantsAgainstChance.p ==
                                 choices->conditions[c].participantsAgainstChance.p &&
                             simulated.speed[c].medianSeconds == report.speed[c].medianSeconds &&
@@ -379,12 +383,15 @@ private Q_SLOTS:
         tests::support::StudyRecipe recipe;
         recipe.protocol = R"({"schema": "vis2hap.protocol/1", "name": "Trade", "participants": 12,
             "fabrics": ["F01", "F02", "F03"], "conditions": ["v_grey", "h&f"], "dead_time_seconds": 0,
+            "question_texts": {"S1": "Do you see what you touch?"},
             "phases": [{"questions": ["Q1"], "alternatives": 3,
                         "instructions": [{"id": "speed", "aim": "speed"}, {"id": "accuracy", "aim": "accuracy"},
                                          {"id": "deadline", "deadline_seconds": 4}]},
                        {"questions": ["Q2", "Q3"], "scale": {"min": 0, "max": 10},
                         "instructions": [{"id": "slow", "text": "Take 1 s."}, {"id": "speed", "aim": "speed"}]},
-                       {"questions": ["Q4"], "scale": {"min": 0, "max": 10}}]})";
+                       {"questions": ["Q4"], "scale": {"min": 0, "max": 10}},
+                       {"questions": ["S1"], "same_different": true,
+                        "instructions": [{"id": "slow", "text": "Take 1 s."}, {"id": "speed", "aim": "speed"}]}]})";
         reports::StudyAnalysis simulated;
         compareWithTheReport(tests::support::buildStudy(m_place.filePath("trade").toStdString(), recipe), simulated);
         const std::size_t people = simulated.data.participants.size(), cells = people * 3;
@@ -399,8 +406,10 @@ private Q_SLOTS:
             QCOMPARE(trialsOf(1, condition), 2 * cells);
             QCOMPARE(trialsOf(2, condition), 2 * cells);
             QCOMPARE(trialsOf(3, condition), cells);
+            QCOMPARE(trialsOf(4, condition), 2 * cells);
+            QVERIFY(std::get<reports::ChoiceAnalysis>(simulated.questions[4].findings).conditions[condition].dPrime.exists());
         }
-        QCOMPARE(simulated.completeness.present, 2 * 8 * cells);
+        QCOMPARE(simulated.completeness.present, 2 * 10 * cells);
         QCOMPARE(simulated.completeness.expected, simulated.completeness.present);
         QVERIFY(simulated.designLimits.back().find("under each of them") != std::string::npos);
     }

@@ -1,0 +1,33 @@
+#include "reports/data/answer_notes.h"
+
+#include "reports/data/answers_csv.h"
+#include "reports/text/plain_words.h"
+
+namespace reports {
+
+std::vector<std::string> answerNotes(const AnswerRows& rows, const AnswerColumns& columns, const StudyData& data,
+                                     bool hasOtherScale, const std::string& where)
+{
+    std::vector<std::string> notes;
+    const auto note = [&](const std::string& text) { notes.push_back(where + ": " + text); };
+    if (!rows.taken.empty()) note("read with " + rows.taken);
+    std::vector<std::string> unused = columns.unused;
+    unused.insert(unused.end(), rows.unused.begin(), rows.unused.end());
+    if (!unused.empty()) note("not analysed: " + listed(unused));
+    std::vector<std::string> assumed;
+    for (const QuestionInfo& question : data.questions)
+        if (question.alternativesAssumed) assumed.push_back(question.id);
+    if (!assumed.empty())
+        note("the choices of " + listed(assumed) + " are tested against 1/" + std::to_string(usualAlternatives) +
+             ", the default of this program; name the number of alternatives by --alternatives or --protocol");
+    if (hasOtherScale) note("some ratings are outside 0 to 10; name their scale by --scale LOW,HIGH or by --protocol");
+    if (rows.wordsAlone > 0)
+        note(counted(rows.wordsAlone, "answer") + " without correct or rating left out, beside others of the same question");
+    if (rows.voided > 0)
+        note(counted(rows.voided, rows.namesPresentations ? "voided presentation" : "voided answer") + " left out");
+    if (rows.ofWithdrawn > 0)
+        note(counted(rows.ofWithdrawn, rows.kinds.empty() ? "row" : "answer") + " of participants who withdrew left out");
+    return notes;
+}
+
+}  // namespace reports

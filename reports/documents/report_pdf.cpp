@@ -12,6 +12,7 @@
 #include <QTextDocumentFragment>
 #include <QTextTable>
 #include <algorithm>
+#include <numeric>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
@@ -27,7 +28,7 @@ constexpr double marginMm = 17, footerMm = 9;
 constexpr double bodyPt = 9.5, smallPt = 8, tablePt = 9;  ///< tablePt: type of a table whose scale is 1
 /// Liberation Sans and DejaVu Sans are wider than Computer Modern, in whose widths table_parts.h counts.
 constexpr double sansOverComputerModern = 1.18;
-constexpr double besideCellPt = 6;  ///< padding on both sides of a cell
+constexpr double besideCellPt = 6.5;  ///< padding on both sides of a cell, and what rounding takes
 constexpr int staysWithNext = QTextFormat::UserProperty + 2;
 
 const QColor ink("#22303a"), soft("#5b6770"), accent("#1d4e63"), warning("#8a3b00"), rule("#9aa5ad");
@@ -185,21 +186,40 @@ private:
         }
     }
 
-    /// Empty where Qt finds the widths itself. It takes a head in lines for one long line, and shrinks columns beside wrapped
-    /// ones.
-    QList<QTextLength> widthsOf(const Table& table, const TablePart& part) const
+    /// What the text takes in the font of this computer, which may be wider than Liberation Sans; in points.
+    double advancePt(const QString& text, double points, QFont::Weight weight = QFont::Normal)
     {
-        const bool isSimple = std::ranges::all_of(part.columns, [&](const PartColumn& column) {
-            return column.wrappedPt == 0 && headLines(table.columns[column.index].name, column.width).size() == 1;
-        });
-        QList<QTextLength> widths;
+        QFont font = m_text.defaultFont();
+        font.setPointSizeF(points);
+        font.setWeight(weight);
+        return 72.0 * QFontMetricsF(font, &m_writer).horizontalAdvance(text) / dotsPerInch;
+    }
+
+    /// The widths of the columns at this size of the type, in points. Columns that are not wrapped keep every line whole.
+    std::vector<double> widthsOf(const Table& table, const TablePart& part, double points)
+    {
+        std::vector<double> widths;
         for (const PartColumn& column : part.columns) {
-            if (isSimple) break;
-            const double points = column.wrappedPt > 0 ? column.wrappedPt : column.width * part.scale + besideCellPt;
-            widths.emplace_back(QTextLength::PercentageLength,
-                                100 * points * sansOverComputerModern * tablePt / 10 / bodyWidthPt());
+            if (column.wrappedPt > 0) {
+                widths.push_back(column.wrappedPt * sansOverComputerModern * points / (10 * part.scale));
+                continue;
+            }
+            double widest = 0;
+            for (const std::string& line : headLines(table.columns[column.index].name, column.width))
+                widest = std::max(widest, advancePt(QString::fromStdString(line), points, QFont::DemiBold));
+            for (const auto& row : table.rows)
+                widest = std::max(widest, advancePt(plainOf(QString::fromStdString(row[column.index].html)), points));
+            widths.push_back(widest + besideCellPt);
         }
         return widths;
+    }
+
+    /// Qt finds the widths itself, but takes a head in lines for one long line, and shrinks columns beside wrapped ones.
+    static bool needsWidths(const Table& table, const TablePart& part)
+    {
+        return !std::ranges::all_of(part.columns, [&](const PartColumn& column) {
+            return column.wrappedPt == 0 && headLines(table.columns[column.index].name, column.width).size() == 1;
+        });
     }
 
     void addTable(const Table& table, const TablePart& part)
@@ -209,9 +229,18 @@ private:
         format.setBorder(0);
         format.setCellSpacing(0);
         format.setCellPadding(1.5);
-        format.setColumnWidthConstraints(widthsOf(table, part));
+        double points = tablePt * part.scale;
+        if (needsWidths(table, part)) {
+            const auto sum = [](const std::vector<double>& widths) { return std::accumulate(widths.begin(), widths.end(), 0.0); };
+            const double whole = sum(widthsOf(table, part, points));
+            points *= std::min(1.0, bodyWidthPt() / whole);
+            const auto widths = widthsOf(table, part, points);
+            QList<QTextLength> lengths;
+            for (const double width : widths)
+                lengths.emplace_back(QTextLength::PercentageLength, 100 * width / std::max(bodyWidthPt(), sum(widths)));
+            format.setColumnWidthConstraints(lengths);
+        }
         QTextTable* grid = m_cursor.insertTable(int(table.rows.size()) + 1, int(part.columns.size()), format);
-        const double points = tablePt * part.scale;
         for (std::size_t column = 0; column < part.columns.size(); ++column)
             addHeadCell(grid, table, part.columns[column], int(column), points);
         for (std::size_t row = 0; row < table.rows.size(); ++row)

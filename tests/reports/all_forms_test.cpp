@@ -228,7 +228,12 @@ private Q_SLOTS:
         QProcess reader;
         reader.start("pdftotext", {"-layout", QString::fromStdString((report() / "report.pdf").string()), "-"});
         QVERIFY(reader.waitForFinished(60000));
-        comparedWithPage(QString::fromUtf8(reader.readAllStandardOutput()));
+        const QString text = QString::fromUtf8(reader.readAllStandardOutput());
+        comparedWithPage(text);
+        // A column that is narrower than its words breaks them: "conditio" and "n", "change" and "s".
+        static const QRegularExpression broken("\\b(conditio|chanc|equivalen|independen|change(?=\\s*\\n\\s*s\\b))\\b");
+        const auto found = broken.match(text);
+        QVERIFY2(!found.hasMatch(), qPrintable(text.mid(found.capturedStart() - 200, 400)));
     }
 
     void textDocumentHasTheNumbersOfThePage()

@@ -164,7 +164,7 @@ struct ErasureRecord {
     /// hash of the content stands for it.
     std::vector<std::string> found;
     std::vector<FoundFile> foundFiles;  ///< the same files
-    std::vector<std::string> unread;  ///< files and folders that could not be searched, by printable names
+    std::vector<std::string> unread;    ///< files and folders that could not be searched, by printable names
     /// Earlier erasures of this participant, by their entries, that ended before the search: their texts are no longer known.
     std::vector<std::int64_t> interrupted;
 };

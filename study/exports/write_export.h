@@ -29,6 +29,6 @@ struct WrittenExport {
 
 /// `out`: a folder that need not exist; a public export and "psych-ds" take a new or empty one only.
 WrittenExport writeExport(const database::StudyStore& store, const std::filesystem::path& out, const ExportForm& form,
-                        const database::Passphrase& passphrase);
+                          const database::Passphrase& passphrase);
 
 }  // namespace study::exports

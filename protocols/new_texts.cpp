@@ -36,14 +36,20 @@ std::string faultOfText(const std::string& place, const std::string& text)
     return place + ": the text " + why + ", expected characters that a reader sees, line ends and tabs";
 }
 
-/// Empty where no fact has the name of the comment at the end.
+/// Empty where no fact has the name of the comment at the end, or a name that no server takes.
 std::string faultOfFacts(const json& protocol)
 {
+    constexpr std::size_t longestName = 2000;  // bytes; in database/server/sql/functions.sql, too
     const auto facts = protocol.find("facts");
-    if (facts == protocol.end() || !facts->is_array() || std::ranges::find(*facts, json(debriefingFact)) == facts->end())
-        return {};
-    return std::string("facts: the comment at the end is stored under the name \"") + debriefingFact +
-           "\", expected another name";
+    if (facts == protocol.end() || !facts->is_array()) return {};
+    if (std::ranges::find(*facts, json(debriefingFact)) != facts->end())
+        return std::string("facts: the comment at the end is stored under the name \"") + debriefingFact +
+               "\", expected another name";
+    for (const json& fact : *facts)
+        if (fact.is_string() && fact.get_ref<const std::string&>().size() > longestName)
+            return "facts: a name has " + std::to_string(fact.get_ref<const std::string&>().size()) +
+                   " bytes, expected at most " + std::to_string(longestName);
+    return {};
 }
 
 }  // namespace

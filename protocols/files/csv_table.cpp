@@ -37,12 +37,15 @@ Error notANumber(const std::string& cell, const std::string& row, const std::str
 }  // namespace
 
 CsvReader::CsvReader(std::string_view text, std::string where, char separator)
-    : m_text(withoutByteOrderMark(text)), m_where(std::move(where)), m_separator(separator)
+    : m_text(withoutByteOrderMark(text)),
+      m_where(std::move(where)),
+      m_separator(separator),
+      m_afterContent(m_text.find_last_not_of(" \t\r\n") + 1)
 {
     do {
         if (isAtEnd()) throw badInput({"the file is empty", m_where, "a header row", ""});
         readRecord();
-    } while (isEmptyLine());
+    } while (isBlankLine());
     std::set<std::string_view> seen;
     for (const std::string& name : m_cells) m_columns.emplace_back(withoutBlanks(name));
     for (const std::string& name : m_columns)
@@ -61,7 +64,7 @@ bool CsvReader::next()
     do {
         if (isAtEnd()) return false;
         readRecord();
-    } while (isEmptyLine());
+    } while (isNoRow());
     ++m_rows;
     if (m_cells.size() != m_columns.size())
         throw badInput({"the row has " + std::to_string(m_cells.size()) + (m_cells.size() == 1 ? " cell" : " cells"), rowName(),
@@ -80,9 +83,11 @@ std::string CsvReader::rowName() const { return rowText(m_where, m_rows, m_line)
 
 std::string CsvReader::lineName() const { return m_where + ", line " + std::to_string(m_line); }
 
-/// A line break ends a record unless it stands in quotes.
+/// A line break ends a record unless it stands in quotes. "\r\r\n" is one: Python on Windows writes it where a file was opened
+/// without newline="".
 void CsvReader::readRecord()
 {
+    m_start = m_at;
     m_line = m_nextLine;
     std::size_t count = 0;
     while (true) {
@@ -95,6 +100,7 @@ void CsvReader::readRecord()
         ++m_at;
     }
     m_cells.resize(count);
+    if (m_text.substr(m_at).starts_with("\r\r\n")) ++m_at;
     if (!isAtEnd() && m_text[m_at] == '\r') ++m_at;
     if (!isAtEnd() && m_text[m_at] == '\n') ++m_at;
     ++m_nextLine;
@@ -139,7 +145,14 @@ bool CsvReader::isAtCellEnd() const
     return isAtEnd() || m_text[m_at] == m_separator || m_text[m_at] == '\n' || m_text[m_at] == '\r';
 }
 
-bool CsvReader::isEmptyLine() const { return m_cells.size() == 1 && withoutBlanks(m_cells[0]).empty(); }
+/// A quoted cell is not blank, whatever it holds.
+bool CsvReader::isBlankLine() const
+{
+    return m_cells.size() == 1 && withoutBlanks(m_text.substr(m_start, m_at - m_start)).empty();
+}
+
+/// A blank line of one column is a missing cell; the last ones are only line breaks.
+bool CsvReader::isNoRow() const { return isBlankLine() && (m_columns.size() > 1 || m_start >= m_afterContent); }
 
 std::optional<std::size_t> CsvTable::column(std::string_view name) const { return placeOf(columns, name); }
 
@@ -199,6 +212,7 @@ std::string csvCell(std::string_view text, char separator)
 
 std::string csvRow(const std::vector<std::string>& cells, char separator)
 {
+    if (cells.size() == 1 && withoutBlanks(cells.front()).empty()) return '"' + cells.front() + "\"\n";
     std::string row;
     for (const std::string& cell : cells) {
         if (&cell != &cells.front()) row += separator;

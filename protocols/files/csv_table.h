@@ -1,5 +1,5 @@
-// Comma-separated tables by RFC 4180: quotes, doubled quotes, separators and line breaks inside quotes, LF or CRLF.
-// Every fault names file and row. Numbers do not depend on the locale.
+// Comma-separated tables by RFC 4180: quotes, doubled quotes, separators and line breaks inside quotes. A line ends with LF,
+// CRLF, CR or CRCRLF. Every fault names file and row. Numbers do not depend on the locale.
 #pragma once
 
 #include <optional>
@@ -28,8 +28,9 @@ public:
     const std::vector<std::string>& columns() const { return m_columns; }
     std::optional<std::size_t> column(std::string_view name) const;
 
-    /// Reads the next row that is not empty; false at the end. Throws badInput if the number of cells differs from the header's.
-    /// Throws badInput, too, for a quote that is never closed and for one inside a cell without quotes.
+    /// Reads the next row; false at the end. Blank lines are no rows, but in a table of one column each is a missing value,
+    /// unless only blank lines follow. A cell in quotes is never blank. Throws badInput if the number of cells differs from the
+    /// header's. Throws it, too, for a quote that is never closed and for one inside a cell without quotes.
     bool next();
     const std::vector<std::string>& cells() const { return m_cells; }
     std::size_t rows() const { return m_rows; }  ///< number of rows read so far, without the header
@@ -45,7 +46,8 @@ private:
     void readRecord();
     void readCell(std::string& cell);
     void readQuotedCell(std::string& cell);
-    bool isEmptyLine() const;
+    bool isBlankLine() const;
+    bool isNoRow() const;
     bool isAtEnd() const { return m_at >= m_text.size(); }
     bool isAtCellEnd() const;
     std::string lineName() const;
@@ -54,6 +56,8 @@ private:
     std::string m_where;
     char m_separator;
     std::size_t m_at = 0, m_rows = 0, m_line = 0, m_nextLine = 1;
+    std::size_t m_start = 0;     ///< of the record that was read last
+    std::size_t m_afterContent;  ///< from here on the text is blank
     std::vector<std::string> m_columns, m_cells;
 };
 
@@ -86,7 +90,7 @@ std::optional<double> numberOrMissing(const CsvTable& table, std::size_t row, st
 /// One cell, quoted where RFC 4180 asks for it.
 std::string csvCell(std::string_view text, char separator = ',');
 
-/// One row of cells with its line break (LF).
+/// One row of cells with its line break (LF). A blank cell that is the whole row stands in quotes, so that it is read again.
 std::string csvRow(const std::vector<std::string>& cells, char separator = ',');
 
 }  // namespace protocols

@@ -67,6 +67,16 @@ std::string faultOfCharacter(char32_t c, char32_t before)
     return c == ',' ? "holds a comma" : "";
 }
 
+/// Whether tables read the whole id as a missing value.
+bool isWordForMissing(std::string_view id)
+{
+    constexpr std::array<std::string_view, 4> words{"na", "nan", "null", "none"};
+    const auto isSame = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
+    return std::ranges::any_of(words, [&](std::string_view word) { return std::ranges::equal(id, word, isSame); });
+}
+
+constexpr const char* meansMissing = "stands for a missing value in tables";
+
 /// "U+000B"
 std::string numberOfCharacter(char32_t character)
 {
@@ -140,6 +150,20 @@ void requireGoodId(std::string_view id, const std::string& named, const std::str
     // A longer text would fill the screen.
     const std::string shown = id.size() > longestId ? "an id of " + named : "\"" + std::string(id) + "\"";
     throw badInput({shown + " cannot name " + named + ": it " + fault, where, idRule(), "choose another id"});
+}
+
+std::string faultOfNewId(std::string_view id)
+{
+    const std::string fault = faultOfId(id);
+    return fault.empty() && isWordForMissing(id) ? meansMissing : fault;
+}
+
+void requireGoodNewId(std::string_view id, const std::string& named, const std::string& where)
+{
+    requireGoodId(id, named, where);
+    if (isWordForMissing(id))
+        throw badInput({"\"" + std::string(id) + "\" cannot name " + named + ": it " + meansMissing, where,
+                        "another id than NA, NaN, null and None in any case", "choose another id"});
 }
 
 }  // namespace protocols

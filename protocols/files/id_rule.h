@@ -23,6 +23,13 @@ std::string faultOfId(std::string_view id);
 /// Throws badInput for an id that breaks the rule. `named` is what it names ("a participant"), `where` the place it came from.
 void requireGoodId(std::string_view id, const std::string& named, const std::string& where);
 
+/// As faultOfId(), for an id that nothing has yet. Refused are, too: NA, NaN, null and None in any case, which programs of
+/// statistics read as missing values.
+std::string faultOfNewId(std::string_view id);
+
+/// As requireGoodId(), by faultOfNewId().
+void requireGoodNewId(std::string_view id, const std::string& named, const std::string& where);
+
 /// Most bytes of a person's name, and of a reason, in UTF-8.
 inline constexpr std::size_t longestName = 200, longestReason = 1000;
 

@@ -94,6 +94,18 @@ std::vector<std::filesystem::path> temporaryPlaces()
     return {present, usual};
 }
 
+void removeLivingFolders()
+{
+    for (LivingFolder& folder : living) {
+        pid_t owner = ::getpid();
+        constexpr pid_t beingRemoved = -1;  // a thread that goes on can neither free nor take the place
+        if (!folder.owner.compare_exchange_strong(owner, beingRemoved)) continue;
+        std::error_code ignored;
+        std::filesystem::remove_all(folder.path, ignored);
+        folder.owner = 0;
+    }
+}
+
 TemporaryFolder::TemporaryFolder()
 {
     const std::filesystem::path parent = temporaryPlaces().front();

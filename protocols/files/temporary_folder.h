@@ -24,6 +24,9 @@ private:
     std::filesystem::path m_path;
 };
 
+/// Removes the temporary folders that this process still has, for its very end: a thread that nobody waits for may hold one.
+void removeLivingFolders();
+
 /// An open file without a name in a folder. Nothing stays behind, whatever happens; but where the file system has no such files,
 /// a killed program may leave one called like an unfinished file.
 class NamelessFile {

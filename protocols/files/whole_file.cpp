@@ -248,6 +248,20 @@ int writeTemporary(const fs::path& temporary, const MakeBytes& make, Sync sync, 
     return open.close() ? 0 : errno;
 }
 
+/// For a file system that knows no renaming to a new name only. A second name of the file replaces nothing either. Sticks have no
+/// second names; there a file that somebody makes in the last moment is replaced. Returns 0 or the reason of the failure.
+int putByLink(const fs::path& finished, const fs::path& file)
+{
+    if (::link(finished.c_str(), file.c_str()) == 0) {
+        ::unlink(finished.c_str());
+        return 0;
+    }
+    if (errno != EPERM && errno != EINVAL && errno != ENOSYS && errno != ENOTSUP) return errno;
+    std::error_code unknown;
+    if (fs::exists(fs::symlink_status(file, unknown))) return EEXIST;
+    return ::rename(finished.c_str(), file.c_str()) == 0 ? 0 : errno;
+}
+
 /// Removes the file of this name unless it is kept.
 class Unfinished {
 public:
@@ -343,9 +357,7 @@ void putNewFileInPlace(const fs::path& finished, const fs::path& file)
 {
     syncFile(finished);
     int reason = ::renameat2(AT_FDCWD, finished.c_str(), AT_FDCWD, file.c_str(), RENAME_NOREPLACE) == 0 ? 0 : errno;
-    // A file system that knows no such renaming.
-    if (reason == EINVAL || reason == ENOSYS || reason == ENOTSUP)
-        reason = ::rename(finished.c_str(), file.c_str()) == 0 ? 0 : errno;
+    if (reason == EINVAL || reason == ENOSYS || reason == ENOTSUP) reason = putByLink(finished, file);
     if (reason == EEXIST) throw isTaken(file);
     if (reason != 0) throw cannotWrite(file, reason);
     syncFolder(file.parent_path());

@@ -402,6 +402,20 @@ private Q_SLOTS:
         QVERIFY_EXCEPTION_THROWN(requireGoodNewTexts(json, before, "study.json"), Error);
     }
 
+    /// A server refuses what is given of such a fact.
+    void noFactHasANameThatNoServerTakes()
+    {
+        std::string longest = ratingsOf({"Q1"});
+        longest.insert(1, "\"facts\": [\"age\", \"" + std::string(2000, 'x') + "\"], ");
+        QCOMPARE(faultsIn(longest), QStringList());
+        std::string json = longest;
+        json.insert(json.find("xxx"), "x");
+        QCOMPARE(faultsIn(json), QStringList{"facts: a name has 2001 bytes, expected at most 2000"});
+        QCOMPARE(keptProtocolFromJson(json, "a study", "1.0.0").facts.back().size(), std::size_t{2001});
+        requireGoodNewTexts(json, json, "study.json");
+        QVERIFY_EXCEPTION_THROWN(requireGoodNewTexts(json, longest, "study.json"), Error);
+    }
+
     void aTextThatNobodyReadsMayHoldAnything()
     {
         std::string json = ratingsOf({"Q1"});

@@ -27,6 +27,7 @@ private Q_SLOTS:
         QTest::newRow("5: quotes") << QByteArray("a,b,c\r\n\"aaa\",\"bbb\",\"ccc\"\r\nzzz,yyy,xxx");
         QTest::newRow("of Unix") << QByteArray("a,b,c\naaa,bbb,ccc\nzzz,yyy,xxx\n");
         QTest::newRow("of old Macs") << QByteArray("a,b,c\raaa,bbb,ccc\rzzz,yyy,xxx\r");
+        QTest::newRow("of Python on Windows") << QByteArray("a,b,c\r\r\naaa,\"bbb\",\"ccc\"\r\r\nzzz,yyy,xxx\r\r\n");
         QTest::newRow("byte order mark, empty lines, blanks")
             << QByteArray("\xEF\xBB\xBF\n a ,b,c\n\naaa,bbb,ccc\n  \nzzz,yyy,xxx\n\n");
     }
@@ -43,6 +44,33 @@ private Q_SLOTS:
         const CsvTable table = csvTableFrom("a,b,c\n\"aaa\",\"b\r\nbb\",\"c,c\"\n\"aaa\",\"b\"\"bb\",\"\"\n", "t.csv");
         QCOMPARE(table.rows, (Rows{{"aaa", "b\r\nbb", "c,c"}, {"aaa", "b\"bb", ""}}));
         QCOMPARE(table.lines, (std::vector<std::size_t>{2, 4}));
+    }
+
+    /// Without this, the values after a missing one would move up.
+    void anEmptyLineOfOneColumnIsAMissingValue()
+    {
+        const CsvTable table = csvTableFrom("\nx\r\n1\r\n\r\n  \r\n\"\"\r\n4\r\n\r\n \n", "t.csv");
+        QCOMPARE(table.rows, (Rows{{"1"}, {""}, {"  "}, {""}, {"4"}}));
+        QCOMPARE(table.lines, (std::vector<std::size_t>{3, 4, 5, 6, 7}));
+        QCOMPARE(csvTableFrom("x\n1\n\"\"\n\n", "t.csv").rows, (Rows{{"1"}, {""}}));
+        QVERIFY(csvTableFrom("x\n\n \n", "t.csv").rows.empty());
+        QCOMPARE(csvTableFrom("x\n" + csvRow({"1"}) + csvRow({""}), "t.csv").rows, (Rows{{"1"}, {""}}));
+        QVERIFY(errorOf([] { csvTableFrom("a,b\n1,2\n\"\"\n", "t.csv"); }).contains("line 3): the row has 1 cell"));
+    }
+
+    /// Python's csv on Windows ends a line so where the file was opened without newline="". No value is missing between them.
+    void aDoubledCarriageReturnIsOneLineBreak()
+    {
+        const CsvTable table = csvTableFrom("x\r\r\n1\r\r\n\"2\"\r\r\n\r\r\n4\r\r\n", "t.csv");
+        QCOMPARE(table.rows, (Rows{{"1"}, {"2"}, {""}, {"4"}}));
+        QCOMPARE(table.lines, (std::vector<std::size_t>{2, 3, 4, 5}));
+        QCOMPARE(csvTableFrom("x\r1\r\r4\r", "t.csv").rows, (Rows{{"1"}, {""}, {"4"}}));
+    }
+
+    void manyEmptyLinesAreReadQuickly()
+    {
+        const CsvTable table = csvTableFrom("x\n" + std::string(500'000, '\n') + "1\n" + std::string(500'000, '\n'), "t.csv");
+        QCOMPARE(table.rows.size(), std::size_t{500'001});
     }
 
     void otherSeparatorsAreAnOption()

@@ -218,6 +218,26 @@ private Q_SLOTS:
         QVERIFY(fs::exists(outer.path() / "mine"));  // of the parent
     }
 
+    /// A thread that nobody waits for may hold one when the program ends.
+    void aTemporaryFolderOfAnUnfinishedThreadEndsWithItsProgram()
+    {
+        const TemporaryFolder outer;
+        fill(outer.path(), {{"mine", "stays"}});
+        const pid_t child = ::fork();
+        if (child == 0) {
+            auto* unfinished = new TemporaryFolder;
+            fill(unfinished->path(), {{"study.db", "answers"}, {"stimuli/1", "image"}});
+            fs::create_directory_symlink(unfinished->path(), outer.path() / "link");
+            removeLivingFolders();
+            ::_exit(0);
+        }
+        int status = -1;
+        QCOMPARE(::waitpid(child, &status, 0), child);
+        QCOMPARE(status, 0);
+        QVERIFY(fs::is_symlink(outer.path() / "link") && !fs::exists(outer.path() / "link"));
+        QVERIFY(fs::exists(outer.path() / "mine"));  // of the parent
+    }
+
     /// `nohup` lets a program go on.
     void anIgnoredSignalStaysIgnored()
     {

@@ -118,6 +118,29 @@ private Q_SLOTS:
             QVERIFY2(said.endsWith("choose another id"), error.what());
         }
     }
+
+    /// R and pandas read these words as missing values. Ids of earlier versions may be such a word.
+    void wordsForMissingValuesAreNoNewIds()
+    {
+        for (const std::string id : {"NA", "na", "NaN", "nan", "null", "NULL", "None", "none", "nONE"}) {
+            QCOMPARE(QString::fromStdString(faultOfId(id)), QString());
+            QCOMPARE(QString::fromStdString(faultOfNewId(id)), QString("stands for a missing value in tables"));
+            try {
+                requireGoodNewId(id, "a participant", "study");
+                QFAIL(id.c_str());
+            } catch (const Error& error) {
+                const QString what(error.what());
+                QVERIFY2(what.startsWith("study: \"" + QString::fromStdString(id) +
+                                         "\" cannot name a participant: it stands for "
+                                         "a missing value in tables; expected another id than NA"),
+                         error.what());
+            }
+        }
+        for (const std::string id : {"NA1", "N", "nullo", "Nina", "\u0274a"})
+            QCOMPARE(QString::fromStdString(faultOfNewId(id)), QString());
+        QCOMPARE(QString::fromStdString(faultOfNewId("../NA")), QString("begins with a dot"));
+        requireGoodNewId("P01", "a participant", "study");
+    }
 };
 
 QTEST_GUILESS_MAIN(IdRuleTest)

@@ -373,6 +373,25 @@ private Q_SLOTS:
         QCOMPARE(readWholeFile(file()), std::string("second"));
     }
 
+    /// Some shares and file systems know no renaming to a new name only.
+    void newFileReplacesNothingOnAnOldFileSystemEither()
+    {
+        writeWholeFile(folder() / "draft", "second", Sync::Later);
+        writeWholeFile(file(), "first", Sync::Later);
+        const auto put = [&] {
+            ObservedDisk disk(folder());
+            disk.failAt(1, EINVAL);  // after the sync
+            putNewFileInPlace(folder() / "draft", file());
+        };
+        QCOMPARE(errorOf(put).left(2), QString("2:"));
+        QCOMPARE(readWholeFile(file()), std::string("first"));
+        QCOMPARE(namesIn(folder()), (std::vector<std::string>{"answers.csv", "draft"}));
+        fs::remove(file());
+        QCOMPARE(errorOf(put), QString());
+        QCOMPARE(readWholeFile(file()), std::string("second"));
+        QCOMPARE(namesIn(folder()), std::vector<std::string>{"answers.csv"});
+    }
+
     void longWorkAsksBeforeItBegins()
     {
         requireWritable(file());

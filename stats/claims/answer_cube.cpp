@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <string>
 
 #include "stats/kernels/distributions.h"
 
@@ -12,25 +11,6 @@ namespace stats {
 namespace {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-
-std::vector<std::string> numbered(std::size_t count)
-{
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < count; ++i) names.push_back(std::to_string(i + 1));
-    return names;
-}
-
-/// One row for each participant x fabric.
-CrossedValues emptyTable(std::size_t participants, std::size_t fabrics)
-{
-    CrossedValues table{{"participant", numbered(participants), {}}, {"fabric", numbered(fabrics), {}}, {}};
-    for (std::size_t p = 0; p < participants; ++p)
-        for (std::size_t f = 0; f < fabrics; ++f) {
-            table.participant.of.push_back(p);
-            table.fabric.of.push_back(f);
-        }
-    return table;
-}
 
 constexpr double interactionAlpha = 0.05;
 
@@ -118,14 +98,6 @@ AnswerCube AnswerCube::withoutFabric(std::size_t fabric) const
         for (auto& [pair, table] : rest.m_comparable) table.values[p * m_fabrics + fabric] = missing;
     }
     return rest;
-}
-
-CrossedValues AnswerCube::valuesUnder(std::size_t condition) const
-{
-    CrossedValues table = emptyTable(m_participants, m_fabrics);
-    for (std::size_t p = 0; p < m_participants; ++p)
-        for (std::size_t f = 0; f < m_fabrics; ++f) table.values.push_back(at(condition, p, f));
-    return table;
 }
 
 CrossedTable AnswerCube::tableUnder(std::size_t condition) const

@@ -34,7 +34,6 @@ public:
 
     /// The answers under a condition.
     CrossedTable tableUnder(std::size_t condition) const;
-    CrossedValues valuesUnder(std::size_t condition) const;
 
     /// From now on a and b are compared on these means, which are of the answers that each cell has under both; NaN: of none.
     /// Nothing is kept where they are the means of the cells. A change of a cell does not change them.

@@ -9,13 +9,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "stats/kernels/quiet_policy.h"
+
 namespace stats {
 namespace {
 
 namespace bm = boost::math;
-using Quiet = bm::policies::policy<bm::policies::overflow_error<bm::policies::ignore_error>,
-                                   bm::policies::underflow_error<bm::policies::ignore_error>,
-                                   bm::policies::evaluation_error<bm::policies::ignore_error>>;
 
 // Below this, p is so small that it loses digits as a denormal number: its logarithm is then computed directly.
 constexpr double smallestLinear = 1e-280;

@@ -20,8 +20,6 @@ public:
         m_sum = sum;
     }
     double total() const { return m_sum + m_error; }
-    double error() const { return m_error; }
-    double roundedSum() const { return m_sum; }
 
 private:
     double m_sum = 0;

@@ -8,13 +8,12 @@
 #include <boost/math/distributions/non_central_t.hpp>
 #include <cmath>
 
+#include "stats/kernels/quiet_policy.h"
+
 namespace stats {
 namespace {
 
 namespace bm = boost::math;
-using Quiet = bm::policies::policy<bm::policies::overflow_error<bm::policies::ignore_error>,
-                                   bm::policies::underflow_error<bm::policies::ignore_error>,
-                                   bm::policies::evaluation_error<bm::policies::ignore_error>>;
 
 // Below the first limit the central distribution is used, because the series need a noncentrality above 0. Above
 // the other two the series have too many terms, and the approximations below are accurate enough.

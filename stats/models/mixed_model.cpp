@@ -89,16 +89,17 @@ VarianceParameters varianceParameters(const FittedTerms& fitted, const TermChoic
     return parametersAt(*system, thetas, system->solutionAt(thetas.values, choice.reml()).derivatives, variance);
 }
 
-/// Covariance of (free parameters, sigma^2): twice the inverse of the Hessian of -2 log likelihood, not profiled.
+/// Covariance of (free parameters, sigma^2): twice the inverse of the Hessian of -2 log likelihood, not profiled. The inverse is
+/// that of log sigma^2, which has no unit, as theta: the unit of y must not decide which directions are determined.
 Matrix parameterCovariance(const VarianceParameters& parameters, double degrees, double variance)
 {
     const std::size_t m = parameters.hessian.rows();
     Matrix whole(m + 1, m + 1);
     for (std::size_t i = 0; i < m; ++i) {
         for (std::size_t j = 0; j < m; ++j) whole(i, j) = parameters.hessian(i, j);
-        whole(i, m) = whole(m, i) = dot(parameters.directions.row(i), parameters.derivatives.forms) / (variance * variance);
+        whole(i, m) = whole(m, i) = dot(parameters.directions.row(i), parameters.derivatives.forms) / variance;
     }
-    whole(m, m) = degrees / (variance * variance);
+    whole(m, m) = degrees;
     const Eigen eigen = eigenOf(whole);
     const double largest = *std::max_element(eigen.values.begin(), eigen.values.end());
     Matrix inverse(m + 1, m + 1);
@@ -107,6 +108,10 @@ Matrix parameterCovariance(const VarianceParameters& parameters, double degrees,
         const auto v = eigen.vectors.row(k);
         for (std::size_t i = 0; i <= m; ++i)
             for (std::size_t j = 0; j <= m; ++j) inverse(i, j) += 2 * v[i] * v[j] / eigen.values[k];
+    }
+    for (std::size_t i = 0; i <= m; ++i) {
+        inverse(i, m) *= variance;
+        inverse(m, i) *= variance;
     }
     return inverse;
 }

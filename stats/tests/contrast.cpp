@@ -25,7 +25,6 @@ Contrast ofOne(const Moments& moments)
 {
     Contrast contrast;
     contrast.first = moments;
-    contrast.hasEstimate = true;
     if (moments.n < 2) {
         contrast.why = "needs at least 2 values";
         return contrast;
@@ -67,7 +66,6 @@ Contrast twoSamples(TKind kind, std::span<const double> x, std::span<const doubl
     contrast.first = momentsOf(x);
     contrast.second = momentsOf(y);
     contrast.twoSamples = true;
-    contrast.hasEstimate = true;
     const auto n1 = static_cast<double>(x.size());
     const auto n2 = static_cast<double>(y.size());
     if (kind == TKind::Student) {

@@ -19,7 +19,6 @@ struct Contrast {
     double sd = 0;  ///< SD of the sample or of the differences; pooled (Student)
     double se = 0;
     double df = 0;
-    bool hasEstimate = false;
     bool hasSpread = false;
 
     /// Estimate minus `reference`, both scaled, without cancellation.

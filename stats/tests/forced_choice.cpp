@@ -70,12 +70,6 @@ std::string faultOf(long long correct, long long trials, int alternatives)
 
 }  // namespace
 
-double proportionCorrectAt(double dPrime, int alternatives)
-{
-    return integral(dPrime - impressionReach / 4, dPrime + impressionReach / 4,
-                    [&](double x) { return density(x - dPrime) * std::pow(below(x), alternatives - 1); });
-}
-
 Value dPrimeAt(double proportion, int alternatives)
 {
     if (alternatives < 2) return Value::undefined("a choice needs at least 2 alternatives");

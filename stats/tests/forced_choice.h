@@ -22,7 +22,4 @@ ChoiceSensitivity forcedChoice(long long correct, long long trials, int alternat
 /// the proportion, so that the ends of an interval of the proportion give those of d'. Refused with a reason outside [0, 1].
 Value dPrimeAt(double proportion, int alternatives);
 
-/// Probability of a correct choice at d' (any real): integral of phi(x - d') Phi(x)^(m - 1).
-double proportionCorrectAt(double dPrime, int alternatives);
-
 }  // namespace stats

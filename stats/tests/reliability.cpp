@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <numbers>
 
 #include "stats/kernels/descriptive.h"
@@ -15,6 +16,8 @@ namespace {
 
 constexpr std::size_t fewestForIntervals = 3;
 constexpr double tailOf95 = 0.025;
+/// A rare word that nobody repeats gives each participant a kappa of 0. The jackknife then has no width, which is no exactness.
+constexpr double narrowestOfWords = 1e-9;
 
 using RetestedParticipants = std::vector<RatingPairs>;
 
@@ -51,14 +54,13 @@ struct NormalScale {
     double (*from)(double);
 };
 
-/// Leaves each participant out once. Undefined where the statistic, or one of these, has no finite value on the scale.
-Interval jackknifeInterval(const RetestedParticipants& participants, const std::function<Value(const RatingPairs&)>& statistic,
-                           const NormalScale& scale)
+/// Leaves each of n participants out once. `statistic`: without the participant of this place; of all at place n. Undefined where
+/// it, or one of these, has no finite value on the scale.
+Interval jackknifeInterval(std::size_t n, const std::function<Value(std::size_t)>& statistic, const NormalScale& scale)
 {
-    const std::size_t n = participants.size();
     if (n < fewestForIntervals) return noInterval("needs at least 3 participants");
     const auto onScale = [&](std::size_t without) {
-        const Value value = statistic(pooled(participants, without));
+        const Value value = statistic(without);
         return value.exists() ? scale.to(*value) : std::nan("");
     };
     const double whole = onScale(n), count = static_cast<double>(n);
@@ -68,6 +70,13 @@ Interval jackknifeInterval(const RetestedParticipants& participants, const std::
         return noInterval("the pairs agree without any difference, or do not vary");
     const double half = studentQuantile(tailOf95, count - 1) * *describe(pseudo).sd / std::sqrt(count);
     return {scale.from(whole - half), scale.from(whole + half)};
+}
+
+Interval jackknifeInterval(const RetestedParticipants& participants, const std::function<Value(const RatingPairs&)>& statistic,
+                           const NormalScale& scale)
+{
+    return jackknifeInterval(
+        participants.size(), [&](std::size_t without) { return statistic(pooled(participants, without)); }, scale);
 }
 
 Interval limitsOf(const RatingPairs& pairs)
@@ -148,6 +157,62 @@ Estimate beyondChance(const Estimate& agreement, double m)
     return raised(agreement, [m](double share) { return (m * share - 1) / (m - 1); });
 }
 
+/// How many of n pairs would agree if the second answers belonged to other pairs of the same participant; n is at least 2.
+double agreeingByChance(const RepeatedChoices& one)
+{
+    const auto n = static_cast<double>(one.pairs), first = static_cast<double>(one.firstWord),
+               second = static_cast<double>(one.secondWord);
+    return (first * second + (n - first) * (n - second) - static_cast<double>(one.agreeing)) / (n - 1);
+}
+
+bool usesBothWords(const RepeatedChoices& one)
+{
+    const std::size_t both = one.firstWord + one.secondWord;
+    return both > 0 && both < 2 * one.pairs;
+}
+
+/// Kappa of the words of all participants but the one at place `without`; all have at least two pairs.
+Value kappaOfWords(const std::vector<RepeatedChoices>& participants, std::size_t without)
+{
+    double pairs = 0, agreeing = 0, byChance = 0;
+    for (std::size_t i = 0; i < participants.size(); ++i) {
+        if (i == without || !usesBothWords(participants[i])) continue;  // the others agree as often by chance: always
+        pairs += static_cast<double>(participants[i].pairs);
+        agreeing += static_cast<double>(participants[i].agreeing);
+        byChance += agreeingByChance(participants[i]);
+    }
+    if (pairs == 0) return Value::undefined("every participant used one word only, so that nothing tells agreement from a habit");
+    if (!(byChance < pairs)) return Value::undefined("second answers repeat the first ones to other presentations");
+    return (agreeing - byChance) / (pairs - byChance);
+}
+
+/// Of a kappa that exists. The jackknife has one reason for all statistics, which need not hold for words.
+Interval intervalOfWords(double kappa, std::size_t participants, const std::function<Value(std::size_t)>& without)
+{
+    const Interval interval = jackknifeInterval(participants, without, {std::atanh, std::tanh});
+    if (!interval.low.exists())
+        return participants < fewestForIntervals || kappa == 1
+                   ? interval
+                   : noInterval("without one of the participants there is no kappa, or none between -1 and 1");
+    const bool isPoint = !(*interval.high - *interval.low > narrowestOfWords);
+    return isPoint ? noInterval("all participants show the same kappa, so that nothing tells how exact it is") : interval;
+}
+
+Estimate wordKappa(std::span<const RepeatedChoices> all)
+{
+    std::vector<RepeatedChoices> participants;
+    std::ranges::copy_if(all, std::back_inserter(participants), [](const RepeatedChoices& one) { return one.pairs > 1; });
+    if (participants.empty()) {
+        const std::string why =
+            "no participant has two presentations that came twice, so that nothing tells agreement from a habit";
+        return {Value::undefined(why), noInterval(why)};
+    }
+    const auto without = [&](std::size_t place) { return kappaOfWords(participants, place); };
+    const Value kappa = without(participants.size());
+    if (!kappa.exists()) return {kappa, noInterval(kappa.why())};
+    return {kappa, intervalOfWords(*kappa, participants.size(), without)};
+}
+
 }  // namespace
 
 RatingReliability ratingReliability(std::span<const RatingPairs> all, double scaleMax, const EquivalenceOptions& bounds)
@@ -189,9 +254,10 @@ ChoiceReliability choiceReliability(std::span<const RepeatedChoices> participant
     }
     const double m = alternatives, answers = compared == ChoicesCompared::Outcomes ? 2 : m;
     result.agreement = shareOfPairs(participants, 1);
-    result.kappa = beyondChance(shareOfPairs(participants, 1 / (m - 1)), m);
+    const bool areWords = compared == ChoicesCompared::Words;
+    result.kappa = areWords ? wordKappa(participants) : beyondChance(shareOfPairs(participants, 1 / (m - 1)), m);
     const auto largest = [answers](double kappa) { return (1 + (answers - 1) * std::sqrt(std::max(0.0, kappa))) / answers; };
-    result.shareCeiling = raised(beyondChance(result.agreement, answers), largest);
+    result.shareCeiling = raised(areWords ? result.kappa : beyondChance(result.agreement, answers), largest);
     return result;
 }
 

@@ -56,13 +56,16 @@ RatingReliability ratingReliability(std::span<const RatingPairs> participants, d
 enum class ChoicesCompared {
     Answers,   ///< both choices are the same
     Outcomes,  ///< both are right or both wrong: the foils are others the second time, so wrong choices cannot be the same
+    Words,     ///< one of two words, such as "same" and "different": who has a habit for one agrees without perceiving anything
 };
 
 /// One participant's repeated choices.
 struct RepeatedChoices {
     std::size_t pairs = 0;
     std::size_t agreeing = 0;
-    std::size_t bothWrong = 0;  ///< of `agreeing`; stays 0 where answers are compared
+    std::size_t bothWrong = 0;   ///< of `agreeing`; stays 0 where answers or words are compared
+    std::size_t firstWord = 0;   ///< pairs whose first answer is the one of two words; 0 where no words are compared
+    std::size_t secondWord = 0;  ///< pairs whose second answer is this word
 };
 
 struct ChoiceReliability {
@@ -72,8 +75,7 @@ struct ChoiceReliability {
     /// differ more than chance makes them (Kish 1965; Korn and Graubard 1998, Survey Methodology 24, 193).
     Estimate agreement;
     /// Of answers: (agreement - 1/m) / (1 - 1/m), kappa for alternatives that change from pair to pair, so that no alternative
-    /// has a frequency of its own (Brennan and Prediger 1981, Educ Psychol Meas 41, 687). A habit for one of the words "same" and
-    /// "different" counts as agreement.
+    /// has a frequency of its own (Brennan and Prediger 1981, Educ Psychol Meas 41, 687).
     /// Of outcomes: the same, but two wrong choices agree by 1/(m - 1) only, as often as foils taken blindly would be the same.
     /// That is the mean product of the two scores corrected for guessing (1 for right, -1/(m - 1) for wrong): 0 for guessers, 1
     /// where all is right, and the share of presentations that are known where all others are guessed. It needs no estimate of
@@ -81,6 +83,15 @@ struct ChoiceReliability {
     /// value without errors; the guessers' agreement (1 + (m - 1)^2) / m^2 as chance puts a share of 1/2 far below guessers.
     /// A choice that is wrong for a lasting reason looks like a guess here. The interval is Wilson's of the share that agrees
     /// so. It supposes the variance of whole pairs, so that it is too wide rather than too narrow where many are wrong.
+    /// Of words: (agreement - chance) / (1 - chance), Cohen's kappa (1960, Educ Psychol Meas 20, 37) with each participant as a
+    /// stratum (Barlow, Lai and Azen 1991, Stat Med 10, 1465). Chance comes from the participant's own words: how often the first
+    /// answer to one presentation is the second answer to another. That is Cohen's expected agreement without the pairs
+    /// themselves, which would hold their agreement, too, and make kappa small where a participant has few pairs. So it takes the
+    /// participants with at least two pairs; who has used one word only adds nothing. 0 for any habit without perception, 1 where
+    /// all words are the same again. Of few pairs it can lie below -1, the least that endless pairs allow: both parts are
+    /// estimated without bias, and an end at -1 would make the mean over studies too high. The interval is that of the jackknife,
+    /// made of Fisher's z. There is none where all participants show the same, or where kappa without one of them is not between
+    /// -1 and 1.
     Estimate kappa;
     /// The highest share of right answers over the presentations that came twice; those of one condition may be answered with
     /// less noise than those of another. Who chooses alternative j with probability q_j agrees with themselves with the sum of
@@ -91,6 +102,9 @@ struct ChoiceReliability {
     /// then chance, as no true A is. It bounds the share of each single alternative, because none is chosen more often than right
     /// or than all wrong ones together; so it holds however wrong choices spread, and is wide where many are wrong. It supposes
     /// that the two answers are independent and equally often right. What other foils change counts as noise.
+    /// Of words it is (1 + sqrt(kappa)) / 2, 1/2 where kappa is below 0. Where each word is right equally often, the share of
+    /// right answers is 1/2 plus half the difference of the two rates of one word, which is at most twice its SD over
+    /// presentations. That SD is sqrt(kappa v) for a word of variance v, which is at most 1/4.
     Estimate shareCeiling;
 };
 

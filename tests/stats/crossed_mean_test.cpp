@@ -28,9 +28,13 @@ const std::vector<double> twelve{1.2, 0.4, -0.3, 2.1, 1.9, 0.2, 0.3, 0.8, -1.1, 
 
 CrossedValues tableOf(const std::vector<double>& values, std::size_t participants, std::size_t fabrics)
 {
-    AnswerCube cube(stats::AnswerValues::Ratings, 1, participants, fabrics);
-    for (std::size_t i = 0; i < values.size(); ++i) cube.at(0, i / fabrics, i % fabrics) = values[i];
-    return cube.valuesUnder(0);
+    Q_ASSERT(values.size() == participants * fabrics);
+    std::vector<std::string> ofParticipants, ofFabrics;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        ofParticipants.push_back(std::to_string(i / fabrics + 1));
+        ofFabrics.push_back(std::to_string(i % fabrics + 1));
+    }
+    return {stats::factorOf("participant", ofParticipants), stats::factorOf("fabric", ofFabrics), values};
 }
 
 bool near(const stats::Value& value, double expected, double relative = 1e-9)

@@ -126,8 +126,8 @@ private Q_SLOTS:
                         {"standard error", found.seDPrime, expected.logP},
                         {"proportion", found.proportionCorrect, correct / 70.0},
                         {"discriminators", found.discriminators, (correct / 70.0 - chance) / (1 - chance)},
-                        {"correct at d'", stats::proportionCorrectAt(*found.dPrime, alternatives), correct / 70.0},
-                        {"correct at 1.3", stats::proportionCorrectAt(1.3, 5), 0.59090283056806994}});
+                        {"d' of the proportion", stats::dPrimeAt(correct / 70.0, alternatives), expected.p},
+                        {"d' of 0.59…", stats::dPrimeAt(0.59090283056806994, 5), 1.3}});
     }
 
     void bayesFactorsAsTheirIntegral()

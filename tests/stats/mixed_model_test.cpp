@@ -210,6 +210,40 @@ private Q_SLOTS:
         compare(stats::effectTest(stats::fitMixedModel(data)).f, *stats::effectTest(plain).f, 1e-5, "F beside 1e9");
     }
 
+    void ratingsFarFromZeroHaveTheSameDegreesOfFreedom_data()
+    {
+        QTest::addColumn<double>("offset");
+        for (const double offset : {1000.0, -1000.0, 1e5, 1e7}) QTest::addRow("%g", offset) << offset;
+    }
+
+    /// A scale from -1000 to -990 is one from 0 to 10.
+    void ratingsFarFromZeroHaveTheSameDegreesOfFreedom()
+    {
+        QFETCH(double, offset);
+        auto near = smallStudy();
+        for (double& y : near.y) y /= 8;
+        auto far = near;
+        for (double& y : far.y) y += offset;
+        const auto plain = stats::fitMixedModel(near), moved = stats::fitMixedModel(far);
+        const double precision = 1e-15 * std::fabs(offset) + 1e-9;
+        for (const std::size_t effect : {std::size_t(1), std::size_t(2)}) {
+            const stats::ContrastTest &expected = plain.fixed[effect].test, &test = moved.fixed[effect].test;
+            compare(test.df, *expected.df, 100 * precision, "df");
+            compare(test.p, *expected.p, 100 * precision, "p");
+            compare(test.ci.low, *expected.ci.low, 100 * precision, "low");
+            compare(test.ci.high, *expected.ci.high, 100 * precision, "high");
+        }
+        compare(stats::effectTest(moved).df2, *stats::effectTest(plain).df2, 100 * precision, "df2");
+        compare(stats::effectTest(moved).p, *stats::effectTest(plain).p, 100 * precision, "p of all");
+
+        const stats::CrossedStudy drawn = drawnStudy({6, 5, 4, 3}, 2);
+        stats::CrossedStudy shifted = drawn;
+        for (double& value : shifted.values) value += offset;
+        const auto balanced = stats::fitRatings(drawn).condition, elsewhere = stats::fitRatings(shifted).condition;
+        compare(elsewhere.df2, *balanced.df2, 100 * precision, "df2 of complete data");
+        compare(elsewhere.p, *balanced.p, 100 * precision, "p of complete data");
+    }
+
     void orderOfRowsAndTermsChangesNothing()
     {
         auto study = drawnStudy({6, 5, 4, 3}, 3);

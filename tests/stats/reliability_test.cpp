@@ -130,6 +130,101 @@ private Q_SLOTS:
         QCOMPARE(*choiceReliability(two, 2, ChoicesCompared::Outcomes).kappa.value, *choiceReliability(same, 2).kappa.value);
     }
 
+    // Participants (pairs, same word again, first and second answers that are the word): 18 (3, 3, 3, 3) and those below.
+    // python3: x=[(3,2,2,3)]*2+[(3,2,3,2)]*2+[(3,1,2,2),(3,1,1,3)]; c=[(f*s+(n-f)*(n-s)-a)/(n-1) for n,a,f,s in x]
+    //   (sum(a for n,a,f,s in x)-sum(c))/(sum(n for n,a,f,s in x)-sum(c))     -0.14285714285714285
+    // The interval is that of the jackknife of R (reports/scripts/analysis.R, anchorWords).
+    void aHabitForOneWordIsNoReliability()
+    {
+        std::vector<RepeatedChoices> participants(18, {3, 3, 0, 3, 3});
+        const std::vector<RepeatedChoices> both{{3, 2, 0, 2, 3}, {3, 2, 0, 2, 3}, {3, 2, 0, 3, 2},
+                                                {3, 2, 0, 3, 2}, {3, 1, 0, 2, 2}, {3, 1, 0, 1, 3}};
+        participants.insert(participants.end(), both.begin(), both.end());
+        const ChoiceReliability found = choiceReliability(participants, 2, ChoicesCompared::Words);
+        QCOMPARE(*found.agreement.value, 64.0 / 72);
+        QCOMPARE(*found.kappa.value, -1.0 / 7);
+        QVERIFY(std::abs(*found.kappa.ci95.low + 0.44118764352881273) < 1e-12 &&
+                std::abs(*found.kappa.ci95.high - 0.18390602152349111) < 1e-12);
+        QCOMPARE(*found.shareCeiling.value, 0.5);
+        QVERIFY(*choiceReliability(participants, 2).kappa.value > 0.7);  // of alternatives that change from pair to pair
+
+        const std::vector<RepeatedChoices> constant(24, {3, 3, 0, 3, 3}), single(24, {1, 1, 0, 1, 1}), exact(4, {4, 4, 0, 2, 2}),
+            crossed(4, {2, 0, 0, 1, 1});
+        const auto why = [](const std::vector<RepeatedChoices>& of) {
+            return choiceReliability(of, 2, ChoicesCompared::Words).shareCeiling.value.why();
+        };
+        QCOMPARE(why(constant),
+                 std::string("every participant used one word only, so that nothing tells agreement from a habit"));
+        QCOMPARE(why(single), std::string("no participant has two presentations that came twice, so that nothing tells agreement "
+                                          "from a habit"));
+        QCOMPARE(why(crossed), std::string("second answers repeat the first ones to other presentations"));
+        const ChoiceReliability all = choiceReliability(exact, 2, ChoicesCompared::Words);
+        QVERIFY(*all.kappa.value == 1 && *all.shareCeiling.value == 1);
+        QVERIFY(!all.kappa.ci95.low.exists());
+        // Each used the other word once: no kappa of single participants differs from 0.
+        const ChoiceReliability rare =
+            choiceReliability(std::vector<RepeatedChoices>(8, {3, 2, 0, 3, 2}), 2, ChoicesCompared::Words);
+        QCOMPARE(*rare.kappa.value, 0.0);
+        QVERIFY(rare.kappa.ci95.low.why().starts_with("all participants show the same kappa"));
+    }
+
+    // python3: x=[(4,4,4,4)]*3+[(4,3,2,3)]; with the sums of the test before, over those who used both words 0.5714285714285714
+    //   x=[(3,0,2,1)]*3                                                                                        -2.0
+    void aMissingIntervalOfWordsHasATrueReason()
+    {
+        const auto kappaOf = [](const std::vector<RepeatedChoices>& participants) {
+            return choiceReliability(participants, 2, ChoicesCompared::Words).kappa;
+        };
+        const std::string why = "without one of the participants there is no kappa, or none between -1 and 1";
+        const Estimate alone = kappaOf({{4, 4, 0, 4, 4}, {4, 4, 0, 4, 4}, {4, 4, 0, 4, 4}, {4, 3, 0, 2, 3}});
+        QCOMPARE(*alone.value, 4.0 / 7);
+        QCOMPARE(alone.ci95.low.why(), why);
+        // Without the last one, all words are the same again.
+        const Estimate differing = kappaOf({{4, 4, 0, 2, 2}, {4, 4, 0, 2, 2}, {4, 3, 0, 2, 3}});
+        QVERIFY(*differing.value < 1);
+        QCOMPARE(differing.ci95.low.why(), why);
+        // No pair agrees, and each word comes again elsewhere: the estimate may lie below the least value that it estimates.
+        const std::vector<RepeatedChoices> crossing(3, {3, 0, 0, 2, 1});
+        QCOMPARE(*kappaOf(crossing).value, -2.0);
+        QCOMPARE(kappaOf(crossing).ci95.high.why(), why);
+        QCOMPARE(*choiceReliability(crossing, 2, ChoicesCompared::Words).shareCeiling.value, 0.5);
+        QCOMPARE(kappaOf({{3, 0, 0, 2, 1}, {3, 0, 0, 2, 1}}).ci95.low.why(), std::string("needs at least 3 participants"));
+        const Estimate exact = kappaOf(std::vector<RepeatedChoices>(4, {4, 4, 0, 2, 2}));
+        QVERIFY(exact.ci95.low.why().starts_with("the pairs agree without any difference"));
+    }
+
+    /// A participant either feels what a presentation is, or takes a word by habit. Kappa is the share of the former.
+    void theKappaOfWordsIsWhatIsFeltWhateverTheHabit()
+    {
+        constexpr int studies = 1000;
+        for (const double felt : {0.0, 0.5}) {
+            int held = 0, withInterval = 0;
+            double sum = 0;
+            for (int study = 0; study < studies; ++study) {
+                Draws draws(16, static_cast<std::uint64_t>(study));
+                std::vector<RepeatedChoices> participants(25);
+                for (RepeatedChoices& one : participants) {
+                    const double habit = 0.75 + 0.2 * draws.uniform();
+                    for (; one.pairs < 6; ++one.pairs) {
+                        const bool isFelt = draws.happens(felt), word = draws.happens(habit);
+                        const bool first = isFelt ? word : draws.happens(habit), second = isFelt ? word : draws.happens(habit);
+                        one.agreeing += first == second;
+                        one.firstWord += first;
+                        one.secondWord += second;
+                    }
+                }
+                const Estimate kappa = choiceReliability(participants, 2, ChoicesCompared::Words).kappa;
+                sum += *kappa.value;
+                if (!kappa.ci95.low.exists()) continue;
+                ++withInterval;
+                held += holds(kappa.ci95, felt);
+            }
+            qInfo("felt %.1f: kappa %.3f, coverage %.1f %%", felt, sum / studies, 100.0 * held / withInterval);
+            QVERIFY(std::abs(sum / studies - felt) < 0.02);
+            QVERIFY(withInterval > 0.98 * studies && held > 0.9 * withInterval);
+        }
+    }
+
     void participantsWhoDifferWidenTheInterval()
     {
         const Interval alike = choiceReliability(std::vector<RepeatedChoices>{{6, 4}, {6, 4}, {6, 4}, {6, 4}}, 3).agreement.ci95;

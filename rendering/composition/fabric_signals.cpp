@@ -154,6 +154,31 @@ cv::Mat SignalComputation::reliefOf(const cv::Mat& photograph, FabricSignals& re
     return part.height;
 }
 
+void SignalComputation::addMeasuredTrace(const protocols::FabricId& fabric, int sample, const std::set<Signal>& needed,
+                                         RenderedFabrics& counts, const FabricSignals& known, FabricSignals& result) const
+{
+    if (known.traces.contains(Signal::MeasuredTrace) && needed.contains(Signal::MeasuredTrace)) {
+        result.traces.insert(*known.traces.find(Signal::MeasuredTrace));
+        result.milliseconds[Signal::MeasuredTrace] = known.milliseconds.at(Signal::MeasuredTrace);
+        result.measuredMeanFriction = known.measuredMeanFriction;
+        result.measuredQuantity = known.measuredQuantity;
+        result.traceMmPerSample = known.traceMmPerSample;
+        return;
+    }
+    fabrics::FrictionRecord record;
+    if (needed.contains(Signal::FrictionRecord))
+        computed(counts, result, Signal::FrictionRecord, [&] { record = fabrics::readFriction(m_dataset, fabric, sample); });
+    if (needed.contains(Signal::MeasuredTrace))
+        computed(counts, result, Signal::MeasuredTrace, [&] {
+            const auto where = fabrics::samplePath(m_dataset, fabric, Modality::Friction, sample).string();
+            auto trace = signals::frictionTrace(record, where);
+            result.traces[Signal::MeasuredTrace] = std::move(trace.values);
+            result.measuredMeanFriction = trace.mean;
+            result.measuredQuantity = trace.quantity;
+            result.traceMmPerSample = trace.mmPerSample;
+        });
+}
+
 FabricSignals SignalComputation::measured(const protocols::FabricId& fabric, const SampleChoice& samples,
                                           const std::set<Signal>& needed, RenderedFabrics& counts, const FabricSignals& known)
 {
@@ -219,28 +244,7 @@ FabricSignals SignalComputation::measured(const protocols::FabricId& fabric, con
 
     compute(Signal::HeightGradient,
             [&] { return signals::heightGradient(imageOf(result, Signal::PhotometricHeight), *m_dataset.tactileMmPerPixel); });
-
-    if (known.traces.contains(Signal::MeasuredTrace) && needed.contains(Signal::MeasuredTrace)) {
-        result.traces.insert(*known.traces.find(Signal::MeasuredTrace));
-        result.milliseconds[Signal::MeasuredTrace] = known.milliseconds.at(Signal::MeasuredTrace);
-        result.measuredMeanFriction = known.measuredMeanFriction;
-        result.measuredQuantity = known.measuredQuantity;
-        result.traceMmPerSample = known.traceMmPerSample;
-        return result;
-    }
-    fabrics::FrictionRecord record;
-    if (needed.contains(Signal::FrictionRecord))
-        computed(counts, result, Signal::FrictionRecord,
-                 [&] { record = fabrics::readFriction(m_dataset, fabric, samples.friction); });
-    if (needed.contains(Signal::MeasuredTrace))
-        computed(counts, result, Signal::MeasuredTrace, [&] {
-            const auto where = fabrics::samplePath(m_dataset, fabric, Modality::Friction, samples.friction).string();
-            auto trace = signals::frictionTrace(record, where);
-            result.traces[Signal::MeasuredTrace] = std::move(trace.values);
-            result.measuredMeanFriction = trace.mean;
-            result.measuredQuantity = trace.quantity;
-            result.traceMmPerSample = trace.mmPerSample;
-        });
+    addMeasuredTrace(fabric, samples.friction, needed, counts, known, result);
     return result;
 }
 

@@ -42,6 +42,8 @@ public:
 private:
     cv::Mat reliefOf(const cv::Mat& photograph, FabricSignals& result) const;
     cv::Mat tactileHeight(const protocols::FabricId& fabric, int index, const cv::Mat& frame);
+    void addMeasuredTrace(const protocols::FabricId& fabric, int sample, const std::set<Signal>& needed, RenderedFabrics& counts,
+                          const FabricSignals& known, FabricSignals& result) const;
 
     const fabrics::Dataset& m_dataset;
     models::Quality m_quality;

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -209,6 +210,24 @@ nlohmann::ordered_json jsonOf(const ImageFaults& faults)
         json["flat"].push_back(
             {{"fabric", flat.fabric.value}, {"condition", flat.condition.value}, {"range_used", flat.rangeUsed}});
     return json;
+}
+
+std::vector<std::string> mixedQuantities(const RenderedFabrics& rendering)
+{
+    std::vector<std::string> lines;
+    for (const auto& rendered : rendering.conditions) {
+        const auto& condition = protocols::conditionNamed(rendered.condition.value);
+        if (condition.friction != protocols::FrictionSource::MeasuredTrace) continue;
+        // The ranges may come from fabrics that are not shown.
+        std::set<std::string> quantities;
+        for (const auto& [fabric, image] : rendered.images) quantities.insert(rendering.signals.at(fabric).measuredQuantity);
+        if (quantities.size() < 2) continue;
+        const std::vector<std::string> names(quantities.begin(), quantities.end());
+        lines.push_back("condition " + rendered.condition.value + ": the friction records hold " + std::to_string(names.size()) +
+                        " quantities (" + listed(names) +
+                        "), each with a range of its own; no finger can compare fabrics of different quantities");
+    }
+    return lines;
 }
 
 std::vector<std::string> frictionOutOfReach(const RenderedFabrics& rendering)

@@ -45,6 +45,10 @@ struct ImageFaults {
 
 ImageFaults imageFaults(const RenderedFabrics& rendering);
 
+/// One line for each condition whose images come from friction records of several quantities, such as a coefficient and the
+/// counts of a sensor: each has a range of its own, so that the finger cannot compare these fabrics.
+std::vector<std::string> mixedQuantities(const RenderedFabrics& rendering);
+
 /// One line for each condition with pixels whose friction the display's response does not reach, with their share by fabric.
 std::vector<std::string> frictionOutOfReach(const RenderedFabrics& rendering);
 

@@ -64,6 +64,7 @@ cv::Mat KeptSignals::height(const protocols::FabricId& fabric, int index, models
                                 .addFile("frame", samplePath(m_dataset, fabric, Modality::Tactile, index))
                                 .addFile("reference", m_dataset.folder / "tactile-reference.png")
                                 .addFile("calibration", m_dataset.folder / m_dataset.tactileCalibration)
+                                .add("mm_per_pixel", m_dataset.tactileMmPerPixel)
                                 .add("fast", quality == models::Quality::Fast)
                                 .hex();
     if (const auto kept = keptMap(*m_cache, key)) try {

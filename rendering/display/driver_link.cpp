@@ -24,8 +24,6 @@
 #include "protocols/files/errors.h"
 #include "protocols/secrets/secret_variables.h"
 
-extern char** environ;  // NOLINT: declared by the C library.
-
 namespace rendering {
 
 namespace {
@@ -36,23 +34,6 @@ using std::chrono::steady_clock;
 constexpr std::size_t mostWaiting = std::size_t{1} << 22;  // Bytes of lines that have not been requested yet.
 constexpr std::size_t errorTextKept = 2000;
 constexpr milliseconds untilStopIsSeen(50);
-
-/// Secrets of the owner, which a program of others may not inherit.
-bool isSecret(std::string_view variable)
-{
-    return std::ranges::any_of(protocols::secretVariables,
-                               [&](const char* name) { return variable.starts_with(std::string(name) + "="); });
-}
-
-/// The environment for a lab's program.
-std::vector<char*> environmentOfProgram()
-{
-    std::vector<char*> variables;
-    for (char** variable = environ; *variable != nullptr; ++variable)
-        if (!isSecret(*variable)) variables.push_back(*variable);
-    variables.push_back(nullptr);
-    return variables;
-}
 
 std::string systemText() { return std::strerror(errno); }
 
@@ -206,8 +187,11 @@ void DriverLink::startProgram(const std::string& command)
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
     std::string words = command, shell = "sh", option = "-c";
     std::array<char*, 4> arguments{shell.data(), option.data(), words.data(), nullptr};
-    const int fault =
-        ::posix_spawn(&m_program, "/bin/sh", &actions, &attributes, arguments.data(), environmentOfProgram().data());
+    std::vector<std::string> surroundings = protocols::environmentWithoutSecrets();
+    std::vector<char*> variables;
+    for (std::string& variable : surroundings) variables.push_back(variable.data());
+    variables.push_back(nullptr);
+    const int fault = ::posix_spawn(&m_program, "/bin/sh", &actions, &attributes, arguments.data(), variables.data());
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     ::close(streams[1]);
@@ -281,10 +265,10 @@ void DriverLink::takeIn()
 {
     std::array<char, 65536> chunk{};
     ssize_t got = 0;
-    while (m_incoming.size() < mostWaiting && (got = ::recv(m_socket, chunk.data(), chunk.size(), 0)) > 0)
-        m_incoming.append(chunk.data(), static_cast<std::size_t>(got));
+    while (m_incoming.waiting() < mostWaiting && (got = ::recv(m_socket, chunk.data(), chunk.size(), 0)) > 0)
+        m_incoming.add({chunk.data(), static_cast<std::size_t>(got)});
     const bool isOpen = got > 0 || (got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR));
-    if (m_incoming.size() >= mostWaiting)
+    if (m_incoming.waiting() >= mostWaiting)
         m_trouble = "sends more than was requested";
     else if (!isOpen)
         m_trouble = m_program > 0 ? "closed its standard output" : "closed the connection";
@@ -306,17 +290,8 @@ void DriverLink::takeErrors()
 
 std::optional<std::string> DriverLink::nextLine()
 {
-    const auto end = m_incoming.find('\n', m_searched);
-    m_searched = end == std::string::npos ? m_incoming.size() : 0;
-    const bool isTooLong = std::min(end, m_incoming.size()) > longestLine;
-    if (isTooLong) {
-        m_trouble = "sent a line longer than " + std::to_string(longestLine) + " bytes";
-        m_incoming.clear();
-    }
-    if (end == std::string::npos || isTooLong) return std::nullopt;
-    std::string line = m_incoming.substr(0, end);
-    m_incoming.erase(0, end + 1);
-    if (line.ends_with('\r')) line.pop_back();
+    auto line = m_incoming.next();
+    if (m_incoming.isTooLong()) m_trouble = "sent a line longer than " + std::to_string(DriverLines::longest) + " bytes";
     return line;
 }
 
@@ -324,7 +299,7 @@ std::string DriverLink::trouble()
 {
     if (!isLost()) return {};
     std::string text = m_trouble;
-    if (m_program > 0 && !m_ending && !m_stop.stop_requested()) waitForEnd(steady_clock::now() + milliseconds(200));
+    if (m_program > 0 && !m_hasEnded && !m_stop.stop_requested()) waitForEnd(steady_clock::now() + milliseconds(200));
     if (m_ending) text = endingText(*m_ending);
     if (m_errors >= 0) takeErrors();
     const std::string words = lastLineOf(m_errorText);
@@ -333,16 +308,17 @@ std::string DriverLink::trouble()
 
 bool DriverLink::waitForEnd(Instant deadline)
 {
-    while (!m_ending) {
+    while (!m_hasEnded) {
         int status = 0;
         const pid_t ended = ::waitpid(m_program, &status, WNOHANG);
-        if (ended == m_program || (ended < 0 && errno != EINTR))
-            m_ending = ended == m_program ? status : 0;  // another handler may have taken its end
-        else if (steady_clock::now() >= deadline)
+        m_hasEnded = ended == m_program || (ended < 0 && errno != EINTR);
+        if (ended == m_program)
+            m_ending = status;
+        else if (!m_hasEnded && steady_clock::now() >= deadline)
             return false;
-        else
+        else if (!m_hasEnded)
             std::this_thread::sleep_for(milliseconds(2));
-        if (!m_ending && m_errors >= 0) takeErrors();
+        if (!m_hasEnded && m_errors >= 0) takeErrors();
     }
     return true;
 }

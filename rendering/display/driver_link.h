@@ -11,6 +11,8 @@
 #include <string>
 #include <string_view>
 
+#include "rendering/display/driver_lines.h"
+
 namespace rendering {
 
 using Instant = std::chrono::steady_clock::time_point;
@@ -29,8 +31,6 @@ std::optional<DriverAddress> driverAddressFrom(const std::string& specification)
 
 class DriverLink {
 public:
-    static constexpr std::size_t longestLine = 65536;
-
     /// The link is lost from the beginning where the program cannot be started or the connection is refused. `stop` loses the
     /// link at once: every wait ends, and the driver gets no time to end by itself.
     DriverLink(const DriverAddress& address, Instant deadline, const std::stop_token& stop = {});
@@ -47,7 +47,7 @@ public:
 
     bool isLost() const { return !m_trouble.empty(); }
     /// True where a whole line was read ahead; the socket does not report it again.
-    bool hasLineWaiting() const { return m_incoming.find('\n') != std::string::npos; }
+    bool hasLineWaiting() const { return m_incoming.hasNext(); }
     /// Reason of the loss, such as "ended with exit code 3", with the driver's error text; empty while the link works.
     std::string trouble();
     /// Descriptors that become readable when something arrives; errorStream() is -1 where there is none.
@@ -71,9 +71,10 @@ private:
     int m_socket = -1;
     int m_errors = -1;
     pid_t m_program = -1;
-    std::optional<int> m_ending;  ///< status from waitpid
-    std::string m_incoming, m_errorText, m_trouble;
-    std::size_t m_searched = 0;  ///< number of received bytes that contain no line end
+    bool m_hasEnded = false;      ///< the program
+    std::optional<int> m_ending;  ///< status from waitpid; nullopt where another handler took it
+    DriverLines m_incoming;
+    std::string m_errorText, m_trouble;
 };
 
 }  // namespace rendering

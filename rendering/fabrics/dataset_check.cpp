@@ -64,6 +64,7 @@ public:
         for (const FabricInfo& fabric : m_dataset.fabrics) checkSamples(fabric);
         checkSizes();
         noteGaps();
+        noteQuantities();
         checkSensor();
         checkPlaces();
         return {m_faults, m_notes};
@@ -178,6 +179,11 @@ private:
                 readable([&] {
                     const FrictionRecord record = readFriction(m_dataset, fabric.id, index);
                     if (record.isCoefficient()) requireAxisAlongStroke(record.mean(), file.string());
+                    if (record.values.size() < shortestTrace)
+                        fault(file.lexically_relative(m_folder), "has only " + std::to_string(record.values.size()) +
+                                                                     " samples; a friction image needs " +
+                                                                     std::to_string(shortestTrace));
+                    m_quantities.try_emplace(record.quantity, file);
                 });
                 return;
         }
@@ -258,6 +264,17 @@ private:
                     fault(file.lexically_relative(m_folder),
                           "is " + sizeText(size) + ", but most " + signal + " samples are " + sizeText(usual));
         }
+    }
+
+    /// Images of different quantities have no range in common: the finger cannot compare them.
+    void noteQuantities()
+    {
+        if (m_quantities.size() < 2) return;
+        std::string list;
+        for (const auto& [quantity, file] : m_quantities)
+            list += (list.empty() ? "" : ", ") + quantity + " (such as " + file.lexically_relative(m_folder).string() + ")";
+        m_notes.push_back(m_folder.string() +
+                          ": the friction records hold different quantities, each with a range of its own: " + list);
     }
 
     void noteSizes(const std::map<std::pair<int, int>, int>& counts)
@@ -345,6 +362,7 @@ private:
     std::string m_mostGaps;      ///< that surface and its count
     std::map<std::string, std::vector<std::pair<fs::path, cv::Size>>> m_sizes;
     std::set<SampleKey> m_present;
+    std::map<std::string, fs::path> m_quantities;  ///< of the friction records, each with one of them
 };
 
 }  // namespace

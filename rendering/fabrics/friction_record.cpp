@@ -122,6 +122,16 @@ std::optional<double> ownSpeedMmPerS(const std::filesystem::path& record)
     return speed.get<double>();
 }
 
+std::string quantityNamed(const std::string& column)
+{
+    std::string lower = column;
+    for (char& letter : lower)
+        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+    for (const char* name : {"mu", "cof", "friction_coefficient", "coefficient_of_friction"})
+        if (lower == name) return "mu";
+    return column;
+}
+
 FrictionRecord readFriction(const Dataset& dataset, const protocols::FabricId& fabric, int index)
 {
     const FabricInfo& info = dataset.fabric(fabric);
@@ -138,7 +148,7 @@ FrictionRecord readFriction(const Dataset& dataset, const protocols::FabricId& f
     if (!time || (!forces && (reader.columns().size() != 2 || normal || tangential))) throw unknownColumns(reader);
     const std::size_t value = *time == 0 ? 1 : 0;
     FrictionRecord record;
-    if (!forces) record.quantity = reader.columns()[value];
+    if (!forces) record.quantity = quantityNamed(reader.columns()[value]);
     while (reader.next()) {
         addTime(record, reader, *time);
         record.values.push_back(forces ? coefficientIn(reader, *normal, *tangential) : reader.number(value));

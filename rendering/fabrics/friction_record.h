@@ -24,6 +24,9 @@ struct FrictionRecord {
 /// N; below it the ratio of the forces is noise.
 inline constexpr double leastNormalN = 0.05;
 
+/// Shorter records contain no usable texture.
+inline constexpr int shortestTrace = 8;
+
 /// Longest step in time of one stroke, in median steps. A longer one is a jump of the clock, or rows are missing. Loggers write
 /// bursts and pause, so that in a data set's record only a gap of more than a share of its duration counts.
 inline constexpr double longestGapSteps = 10, longestGapShare = 0.01;
@@ -43,6 +46,10 @@ std::optional<double> ownSpeedMmPerS(const std::filesystem::path& record);
 /// Throws badInput where a mean coefficient is not above 0. Below 0 the tangential axis points against the stroke, so that the
 /// relief of h&f would be upside down.
 void requireAxisAlongStroke(double meanCoefficient, const std::string& where);
+
+/// "mu" for the usual names of a coefficient of friction in any case, such as "COF"; other names as they are. Records of one
+/// quantity under two names would not share the range of their images.
+std::string quantityNamed(const std::string& column);
 
 /// Reads CSV with the columns t_s,normal_n,tangential_n, or t_s,mu, or t_s,<quantity>. Throws badInput, also where a row
 /// has a normal force of at most `leastNormalN`, and where `meanRateHz` and `ownSpeedMmPerS` do.

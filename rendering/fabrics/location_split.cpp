@@ -10,6 +10,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/random.h"
+#include "rendering/fabrics/friction_record.h"
 #include "rendering/images/image_png.h"
 
 namespace rendering::fabrics {
@@ -70,6 +71,22 @@ double halfProjection(const Footprint& footprint, const UnitVector& axis)
     const auto own = axesOf(footprint);
     const auto share = [&](std::size_t i) { return std::abs(own[i].x * axis.x + own[i].y * axis.y); };
     return footprint.widthMm / 2 * share(0) + footprint.heightMm / 2 * share(1);
+}
+
+/// The stated length, unless the record itself lasts for another one. The stated length counts each sample as a step and is
+/// rounded, so that it may exceed the way from the first sample to the last by a step.
+double strokeLengthMm(const Dataset& dataset, const SamplePlace& place)
+{
+    constexpr double roundingMm = 1e-3;
+    const double statedMm = dataset.friction.lengthMm;
+    try {
+        const FrictionRecord record = readFriction(dataset, place.fabric, place.index);
+        const double ownMm = (record.timeS.back() - record.timeS.front()) * record.speedMmPerS;
+        const double stepMm = record.speedMmPerS / record.sampleRateHz;
+        return std::abs(statedMm - ownMm - stepMm / 2) <= stepMm + roundingMm ? statedMm : ownMm;
+    } catch (const protocols::Error&) {
+        return statedMm;  // the checker of the data set names the fault
+    }
 }
 
 /// Disjoint sets that are joined one pair at a time.
@@ -174,14 +191,15 @@ std::optional<Footprint> footprintOf(const Dataset& dataset, const SamplePlace& 
     const double rotation = place.rotationDeg.value_or(0);
     Footprint footprint{*place.xMm, *place.yMm, 0, 0, rotation};
     if (place.modality == Modality::Friction) {
-        footprint.widthMm = dataset.friction.lengthMm;
+        const double lengthMm = strokeLengthMm(dataset, place);
+        footprint.widthMm = lengthMm;
         footprint.heightMm = strokeWidthMm;
         if (!place.rotationDeg) {  // The stroke ends somewhere on the circle about its start.
-            footprint.widthMm = footprint.heightMm = 2 * dataset.friction.lengthMm;
+            footprint.widthMm = footprint.heightMm = 2 * lengthMm;
             return footprint;
         }
-        footprint.xMm += dataset.friction.lengthMm / 2 * axesOf(footprint)[0].x;
-        footprint.yMm += dataset.friction.lengthMm / 2 * axesOf(footprint)[0].y;
+        footprint.xMm += lengthMm / 2 * axesOf(footprint)[0].x;
+        footprint.yMm += lengthMm / 2 * axesOf(footprint)[0].y;
         return footprint;
     }
     const auto pitch = place.modality == Modality::Visual ? photographPitch(dataset, place) : dataset.tactileMmPerPixel;

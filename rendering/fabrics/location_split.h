@@ -18,7 +18,8 @@ struct Footprint {
     bool operator==(const Footprint&) const = default;
 };
 
-/// Photographs and presses: pixels times pitch, centred on their place. Strokes: 1 mm wide, starting at their place.
+/// Photographs and presses: pixels times pitch, centred on their place. Strokes: 1 mm wide, starting at their place. A stroke
+/// is as long as its record lasts at its speed; where the record cannot be read, as long as the data set states.
 /// Without a rotation the footprint is the square that holds the sample at every angle. Returns nullopt where the place
 /// or the pitch is unknown. Throws badInput for a picture that does not begin like a PNG.
 std::optional<Footprint> footprintOf(const Dataset& dataset, const SamplePlace& place);

@@ -7,6 +7,7 @@
 #include <csetjmp>
 #include <cstdint>
 #include <cstring>
+#include <exception>
 #include <opencv2/core.hpp>
 #include <string>
 #include <string_view>
@@ -126,9 +127,21 @@ void onWriteError(png_structp png, png_const_charp text)
     png_longjmp(png, 1);
 }
 
+/// False where there is no memory: no exception may pass through libpng.
+bool wasAppended(std::string& bytes, const char* from, std::size_t count)
+{
+    try {
+        bytes.append(from, count);
+        return true;
+    } catch (const std::exception&) {
+        return false;
+    }
+}
+
 void giveBytes(png_structp png, png_bytep from, png_size_t count)
 {
-    static_cast<Encoding*>(png_get_io_ptr(png))->bytes->append(reinterpret_cast<const char*>(from), count);
+    std::string& bytes = *static_cast<Encoding*>(png_get_io_ptr(png))->bytes;
+    if (!wasAppended(bytes, reinterpret_cast<const char*>(from), count)) png_error(png, "the memory is used up");
 }
 
 bool encodeRows(png_structp png, png_infop info, const cv::Mat& image, Encoding& encoding)

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <exception>
 #include <memory>
 #include <opencv2/core.hpp>
 #include <string>
@@ -28,6 +29,7 @@ struct Memory {
     std::string bytes;
     std::uint64_t position = 0;
     std::string message;
+    bool isUsedUp = false;  ///< something could not be written
 };
 
 Memory& memoryOf(thandle_t handle) { return *static_cast<Memory*>(handle); }
@@ -46,7 +48,13 @@ tmsize_t readFrom(thandle_t handle, void* to, tmsize_t count)
 tmsize_t writeTo(thandle_t handle, void* from, tmsize_t count)
 {
     Memory& memory = memoryOf(handle);
-    if (memory.bytes.size() < memory.position + std::uint64_t(count)) memory.bytes.resize(memory.position + std::uint64_t(count));
+    try {
+        if (memory.bytes.size() < memory.position + std::uint64_t(count))
+            memory.bytes.resize(memory.position + std::uint64_t(count));
+    } catch (const std::exception&) {  // none may pass through libtiff
+        memory.isUsedUp = true;
+        return -1;
+    }
     std::memcpy(memory.bytes.data() + memory.position, from, std::size_t(count));
     memory.position += std::uint64_t(count);
     return count;
@@ -68,7 +76,11 @@ int keepError(TIFF*, void* user, const char*, const char* format, va_list argume
 {
     char text[160];
     std::vsnprintf(text, sizeof text, format, arguments);
-    static_cast<Memory*>(user)->message = text;
+    try {
+        static_cast<Memory*>(user)->message = text;
+    } catch (const std::exception&) {
+        // Without memory for its reason the fault has none.
+    }
     return 1;
 }
 
@@ -226,9 +238,10 @@ void writeTiff(const std::filesystem::path& file, const cv::Mat& image, protocol
         }
         good = good && TIFFFlush(tiff.get()) != 0;
     }
-    if (!good)
+    if (!good || memory.isUsedUp)
         throw protocols::environmentFault(
-            {"cannot be encoded (" + memory.message + ")", file.string(), "enough memory", "close other programs and try again"});
+            {"cannot be encoded (" + (memory.isUsedUp ? "the memory is used up" : memory.message) + ")", file.string(),
+             "enough memory", "close other programs and try again"});
     protocols::writeWholeFile(file, memory.bytes, sync);
 }
 

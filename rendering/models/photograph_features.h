@@ -8,8 +8,6 @@
 
 namespace rendering::models {
 
-inline constexpr int photographFeatureCount = 22;
-
 /// Features, in order: mean colour (brightness, red - green, yellow - blue), then contrast and skewness of the grey picture
 /// over its illumination. Then follow the logarithms of twelve shares of power in third octaves, from 1/32 to 1/2 cycles
 /// per pixel. The last five describe regularity (one) and direction at two scales (four, without the angle). `rgb`: CV_8UC3

@@ -11,8 +11,11 @@ LevelsOfFriction::LevelsOfFriction(const DisplayResponse& response)
 {
     for (std::size_t i = 0; i < response.friction.size(); ++i) {
         const double share = (response.friction[i] - response.friction.front()) / response.range();
+        const int level = response.lowestLevel() + static_cast<int>(i);
         if (m_steps.empty() || share > m_steps.back().share)
-            m_steps.push_back({response.lowestLevel() + static_cast<int>(i), share});
+            m_steps.push_back({level, level, share});
+        else
+            m_steps.back().lastLevel = level;
     }
 }
 
@@ -33,7 +36,7 @@ double LevelsOfFriction::between(double share) const
     if (above == m_steps.end()) return m_steps.back().level;
     if (above == m_steps.begin()) return above->level;
     const auto below = above - 1;
-    return below->level + (above->level - below->level) * (share - below->share) / (above->share - below->share);
+    return below->lastLevel + (above->level - below->lastLevel) * (share - below->share) / (above->share - below->share);
 }
 
 double LevelsOfFriction::miss(double share) const

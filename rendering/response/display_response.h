@@ -65,17 +65,19 @@ public:
 
     /// The level whose friction is nearest to the wanted one; the lowest of several.
     int nearest(double share) const;
-    /// The same between the levels, for dithering.
+    /// The same between the levels, for dithering. Levels of equal friction count as their last one, so that only two
+    /// neighbouring levels of different friction are mixed.
     double between(double share) const;
     /// Share of the range that the nearest level misses.
     double miss(double share) const;
 
 private:
     struct Step {
-        int level;
+        int level;      ///< the lowest level of this friction
+        int lastLevel;  ///< the highest one
         double share;
     };
-    std::vector<Step> m_steps;  ///< the lowest level of each friction, by rising friction
+    std::vector<Step> m_steps;  ///< one for each friction, by rising friction
 };
 
 }  // namespace rendering

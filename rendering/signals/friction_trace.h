@@ -17,8 +17,7 @@ struct FrictionTrace {
     double mmPerSample = 0;  ///< stroke speed / sample rate
 };
 
-/// Shorter records contain no usable texture.
-inline constexpr int shortestTrace = 8;
+using fabrics::shortestTrace;
 
 /// Trace at the record's sample rate, or at its mean rate where that is lower. Uneven time stamps are interpolated
 /// linearly; denser ones are averaged over each period. `where` names the record in errors. Throws badInput for fewer

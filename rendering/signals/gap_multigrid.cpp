@@ -1,38 +1,25 @@
 #include "rendering/signals/gap_multigrid.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
+#include <limits>
 #include <opencv2/core.hpp>
-#include <vector>
+#include <string>
+
+#include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
+#include "rendering/signals/gaps/multigrid.h"
+#include "rendering/signals/gaps/row_work.h"
+#include "rendering/signals/slope_differences.h"
 
 namespace rendering::signals {
 
 namespace {
 
-constexpr int coarsestPx = 3;
-constexpr int stepsOnCoarsest = 16;
-/// Steps of Chebyshev's polynomial of degree 2 on [0.5, 2], where the eigenvalues of the short waves lie.
-constexpr std::array<float, 2> relaxation{0.5617F, 1.3895F};
-
-/// Calls work(row) for every row, on several threads.
-template <class Work>
-void forRows(int rows, Work work)
-{
-    cv::parallel_for_(cv::Range(0, rows), [&](const cv::Range& range) {
-        for (int i = range.start; i < range.end; ++i) work(i);
-    });
-}
-
-/// Sum of row(i); the order of the additions does not depend on the number of threads.
-template <class Row>
-double sumOfRows(int rows, Row row)
-{
-    std::vector<double> sums(static_cast<std::size_t>(rows));
-    forRows(rows, [&](int i) { sums[static_cast<std::size_t>(i)] = row(i); });
-    return std::accumulate(sums.begin(), sums.end(), 0.0);
-}
+/// Ratio of the weights of the two directions (pixels 8 times as long as wide). Beyond it, smoothing point by point is too slow.
+constexpr double mostUneven = 64;
+constexpr int mostTransformSteps = 2000;  ///< the worst map that was tried, 30 % missing at a pitch of 30:1, needed 800
+constexpr double largestResidual = 1e-4;
 
 double dot(const float* a, const float* b, int length)
 {
@@ -46,342 +33,6 @@ double dot(const cv::Mat& a, const cv::Mat& b)
     return sumOfRows(a.rows, [&](int i) { return dot(a.ptr<float>(i), b.ptr<float>(i), a.cols); });
 }
 
-/// Couplings of each point of a grid with its neighbours on the right, below, and (not on the finest grid) diagonally below.
-/// A neighbour outside the grid has coupling 0.
-struct Couplings {
-    cv::Mat right, below, belowRight, belowLeft;
-
-    cv::Size size() const { return right.size(); }
-    bool diagonal() const { return !belowRight.empty(); }
-};
-
-/// A grid, and the interpolation to it from the next coarser one, whose points are every second one of it. Each coarse point
-/// owns the square to its right and below; `share` holds what the points of this square take from the coarse ones.
-struct Level {
-    Couplings couplings;
-    cv::Mat inverseDiagonal;  ///< 0 at points without couplings
-    /// CV_32FC(6): share that the point on the upper edge takes from its left end, that on the left edge from its upper end,
-    /// and the middle from the corners: upper left, upper right, lower left, lower right.
-    cv::Mat share;
-    cv::Mat sources, found, spare;
-};
-
-using Shares = cv::Vec<float, 6>;
-using Corners = std::array<float, 4>;
-
-/// Adds the pull of the row `other` towards a row, through couplings with the point straight ahead, or one to the right
-/// (shift 1) or left (shift -1).
-void pull(const float* coupling, const float* here, const float* other, float* out, int columns, int shift)
-{
-    const int from = std::max(0, -shift), to = columns - std::max(0, shift);
-    for (int j = from; j < to; ++j) out[j] += coupling[j] * (here[j] - other[j + shift]);
-}
-
-/// The same, seen from the lower point: the coupling is stored at the upper one.
-void pullUp(const float* coupling, const float* here, const float* upper, float* out, int columns, int shift)
-{
-    const int from = std::max(0, shift), to = columns + std::min(0, shift);
-    for (int j = from; j < to; ++j) out[j] += coupling[j - shift] * (here[j] - upper[j - shift]);
-}
-
-/// Row i of the product of the normal matrix and `in`.
-void multiplyRow(const Couplings& c, const cv::Mat& in, int i, float* out)
-{
-    const int columns = in.cols;
-    const float* here = in.ptr<float>(i);
-    std::fill_n(out, columns, 0.F);
-    pull(c.right.ptr<float>(i), here, here, out, columns, 1);
-    pullUp(c.right.ptr<float>(i), here, here, out, columns, 1);
-    if (i + 1 < in.rows) {
-        const float* lower = in.ptr<float>(i + 1);
-        pull(c.below.ptr<float>(i), here, lower, out, columns, 0);
-        if (c.diagonal()) {
-            pull(c.belowRight.ptr<float>(i), here, lower, out, columns, 1);
-            pull(c.belowLeft.ptr<float>(i), here, lower, out, columns, -1);
-        }
-    }
-    if (i > 0) {
-        const float* upper = in.ptr<float>(i - 1);
-        pullUp(c.below.ptr<float>(i - 1), here, upper, out, columns, 0);
-        if (c.diagonal()) {
-            pullUp(c.belowRight.ptr<float>(i - 1), here, upper, out, columns, 1);
-            pullUp(c.belowLeft.ptr<float>(i - 1), here, upper, out, columns, -1);
-        }
-    }
-}
-
-/// Coupling of two neighbouring points; 0 where one lies outside.
-float coupling(const Couplings& c, int i, int j, int down, int right)
-{
-    if (down < 0 || (down == 0 && right < 0)) return coupling(c, i + down, j + right, -down, -right);
-    if (i < 0 || j < 0 || i >= c.size().height || j >= c.size().width || i + down >= c.size().height || j + right < 0 ||
-        j + right >= c.size().width)
-        return 0;
-    if (down == 0) return c.right.at<float>(i, j);
-    if (right == 0) return c.below.at<float>(i, j);
-    if (!c.diagonal()) return 0;
-    return (right > 0 ? c.belowRight : c.belowLeft).at<float>(i, j);
-}
-
-cv::Mat inverseDiagonalOf(const Couplings& c)
-{
-    cv::Mat result(c.size(), CV_32FC1);
-    forRows(result.rows, [&](int i) {
-        float* out = result.ptr<float>(i);
-        for (int j = 0; j < result.cols; ++j) {
-            float sum = 0;
-            for (int down = -1; down <= 1; ++down)
-                for (int right = c.diagonal() || down == 0 ? -1 : 0; right <= (c.diagonal() || down == 0 ? 1 : 0); ++right)
-                    if (down != 0 || right != 0) sum += coupling(c, i, j, down, right);
-            out[j] = sum > 0 ? 1 / sum : 0.F;
-        }
-    });
-    return result;
-}
-
-/// Share of the first of two ends, whose pulls are a and b.
-float shareOf(float a, float b) { return a > 0 && b > 0 ? a / (a + b) : a > 0 ? 1.F : b > 0 ? 0.F : 0.5F; }
-
-/// Interpolation that follows the couplings (Dendy, "Black box multigrid", 1982): a point on an edge balances the pulls towards
-/// both ends, and a middle point those towards its eight neighbours. So nothing is interpolated across a weak coupling.
-Shares sharesAt(const Couplings& c, int i, int j)
-{
-    const auto rows = c.size().height, columns = c.size().width;
-    const bool hasRight = j + 2 < columns, hasBelow = i + 2 < rows;
-    const auto across = [&](int row, int column, int towards) {
-        float sum = 0;
-        for (int down = -1; down <= 1; ++down) sum += coupling(c, row, column, down, towards);
-        return sum;
-    };
-    const auto along = [&](int row, int column, int towards) {
-        float sum = 0;
-        for (int right = -1; right <= 1; ++right) sum += coupling(c, row, column, towards, right);
-        return sum;
-    };
-    const auto onRow = [&](int row) { return hasRight ? shareOf(across(row, j + 1, -1), across(row, j + 1, 1)) : 1.F; };
-    const auto onColumn = [&](int column) { return hasBelow ? shareOf(along(i + 1, column, -1), along(i + 1, column, 1)) : 1.F; };
-    const float top = onRow(i), left = onColumn(j);
-    Shares result(top, left, 0.25F, 0.25F, 0.25F, 0.25F);
-    if (i + 1 >= rows || j + 1 >= columns) return result;
-    const float bottom = hasBelow ? onRow(i + 2) : 0, right = hasRight ? onColumn(j + 2) : 0;
-    const auto to = [&](int down, int aside) { return std::max(0.F, coupling(c, i + 1, j + 1, down, aside)); };
-    Corners middle{to(-1, -1) + to(-1, 0) * top + to(0, -1) * left, to(-1, 1) + to(-1, 0) * (1 - top) + to(0, 1) * right,
-                   to(1, -1) + to(1, 0) * bottom + to(0, -1) * (1 - left),
-                   to(1, 1) + to(1, 0) * (1 - bottom) + to(0, 1) * (1 - right)};
-    const float sum = middle[0] + middle[1] + middle[2] + middle[3];
-    const float even = 1.F / static_cast<float>((hasRight ? 2 : 1) * (hasBelow ? 2 : 1));
-    const Corners alone{even, hasRight ? even : 0, hasBelow ? even : 0, hasRight && hasBelow ? even : 0};
-    for (std::size_t k = 0; k < 4; ++k) result[static_cast<int>(k) + 2] = sum > 0 ? middle[k] / sum : alone[k];
-    return result;
-}
-
-/// Couplings of the coarse points that give interpolated surfaces the same energy (Galerkin). The energy of a fine coupling
-/// belongs to one square, and involves only its corners.
-class Coarsening {
-public:
-    Coarsening(const Level& fine, Couplings& coarse) : m_fine(fine), m_coarse(coarse) {}
-
-    void addSquare(int row, int column)
-    {
-        const auto& c = m_fine.couplings;
-        const int i = 2 * row, j = 2 * column;
-        m_row = row;
-        m_column = column;
-        const auto own = m_fine.share.at<Shares>(row, column);
-        Corners points[3][3]{};
-        points[0][0] = {1, 0, 0, 0};
-        points[0][2] = {0, 1, 0, 0};
-        points[2][0] = {0, 0, 1, 0};
-        points[2][2] = {0, 0, 0, 1};
-        points[0][1] = {own[0], 1 - own[0], 0, 0};
-        points[1][0] = {own[1], 0, 1 - own[1], 0};
-        points[1][1] = {own[2], own[3], own[4], own[5]};
-        if (row + 1 < m_fine.share.rows) {
-            const float s = m_fine.share.at<Shares>(row + 1, column)[0];
-            points[2][1] = {0, 0, s, 1 - s};
-        }
-        if (column + 1 < m_fine.share.cols) {
-            const float s = m_fine.share.at<Shares>(row, column + 1)[1];
-            points[1][2] = {0, s, 0, 1 - s};
-        }
-        for (int a = 0; a < 2; ++a)
-            for (int b = 0; b < 2; ++b) {
-                add(coupling(c, i + a, j + b, 0, 1), points[a][b], points[a][b + 1]);
-                add(coupling(c, i + a, j + b, 1, 0), points[a][b], points[a + 1][b]);
-                if (!c.diagonal()) continue;
-                add(coupling(c, i + a, j + b, 1, 1), points[a][b], points[a + 1][b + 1]);
-                add(coupling(c, i + a, j + b + 1, 1, -1), points[a][b + 1], points[a + 1][b]);
-            }
-    }
-
-private:
-    void add(float strength, const Corners& p, const Corners& q)
-    {
-        if (strength == 0) return;
-        const float d0 = p[0] - q[0], d1 = p[1] - q[1], d2 = p[2] - q[2], d3 = p[3] - q[3];
-        const int i = m_row, j = m_column;
-        const auto give = [&](cv::Mat& to, int row, int column, float product) {
-            if (product != 0) to.at<float>(row, column) -= strength * product;
-        };
-        give(m_coarse.right, i, j, d0 * d1);
-        give(m_coarse.below, i, j, d0 * d2);
-        give(m_coarse.belowRight, i, j, d0 * d3);
-        give(m_coarse.belowLeft, i, j + 1, d1 * d2);
-        give(m_coarse.below, i, j + 1, d1 * d3);
-        give(m_coarse.right, i + 1, j, d2 * d3);
-    }
-
-    const Level& m_fine;
-    Couplings& m_coarse;
-    int m_row = 0, m_column = 0;
-};
-
-Couplings coarsened(Level& fine)
-{
-    const cv::Size half((fine.couplings.size().width + 1) / 2, (fine.couplings.size().height + 1) / 2);
-    fine.share.create(half, CV_32FC(6));
-    forRows(half.height, [&](int i) {
-        for (int j = 0; j < half.width; ++j) fine.share.at<Shares>(i, j) = sharesAt(fine.couplings, 2 * i, 2 * j);
-    });
-    const auto none = [&] { return cv::Mat(cv::Mat::zeros(half, CV_32FC1)); };
-    Couplings coarse{none(), none(), none(), none()};
-    // A row of squares adds to two rows of points, so even and odd rows take turns.
-    for (const int parity : {0, 1})
-        forRows((half.height + 1 - parity) / 2, [&](int k) {
-            Coarsening rows(fine, coarse);
-            for (int j = 0; j < half.width; ++j) rows.addSquare(2 * k + parity, j);
-        });
-    return coarse;
-}
-
-/// One multigrid cycle for the normal matrix.
-class Multigrid {
-public:
-    explicit Multigrid(Couplings couplings)
-    {
-        for (;;) {
-            Level level{std::move(couplings), {}, {}, {}, {}, {}};
-            const cv::Size size = level.couplings.size();
-            level.inverseDiagonal = inverseDiagonalOf(level.couplings);
-            level.spare.create(size, CV_32FC1);
-            level.found.create(size, CV_32FC1);
-            if (!m_levels.empty()) level.sources.create(size, CV_32FC1);
-            const bool last = std::max(size.width, size.height) <= coarsestPx;
-            if (!last) couplings = coarsened(level);
-            m_levels.push_back(std::move(level));
-            if (last) break;
-        }
-    }
-
-    const Couplings& finest() const { return m_levels.front().couplings; }
-
-    /// Approximate solution for `sources`; valid until the next call.
-    const cv::Mat& cycle(const cv::Mat& sources)
-    {
-        m_levels.front().sources = sources;
-        solve(0);
-        return m_levels.front().found;
-    }
-
-private:
-    /// One step from `from` to `to`; an empty `from` stands for 0.
-    static void smooth(const Level& level, const cv::Mat& from, cv::Mat& to, float step)
-    {
-        forRows(to.rows, [&](int i) {
-            const float *sources = level.sources.ptr<float>(i), *inverse = level.inverseDiagonal.ptr<float>(i);
-            float* out = to.ptr<float>(i);
-            if (from.empty()) {
-                for (int j = 0; j < to.cols; ++j) out[j] = step * inverse[j] * sources[j];
-                return;
-            }
-            const float* in = from.ptr<float>(i);
-            multiplyRow(level.couplings, from, i, out);
-            for (int j = 0; j < to.cols; ++j) out[j] = in[j] + step * inverse[j] * (sources[j] - out[j]);
-        });
-    }
-
-    static void restrictResidual(Level& fine, Level& coarse)
-    {
-        cv::Mat& residual = fine.spare;
-        forRows(residual.rows, [&](int i) {
-            float* out = residual.ptr<float>(i);
-            const float* sources = fine.sources.ptr<float>(i);
-            multiplyRow(fine.couplings, fine.found, i, out);
-            for (int j = 0; j < residual.cols; ++j) out[j] = sources[j] - out[j];
-        });
-        forRows(coarse.sources.rows, [&](int i) { gatherRow(residual, fine.share, i, coarse.sources.ptr<float>(i)); });
-    }
-
-    /// Transposed interpolation.
-    static void gatherRow(const cv::Mat& fine, const cv::Mat& share, int i, float* out)
-    {
-        const int columns = share.cols;
-        std::fill_n(out, columns, 0.F);
-        for (int square = std::max(0, i - 1); square <= i; ++square) {
-            const auto* s = share.ptr<Shares>(square);
-            const float *upper = fine.ptr<float>(2 * square),
-                        *middle = 2 * square + 1 < fine.rows ? fine.ptr<float>(2 * square + 1) : nullptr;
-            const bool own = square == i;
-            for (int j = 0; j < columns; ++j) {
-                const bool hasRight = 2 * j + 1 < fine.cols;
-                if (own) {
-                    out[j] += upper[2 * j];
-                    if (hasRight) out[j] += s[j][0] * upper[2 * j + 1];
-                    if (hasRight && j + 1 < columns) out[j + 1] += (1 - s[j][0]) * upper[2 * j + 1];
-                }
-                if (!middle) continue;
-                out[j] += (own ? s[j][1] : 1 - s[j][1]) * middle[2 * j];
-                if (!hasRight) continue;
-                out[j] += s[j][own ? 2 : 4] * middle[2 * j + 1];
-                if (j + 1 < columns) out[j + 1] += s[j][own ? 3 : 5] * middle[2 * j + 1];
-            }
-        }
-    }
-
-    /// Adds the interpolated correction.
-    static void spread(const cv::Mat& coarse, const cv::Mat& share, cv::Mat& fine)
-    {
-        forRows(coarse.rows, [&](int i) {
-            const auto* s = share.ptr<Shares>(i);
-            const float *here = coarse.ptr<float>(i), *lower = coarse.ptr<float>(std::min(i + 1, coarse.rows - 1));
-            float *upper = fine.ptr<float>(2 * i), *middle = 2 * i + 1 < fine.rows ? fine.ptr<float>(2 * i + 1) : nullptr;
-            for (int j = 0; j < coarse.cols; ++j) {
-                const int right = std::min(j + 1, coarse.cols - 1);
-                const bool hasRight = 2 * j + 1 < fine.cols;
-                upper[2 * j] += here[j];
-                if (hasRight) upper[2 * j + 1] += s[j][0] * here[j] + (1 - s[j][0]) * here[right];
-                if (!middle) continue;
-                middle[2 * j] += s[j][1] * here[j] + (1 - s[j][1]) * lower[j];
-                if (hasRight)
-                    middle[2 * j + 1] += s[j][2] * here[j] + s[j][3] * here[right] + s[j][4] * lower[j] + s[j][5] * lower[right];
-            }
-        });
-    }
-
-    void solve(std::size_t at)
-    {
-        Level& level = m_levels[at];
-        // Slopes do not contain the mean, and rounding must not raise it from cycle to cycle.
-        if (at + 1 == m_levels.size()) level.sources -= cv::mean(level.sources)[0];
-        smooth(level, {}, level.spare, relaxation[0]);
-        smooth(level, level.spare, level.found, relaxation[1]);
-        if (at + 1 == m_levels.size()) {
-            for (int k = 0; k < stepsOnCoarsest; ++k) {
-                smooth(level, level.found, level.spare, relaxation[0]);
-                smooth(level, level.spare, level.found, relaxation[1]);
-            }
-            return;
-        }
-        restrictResidual(level, m_levels[at + 1]);
-        solve(at + 1);
-        spread(m_levels[at + 1].found, level.share, level.found);
-        smooth(level, level.found, level.spare, relaxation[1]);
-        smooth(level, level.spare, level.found, relaxation[0]);
-    }
-
-    std::vector<Level> m_levels;
-};
-
 /// Conjugate gradients from `height`; `residual` belongs to it.
 void improve(cv::Mat& height, cv::Mat& residual, Multigrid& grids, double residualToReach, int mostIterations)
 {
@@ -390,13 +41,15 @@ void improve(cv::Mat& height, cv::Mat& residual, Multigrid& grids, double residu
     double power = 0, length = 0;
     for (int k = 0; k < mostIterations && dot(residual, residual) > residualToReach; ++k) {
         const cv::Mat& step = grids.cycle(residual);
+        // Slopes do not contain the mean. In single precision, a mean that grows from step to step would hide the shape.
+        const auto mean = static_cast<float>(cv::mean(step)[0]);
         // Single precision leaves the cycle not quite symmetric; this form of the factor tolerates that.
         const auto keep = power > 0 ? static_cast<float>(-length * dot(step, change) / power) : 0.F;
         power = dot(residual, step);
         forRows(rows, [&](int i) {
             float* d = direction.ptr<float>(i);
             const float* s = step.ptr<float>(i);
-            for (int j = 0; j < columns; ++j) d[j] = s[j] + keep * d[j];
+            for (int j = 0; j < columns; ++j) d[j] = s[j] - mean + keep * d[j];
         });
         const double curvature = sumOfRows(rows, [&](int i) {
             multiplyRow(grids.finest(), direction, i, change.ptr<float>(i));
@@ -416,14 +69,151 @@ void improve(cv::Mat& height, cv::Mat& residual, Multigrid& grids, double residu
     }
 }
 
+/// Product of the normal matrix and `height`, CV_64FC1.
+cv::Mat pullsOf(const Slopes& weights, const cv::Mat& height)
+{
+    cv::Mat result(height.size(), CV_64FC1);
+    const auto pullOf = [](float weight, double here, double there) { return static_cast<double>(weight) * (here - there); };
+    forRows(height.rows, [&](int i) {
+        const double *here = height.ptr<double>(i), *upper = height.ptr<double>(std::max(0, i - 1)),
+                     *lower = height.ptr<double>(std::min(i + 1, height.rows - 1));
+        const float *right = weights.x.ptr<float>(i), *below = weights.y.ptr<float>(i),
+                    *above = weights.y.ptr<float>(std::max(0, i - 1));
+        double* out = result.ptr<double>(i);
+        for (int j = 0; j < height.cols; ++j) out[j] = pullOf(below[j], here[j], lower[j]) + pullOf(above[j], here[j], upper[j]);
+        for (int j = 0; j + 1 < height.cols; ++j) {
+            const double pull = pullOf(right[j], here[j], here[j + 1]);
+            out[j] += pull;
+            out[j + 1] -= pull;
+        }
+    });
+    return result;
+}
+
+/// Residual of `height` in double precision.
+cv::Mat residualOf(const WeightedRises& rises, const cv::Mat& height)
+{
+    cv::Mat result = pullsOf(rises.weights, height);
+    cv::subtract(rises.sources, result, result, cv::noArray(), CV_64F);
+    return result;
+}
+
+double largestOf(const cv::Mat& weights)
+{
+    double largest = 0;
+    cv::minMaxLoc(weights, nullptr, &largest);
+    return std::max<double>(largest, std::numeric_limits<float>::min());
+}
+
+template <class Use>
+void forWeights(const cv::Mat& weights, Use use)
+{
+    for (int i = 0; i < weights.rows; ++i)
+        for (const float *weight = weights.ptr<float>(i), *end = weight + weights.cols; weight != end; ++weight)
+            if (*weight > 0) use(static_cast<double>(*weight));
+}
+
+double smallestOf(const cv::Mat& weights)
+{
+    double smallest = std::numeric_limits<float>::max();
+    forWeights(weights, [&](double weight) { smallest = std::min(smallest, weight); });
+    return smallest;
+}
+
+/// Geometric mean: neither a few measured slopes among gaps nor a few gaps decide it.
+double typicalOf(const cv::Mat& weights)
+{
+    double sum = 0, count = 0;
+    forWeights(weights, [&](double weight) {
+        sum += std::log(weight);
+        ++count;
+    });
+    return count > 0 ? std::exp(sum / count) : 1;
+}
+
+/// Factor, at least 1, by which the weights of one direction exceed those of the other. Where one direction lacks measured
+/// slopes, only the weights of gaps show how long the pixels are.
+double unevennessOf(const Slopes& weights)
+{
+    const auto factor = [](double x, double y) { return std::max(x / y, y / x); };
+    return std::min(factor(largestOf(weights.x), largestOf(weights.y)), factor(smallestOf(weights.x), smallestOf(weights.y)));
+}
+
+/// Conjugate gradients in double precision from `height`. The cosine transform solves the equations of even weights. The more the
+/// weights differ, and the larger their map is, the more steps follow: up to several hundred.
+void improveByTransform(cv::Mat& height, const WeightedRises& rises, double residualToReach)
+{
+    const Pitch pitch{1 / std::sqrt(typicalOf(rises.weights.x)), 1 / std::sqrt(typicalOf(rises.weights.y))};
+    const SlopeDifferences<double> even(height.size(), pitch, SlopeKind::Forward);
+    cv::Mat residual, direction;
+    rises.sources.convertTo(residual, CV_64F);
+    // Residuals hardly show long waves, nor rises along the longer side of a pixel; energies do.
+    const double share = residualToReach * residualToReach, length = share * residual.dot(residual),
+                 squared = largestOf(rises.weights.x) / largestOf(rises.weights.y),
+                 energy = share * std::min(squared, 1 / squared) * residual.dot(even.surfaceOf(residual));
+    residual = residualOf(rises, height);
+    double power = 0;
+    for (int k = 0; k < mostTransformSteps; ++k) {
+        cv::Mat step = even.surfaceOf(residual);
+        const double next = residual.dot(step);
+        if (next <= energy && residual.dot(residual) <= length) return;
+        if (power > 0) cv::scaleAdd(direction, next / power, step, step);
+        direction = step;
+        power = next;
+        const cv::Mat change = pullsOf(rises.weights, direction);
+        const double curvature = direction.dot(change);
+        if (!(curvature > 0)) return;
+        cv::scaleAdd(direction, next / curvature, height, height);
+        cv::scaleAdd(change, -next / curvature, residual, residual);
+    }
+}
+
+/// In a single row or column each pull follows from the one before.
+cv::Mat summed(const WeightedRises& rises)
+{
+    const cv::Mat& weights = rises.sources.rows == 1 ? rises.weights.x : rises.weights.y;
+    cv::Mat height = cv::Mat::zeros(rises.sources.size(), CV_64FC1), sources;
+    rises.sources.convertTo(sources, CV_64F);
+    double pull = 0;
+    for (int k = 0; k + 1 < static_cast<int>(height.total()); ++k) {
+        const auto weight = static_cast<double>(weights.at<float>(k));
+        pull = weight > 0 ? pull - sources.at<double>(k) : 0;
+        height.at<double>(k + 1) = height.at<double>(k) + (weight > 0 ? pull / weight : 0);
+    }
+    return height;
+}
+
 }  // namespace
 
-cv::Mat surfaceOfWeightedRises(WeightedRises rises, const MultigridOptions& options)
+cv::Mat surfaceOfWeightedRises(const WeightedRises& rises, const MultigridOptions& options)
 {
-    cv::Mat height = cv::Mat::zeros(rises.sources.size(), CV_64FC1);
-    Multigrid grids({rises.weights.x, rises.weights.y, {}, {}});
-    const double all = dot(rises.sources, rises.sources);
-    improve(height, rises.sources, grids, options.residualToReach * options.residualToReach * all, options.mostIterations);
+    cv::Mat height = cv::Mat::zeros(rises.sources.size(), CV_64FC1), residual;
+    rises.sources.convertTo(residual, CV_32F);
+    const double all = dot(residual, residual);
+    if (!std::isfinite(all))
+        throw protocols::badInput({.what = "the slopes around the gaps exceed the range of 32-bit numbers",
+                                   .where = "",
+                                   .expected = "slopes in mm/mm",
+                                   .nextStep = "check the unit of the slopes"});
+    if (all == 0) return height;
+    if (height.rows == 1 || height.cols == 1) return summed(rises);
+    if (unevennessOf(rises.weights) <= mostUneven) {
+        Multigrid grids({rises.weights.x, rises.weights.y, {}, {}});
+        improve(height, residual, grids, options.residualToReach * options.residualToReach * all, options.mostIterations);
+    }
+    residual.release();
+    const auto left = [&] { return cv::norm(residualOf(rises, height)) / std::sqrt(all); };
+    const double first = left();
+    if (first <= options.residualToAccept) return height;
+    if (!(first <= 1)) height = 0;
+    improveByTransform(height, rises, options.residualToReach);
+    const double still = left(), limit = std::max(largestResidual, options.residualToAccept);
+    if (!(still <= limit))
+        throw protocols::workFailed(
+            {.what = "the heights around the missing slopes were not found: " + std::to_string(still) + " of their pull is left",
+             .where = "a map of " + std::to_string(height.cols) + " x " + std::to_string(height.rows) + " pixels",
+             .expected = "at most " + protocols::fixed(limit, 4),
+             .nextStep = "cut the map to the part that was measured, or fill its gaps first"});
     return height;
 }
 

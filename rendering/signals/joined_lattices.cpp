@@ -28,7 +28,7 @@ WeightedRises risesOfLattice(const Slopes& slopes, const cv::Mat& knownX, const 
 {
     const cv::Size size((slopes.x.cols - first.x + 1) / 2, (slopes.x.rows - first.y + 1) / 2);
     const auto none = [&] { return cv::Mat(cv::Mat::zeros(size, CV_32FC1)); };
-    WeightedRises result{{none(), none()}, none()};
+    WeightedRises result{{none(), none()}, cv::Mat::zeros(size, CV_64FC1)};
     const double squareX = 1 / (4 * pitch.x * pitch.x), squareY = 1 / (4 * pitch.y * pitch.y), unit = std::max(squareX, squareY);
     const auto weightOf = [&](bool known, double square) {
         return static_cast<float>(square / unit) * (known ? 1.F : weightBetweenParts);
@@ -38,9 +38,9 @@ WeightedRises risesOfLattice(const Slopes& slopes, const cv::Mat& knownX, const 
             const int row = 2 * i + first.y, column = 2 * j + first.x;
             const auto add = [&](cv::Mat& weights, float weight, double rise, int down, int right) {
                 weights.at<float>(i, j) = weight;
-                const auto pull = static_cast<float>(static_cast<double>(weight) * rise);
-                result.sources.at<float>(i, j) -= pull;
-                result.sources.at<float>(i + down, j + right) += pull;
+                const double pull = static_cast<double>(weight) * rise;
+                result.sources.at<double>(i, j) -= pull;
+                result.sources.at<double>(i + down, j + right) += pull;
             };
             if (j + 1 < size.width)
                 add(result.weights.x, weightOf(knownX.at<uchar>(row, column + 1) != 0, squareX),

@@ -20,10 +20,11 @@ namespace rendering::signals {
 namespace {
 
 constexpr double weightOfGaps = 1e-3;
-constexpr double fewGaps = 1e-3;  ///< share of the pixels; so few gaps are bridged well enough by the slopes around them
+constexpr double fewGaps = 1e-3;           ///< share of the pixels; so few gaps are bridged well enough by the slopes around them
+constexpr double mostStretchedSingle = 8;  ///< pixels longer than this need sources in double precision
 constexpr std::size_t largeMap = 4'000'000;  ///< pixels; more iterations gain far less there than the noise of the slopes
 constexpr MultigridOptions thorough{.residualToReach = 1e-6, .mostIterations = 60},
-    quick{.residualToReach = 1e-4, .mostIterations = 12};
+    quick{.residualToReach = 1e-4, .mostIterations = 12, .residualToAccept = 5e-4};
 
 std::string sizeText(const cv::Mat& image) { return std::to_string(image.cols) + " x " + std::to_string(image.rows); }
 
@@ -72,22 +73,29 @@ cv::Mat integrated(const Slopes& slopes, const Pitch& pitch, SlopeKind kind)
     return differences.surfaceOf(differences.sources({as<T>(slopes.x), as<T>(slopes.y)}));
 }
 
-/// Least squares over the rises between neighbours; those that a gap touches count less.
-cv::Mat surfaceAroundGaps(const Slopes& whole, const cv::Mat& known, const Pitch& pitch, SlopeKind kind)
+/// Rises between neighbours; those that a gap touches count less.
+template <class T>
+WeightedRises risesAroundGaps(Slopes whole, const cv::Mat& known, const Pitch& pitch, SlopeKind kind)
 {
-    const SlopeDifferences<float> differences(known.size(), pitch, kind);
-    WeightedRises rises{differences.weights(known, weightOfGaps), {}};
-    Slopes pulls = differences.between(whole);
+    const SlopeDifferences<T> differences(known.size(), pitch, kind);
+    Slopes weights = differences.weights(known, weightOfGaps), pulls = differences.between(whole);
+    whole = {};
     const double unit =
         std::pow(std::min(pitch.x, pitch.y), 2);  // so that weights in double pixels cannot leave single precision
-    for (const auto& [pull, weight, step] :
-         {std::tuple{&pulls.x, &rises.weights.x, pitch.x}, {&pulls.y, &rises.weights.y, pitch.y}}) {
+    for (const auto& [pull, weight, step] : {std::tuple{&pulls.x, &weights.x, pitch.x}, {&pulls.y, &weights.y, pitch.y}}) {
         cv::multiply(*pull, *weight, *pull, unit);
         *weight *= unit / (step * step);
     }
-    rises.sources = differences.transposed(pulls);
-    pulls = {};
-    cv::Mat height = surfaceOfWeightedRises(std::move(rises), known.total() > largeMap ? quick : thorough);
+    return {{as<float>(weights.x), as<float>(weights.y)}, differences.transposed(pulls)};
+}
+
+/// Continued slopes as a surface of least squares.
+template <class T>
+cv::Mat surfaceAroundGaps(const Slopes& slopes, const Slopes& known, const cv::Mat& both, const Pitch& pitch, SlopeKind kind)
+{
+    const WeightedRises rises =
+        risesAroundGaps<T>({continued(as<T>(slopes.x), known.x), continued(as<T>(slopes.y), known.y)}, both, pitch, kind);
+    cv::Mat height = surfaceOfWeightedRises(rises, both.total() > largeMap ? quick : thorough);
     height -= cv::mean(height)[0];
     return height;
 }
@@ -156,9 +164,19 @@ cv::Mat integrateAround(const Slopes& slopes, const cv::Mat& measured, const Pit
     if (kind == SlopeKind::Central && missing > 0)
         return joinedLattices({continued(as<double>(slopes.x), knownX), continued(as<double>(slopes.y), knownY)}, knownX, knownY,
                               pitch);
-    if (missing < fewGaps * static_cast<double>(known.total()))
-        return integrated<double>({continued(slopes.x, known), continued(slopes.y, known)}, pitch, kind);
-    return surfaceAroundGaps({continued(as<float>(slopes.x), known), continued(as<float>(slopes.y), known)}, known, pitch, kind);
+    Slopes used{known, known};
+    if (kind == SlopeKind::Forward) {  // The last slope of a row or column means nothing, and no gap continues it.
+        used = {known.clone(), known.clone()};
+        used.x.col(known.cols - 1) = 0;
+        used.y.row(known.rows - 1) = 0;
+    }
+    // A profile can have all its rises, so their weights do not matter.
+    const bool profile = known.rows == 1 || known.cols == 1;
+    if (profile || missing < fewGaps * static_cast<double>(known.total()))
+        return integrated<double>({continued(slopes.x, used.x), continued(slopes.y, used.y)}, pitch, kind);
+    return std::max(pitch.x / pitch.y, pitch.y / pitch.x) > mostStretchedSingle
+               ? surfaceAroundGaps<double>(slopes, used, known, pitch, kind)
+               : surfaceAroundGaps<float>(slopes, used, known, pitch, kind);
 }
 
 double curlResidual(const Slopes& slopes, const cv::Mat& heightMm, const Pitch& pitch, SlopeKind kind)

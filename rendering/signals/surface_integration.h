@@ -46,9 +46,11 @@ cv::Mat measuredPlaces(const Slopes& slopes);
 
 /// Height in mm where some slopes are missing: not finite, or 0 in `measured` (CV_8UC1; may be empty). Missing slopes are
 /// continued from their surroundings. Point and Forward: least squares in which rises at a gap have a thousandth of the weight,
-/// by multigrid in single precision. Central: the interleaved lattices are integrated one by one and joined (joined_lattices.h);
-/// a slope is used even where the other one is missing. A part that gaps cut off keeps its shape; how high it lies is a guess.
-/// CV_64FC1, mean 0. Throws badInput like `integrate`, and where nothing was measured.
+/// solved by multigrid (gap_multigrid.h); a single row or column is summed. Central: the interleaved lattices are integrated one
+/// by one and joined (joined_lattices.h); a slope is used even where the other one is missing. A part that gaps cut off keeps its
+/// shape; how high it lies is a guess. CV_64FC1, mean 0. Throws badInput like `integrate`, where nothing was measured, and where
+/// slopes beside gaps exceed 32-bit numbers. Throws workFailed where the heights around the gaps are not found: a residual above
+/// 1e-4 of the sources, or above 5e-4 for more than 4 million pixels of point or forward slopes.
 cv::Mat integrateAround(const Slopes& slopes, const cv::Mat& measured, const Pitch& pitch, SlopeKind kind = SlopeKind::Point);
 
 /// RMS of the part of the slopes that no surface can have (their curl), relative to the RMS of the slopes. `heightMm` is the

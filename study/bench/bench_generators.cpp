@@ -85,7 +85,9 @@ BenchRow memoryRow(const ordered_json& bench, const char* field, const char* pho
             std::string("after a photograph of ") + photograph};
 }
 
-std::vector<BenchRow> rowsFrom(const std::string& answer)
+}  // namespace
+
+std::vector<BenchRow> rowsOfGenerators(const std::string& answer)
 {
     std::vector<BenchRow> rows;
     try {
@@ -104,11 +106,9 @@ std::vector<BenchRow> rowsFrom(const std::string& answer)
     return rows;
 }
 
-}  // namespace
-
 std::vector<BenchRow> benchGenerators(bool peers)
 {
-    std::vector<BenchRow> rows = rowsFrom(rendering::models::outputOfSecondProgram({"bench", "--json"}));
+    std::vector<BenchRow> rows = rowsOfGenerators(rendering::models::outputOfSecondProgram({"bench", "--json"}));
     if (peers) addPeers(rows);
     markFronts(rows);
     return rows;

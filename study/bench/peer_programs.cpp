@@ -5,7 +5,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -13,8 +12,6 @@
 #include "protocols/files/errors.h"
 #include "protocols/secrets/secret_variables.h"
 #include "protocols/shipped_folder.h"
-
-extern char** environ;
 
 namespace study::bench {
 
@@ -51,14 +48,10 @@ void add(PeerResults& results, const std::string& output)
 
 std::vector<std::string> peerEnvironment()
 {
-    std::vector<std::string> variables;
-    for (char** variable = environ; *variable != nullptr; ++variable) {
-        const std::string text = *variable;
-        const std::string name = text.substr(0, text.find('='));
-        if (name != "OPENBLAS_CORETYPE" && name != "OPENBLAS_L2_SIZE" &&
-            std::ranges::none_of(protocols::secretVariables, [&](const char* secret) { return name == secret; }))
-            variables.push_back(text);
-    }
+    std::vector<std::string> variables = protocols::environmentWithoutSecrets();
+    std::erase_if(variables, [](const std::string& text) {
+        return text.starts_with("OPENBLAS_CORETYPE=") || text.starts_with("OPENBLAS_L2_SIZE=");
+    });
     return variables;
 }
 

@@ -5,10 +5,13 @@
 #include <cmath>
 
 #include "study/evaluation/evaluation_text.h"
+#include "study/evaluation/summary.h"
 
 namespace study::evaluation {
 
 namespace {
+
+constexpr const char* noSharedFabric = ", on no fabric that both have";
 
 enum class Requirement {
     AtMost,              ///< the value is at most `low`
@@ -106,23 +109,47 @@ Criterion meanAlone(const CriterionRow& row, const Evaluation& evaluation)
     return criterion;
 }
 
-Criterion againstPredictor(const CriterionRow& row, const stats::Value& found, const PredictorResult& other)
+/// Two means over the same fabrics: one for which either has no value counts for neither.
+struct SharedMeans {
+    stats::Value ours, theirs;
+    std::string note;  ///< the number of fabrics, where not all count
+};
+
+SharedMeans sharedMeans(const PredictorResult& ours, const PredictorResult& theirs, Measure measure)
+{
+    std::vector<stats::Value> own, others;
+    bool isComplete = true;
+    for (std::size_t i = 0; i < std::min(ours.fabrics.size(), theirs.fabrics.size()); ++i) {
+        const stats::Value &mine = at(ours.fabrics[i].values, measure), &other = at(theirs.fabrics[i].values, measure);
+        isComplete = isComplete && mine.exists() == other.exists();
+        if (!mine.exists() || !other.exists()) continue;
+        own.push_back(mine);
+        others.push_back(other);
+    }
+    if (isComplete || own.empty()) return {at(ours.mean, measure), at(theirs.mean, measure), isComplete ? "" : noSharedFabric};
+    return {
+        averageOf(measure, own), averageOf(measure, others),
+        " (over the " + std::to_string(own.size()) + " of " + std::to_string(ours.fabrics.size()) + " fabrics that have both)"};
+}
+
+Criterion againstPredictor(const CriterionRow& row, const PredictorResult& generated, const PredictorResult& other)
 {
     const std::string required = "better than: " + other.predictor.name;
-    const stats::Value& held = at(other.mean, row.measure);
+    const auto [found, held, note] = sharedMeans(generated, other, row.measure);
     if (!found.exists()) return undefined(row.measure, required, found);
     if (!held.exists())
         return {whatOf(row.measure), required, formattedAs(row.measure, found) + "; the control has no value: " + held.why(),
                 std::nullopt};
-    return {whatOf(row.measure), required, formattedAs(row.measure, found) + " to " + formattedAs(row.measure, held),
-            isBetter(row.measure, *found, *held)};
+    const std::string values = formattedAs(row.measure, found) + " to " + formattedAs(row.measure, held) + note;
+    if (note == noSharedFabric) return {whatOf(row.measure), required, values, std::nullopt};
+    return {whatOf(row.measure), required, values, isBetter(row.measure, *found, *held)};
 }
 
 /// Better than another model, which says something about the losses only if both were trained alike.
-Criterion againstModel(const CriterionRow& row, const stats::Value& found, const PredictorResult& other,
+Criterion againstModel(const CriterionRow& row, const PredictorResult& generated, const PredictorResult& other,
                        const std::string& unfair)
 {
-    Criterion criterion = againstPredictor(row, found, other);
+    Criterion criterion = againstPredictor(row, generated, other);
     if (unfair.empty()) return criterion;
     criterion.found += "; not a fair control: " + unfair;
     criterion.reached.reset();
@@ -132,18 +159,21 @@ Criterion againstModel(const CriterionRow& row, const stats::Value& found, const
 /// A photograph of another place does not determine the phase of the texture. Sample by sample, a trace with the right texture
 /// is therefore as far off as another measured stroke: this is its noise floor. Only a trace with less texture gets below the
 /// error of the fabric's mean, a constant.
-Criterion belowMeanOrAtFloor(const CriterionRow& row, const stats::Value& found, const Evaluation& evaluation)
+Criterion belowMeanOrAtFloor(const CriterionRow& row, const PredictorResult& generated, const Evaluation& evaluation)
 {
     const std::string required = "below the fabric's mean, or another stroke's";
+    const stats::Value& found = at(generated.mean, row.measure);
     if (!found.exists()) return undefined(row.measure, required, found);
-    const stats::Value &mean = at(evaluation.predictor(PredictorKind::FabricMean)->mean, row.measure),
-                       &stroke = at(evaluation.predictor(PredictorKind::AnotherPlace)->mean, row.measure);
-    const bool below = mean.exists() && *found < *mean, atFloor = stroke.exists() && *found <= *stroke;
-    std::string text =
-        formattedAs(row.measure, found) + " to " + formattedAs(row.measure, mean) + " and " + formattedAs(row.measure, stroke);
+    const SharedMeans mean = sharedMeans(generated, *evaluation.predictor(PredictorKind::FabricMean), row.measure),
+                      stroke = sharedMeans(generated, *evaluation.predictor(PredictorKind::AnotherPlace), row.measure);
+    const auto canCompare = [](const SharedMeans& one) { return one.theirs.exists() && one.note != noSharedFabric; };
+    const bool below = canCompare(mean) && *mean.ours < *mean.theirs,
+               atFloor = canCompare(stroke) && *stroke.ours <= *stroke.theirs;
+    std::string text = formattedAs(row.measure, found) + " to " + formattedAs(row.measure, mean.theirs) + mean.note + " and " +
+                       formattedAs(row.measure, stroke.theirs) + stroke.note;
     text += below ? ": below the mean" : atFloor ? ": at the noise floor of a measured stroke" : "";
     return {whatOf(row.measure), required, text,
-            mean.exists() || stroke.exists() ? std::optional(below || atFloor) : std::nullopt};
+            canCompare(mean) || canCompare(stroke) ? std::optional(below || atFloor) : std::nullopt};
 }
 
 Criterion everyFabricWithin(const CriterionRow& row, const PredictorResult& generated)
@@ -177,15 +207,15 @@ void addTo(std::vector<Criterion>& criteria, const CriterionRow& row, const Eval
             criteria.push_back(meanAlone(row, evaluation));
             return;
         case Requirement::BetterThan:
-            criteria.push_back(againstPredictor(row, found, *evaluation.predictor(row.reference)));
+            criteria.push_back(againstPredictor(row, generated, *evaluation.predictor(row.reference)));
             return;
         case Requirement::BetterThanAgainst:
             for (const PredictorResult& other : evaluation.predictors)
                 if (other.predictor.kind == PredictorKind::Against)
-                    criteria.push_back(againstModel(row, found, other, evaluation.whyUnfair(other)));
+                    criteria.push_back(againstModel(row, generated, other, evaluation.whyUnfair(other)));
             return;
         case Requirement::BelowMeanOrAtFloor:
-            criteria.push_back(belowMeanOrAtFloor(row, found, evaluation));
+            criteria.push_back(belowMeanOrAtFloor(row, generated, evaluation));
             return;
         case Requirement::EveryFabricWithin:
             criteria.push_back(everyFabricWithin(row, generated));

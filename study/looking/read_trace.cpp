@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/foreign/foreign_table.h"
@@ -36,7 +37,17 @@ std::string joined(const std::vector<std::string>& names)
     return line;
 }
 
-/// Takes the friction from the table: tangential over normal force, "mu", or the first column that is neither time nor place.
+/// The column of a coefficient of friction, under any of its usual names.
+std::optional<std::size_t> coefficientColumn(const protocols::CsvTable& table)
+{
+    if (const auto mu = table.column("mu")) return mu;
+    for (std::size_t column = 0; column < table.columns.size(); ++column)
+        if (rendering::fabrics::quantityNamed(table.columns[column]) == "mu") return column;
+    return std::nullopt;
+}
+
+/// Takes the friction from the table: tangential over normal force, a coefficient, or the first column that is neither time nor
+/// place.
 void takeValues(SeenTrace& trace, const protocols::CsvTable& table, const std::string& quantity)
 {
     if (!quantity.empty()) {
@@ -48,7 +59,7 @@ void takeValues(SeenTrace& trace, const protocols::CsvTable& table, const std::s
         trace.quantity = quantity;
         return;
     }
-    const auto normal = table.column("normal_n"), tangential = table.column("tangential_n"), mu = table.column("mu");
+    const auto normal = table.column("normal_n"), tangential = table.column("tangential_n"), mu = coefficientColumn(table);
     if (normal && tangential) {
         trace.values = columnOf(table, *tangential);
         const auto load = columnOf(table, *normal);

@@ -5,9 +5,9 @@
 
 namespace study::looking {
 
-/// Reads CSV with t_s or position_mm (or neither) and with normal_n,tangential_n, or mu, or any quantity. Cells that are not
-/// numbers, and friction at a normal force up to 0.05 N, are missing. Throws badInput for a table without quantity or rows, and
-/// for times, places or values that no axis can show.
+/// Reads CSV with t_s or position_mm (or neither) and with normal_n,tangential_n, or a coefficient such as mu or COF, or any
+/// quantity. Cells that are not numbers, and friction at a normal force up to 0.05 N, are missing. Throws badInput for a table
+/// without quantity or rows, and for times, places or values that no axis can show.
 SeenSignal readTrace(const std::filesystem::path& file, const ReadingOptions& options);
 
 }  // namespace study::looking

@@ -6,11 +6,14 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <string_view>
 
 #include "database/disk/server_note.h"
 #include "database/server/server_address.h"
+#include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
 #include "protocols/protocol_json.h"
+#include "rendering/display/driver_lines.h"
 #include "rendering/response/response_drawing.h"
 #include "rendering/response/response_file.h"
 #include "rendering/response/response_table.h"
@@ -147,6 +150,32 @@ void readAddress(const std::string& bytes)
             "an address with another study leads elsewhere");
 }
 
+/// The bytes of a driver, in parts as they may arrive: the first byte is the length of a part, 0 for the whole at once. The same
+/// lines come out as by a search in the whole.
+void readDriverLines(const std::string& bytes)
+{
+    if (bytes.empty()) throw protocols::badInput({"no bytes", "", "", ""});
+    const std::string_view sent = std::string_view(bytes).substr(1);
+    const std::size_t part = bytes[0] == 0 ? bytes.size() : static_cast<unsigned char>(bytes[0]);
+    rendering::DriverLines lines;
+    std::size_t begin = 0, given = 0;
+    do {
+        lines.add(sent.substr(given, part));
+        given = std::min(given + part, sent.size());
+        while (const auto line = lines.next()) {
+            const std::size_t end = sent.find('\n', begin);
+            require(end < given && end - begin <= rendering::DriverLines::longest, "a line without its end");
+            const std::string_view whole = sent.substr(begin, end - begin);
+            require(*line == whole || *line + '\r' == whole, "another line than the one that was sent");
+            begin = end + 1;
+        }
+        const auto next = std::min(sent.find('\n', begin), given);
+        require(lines.isTooLong() == (next - begin > rendering::DriverLines::longest), "a line that is too long, or none");
+        if (lines.isTooLong()) throw protocols::badInput({"a line is too long", "", "", ""});
+        require(next == given && !lines.hasNext() && lines.waiting() == given - begin, "a line was left");
+    } while (given < sent.size());
+}
+
 }  // namespace
 
 std::vector<Reader> labReaders(const fs::path& folder)
@@ -184,6 +213,12 @@ std::vector<Reader> labReaders(const fs::path& folder)
              database::writeServerNote(station, note.value());
              require(database::readServerNote(station)->token == note->token, "a note is not read as it was written");
          }},
+        {"driver-lines",
+         {std::string(1, '\0') + "{\"type\":\"hello\"}\r\n{\"type\":\"shown\"}\n", "\x07{\"type\":\"touched\"}\n\n\r\n{\"half\"",
+          "\xff" + std::string(rendering::DriverLines::longest, 'a') + "\r\nb\n"},
+         readDriverLines,
+         {},
+         2 * rendering::DriverLines::longest},
         {"server-address",
          {"postgresql://ada@lab.example:5433/lab?study=stripes&sslmode=verify-full", "postgresql://[::1]/lab",
           "postgresql:///lab?host=/run/postgresql", "postgresql://a%40b@h/d%20e?study=x&application_name=%F0%9F%98%80"},

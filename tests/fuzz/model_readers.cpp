@@ -13,6 +13,7 @@
 #include "rendering/models/tensors/tensor_file.h"
 #include "rendering/models/training_curves.h"
 #include "rendering/models/training_table.h"
+#include "study/bench/bench_generators.h"
 #include "study/making/image_folder.h"
 #include "tests/fuzz/inputs.h"
 
@@ -209,7 +210,17 @@ std::vector<Reader> exchangeReaders(const fs::path& folder)
             exchangeReader("nn-answer", exchange / "answer.json", readWholeAnswer),
             exchangeReader("nn-height", exchange / "height0.npy", readWholeAnswer),
             exchangeReader("nn-spectrogram", exchange / "spectrogram0.npy", readWholeAnswer),
-            exchangeReader("nn-trace", exchange / "trace0.npy", readWholeAnswer)};
+            exchangeReader("nn-trace", exchange / "trace0.npy", readWholeAnswer),
+            {"nn-bench",
+             {R"({"peak_mb_at_128":310.5,"peak_mb_at_largest":2900,"qualities":[{"quality":"fast","ms_per_photograph":40.25,)"
+              R"("mean_friction_relative_error":0.08,"height_deviation_from_accurate_mm":0.011,"ms_at_128":12.5,)"
+              R"("relief_error_percent":31,"ratio_at_128_to_version_0_5_0":0.9},{"quality":"accurate","ms_per_photograph":90,)"
+              R"("mean_friction_relative_error":0.07,"height_deviation_from_accurate_mm":0,"ms_at_128":30,)"
+              R"("relief_error_percent":28,"ratio_at_128_to_version_0_5_0":0}]})"},
+             [](const std::string& bytes) {
+                 for (const auto& row : study::bench::rowsOfGenerators(bytes))
+                     require(!row.stage.empty(), "a row without a stage was read");
+             }}};
 }
 
 // ------------------------------------------------------------------ kept friction images

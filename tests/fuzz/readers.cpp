@@ -30,6 +30,7 @@
 #include "rendering/fabrics/recordings/friction_tables.h"
 #include "rendering/fabrics/recordings/import_friction.h"
 #include "rendering/fabrics/recordings/instrument_texts.h"
+#include "rendering/fabrics/recordings/labview_texts.h"
 #include "rendering/fabrics/recordings/record_text.h"
 #include "rendering/fabrics/sample_places.h"
 #include "rendering/images/image_io.h"

@@ -9,12 +9,12 @@
 #include <stdexcept>
 
 #include "database/disk/station_key.h"
+#include "database/disk/study_upgrade.h"
 #include "database/evidence/acts.h"
 #include "database/evidence/finger_records.h"
 #include "database/evidence/operator_latency.h"
 #include "database/keys.h"
 #include "database/preregistrations.h"
-#include "database/study_upgrade.h"
 #include "protocols/files/errors.h"
 #include "protocols/secrets/sealing.h"
 #include "protocols/secrets/signing.h"

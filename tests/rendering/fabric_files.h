@@ -92,9 +92,12 @@ inline rendering::fabrics::Dataset smallDataset(const fs::path& folder)
     writePng(folder / "F01/tactile/000.png", speckled(24, 32, CV_8UC3, 3));
     writePng(folder / "tactile-reference.png", speckled(24, 32, CV_8UC3, 4));
     writeTiff(folder / "F01/height/000.tiff", cv::Mat(24, 32, CV_32FC1, cv::Scalar(0.125)));
-    write(folder / "F01/friction/000.csv", "t_s,normal_n,tangential_n\n0,10,2\n0.5,10,3\n1,20,4\n");
-    write(folder / "F01/friction/001.csv", "t_s,mu\r\n0,0.25\r\n0.1,0.5\r\n");
-    write(folder / "F02/friction/000.csv", "t_s,taxel_sum_counts\n0,2000\n0.02,2010\n0.04,1990\n");
+    write(folder / "F01/friction/000.csv",
+          "t_s,normal_n,tangential_n\n0,10,2\n0.5,10,3\n1,20,4\n1.5,10,2\n2,10,3\n2.5,20,4\n3,10,2\n3.5,10,3\n");
+    write(folder / "F01/friction/001.csv",
+          "t_s,COF\r\n0,0.25\r\n0.1,0.5\r\n0.2,0.5\r\n0.3,0.25\r\n0.4,0.5\r\n0.5,0.5\r\n0.6,0.25\r\n0.7,0.5\r\n");
+    write(folder / "F02/friction/000.csv",
+          "t_s,taxel_sum_counts\n0,2000\n0.02,2010\n0.04,1990\n0.06,2000\n0.08,2010\n0.1,1990\n0.12,2000\n0.14,2010\n");
     writeDatasetJson(dataset);
     writeSamplePlaces(dataset, {{FabricId("F01"), Modality::Visual, 0, 1.5, 2.25, 30, "a, first"},
                                 {FabricId("F01"), Modality::Visual, 1, {}, {}, {}, "b"},

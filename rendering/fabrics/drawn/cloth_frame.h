@@ -61,9 +61,6 @@ public:
         return {m_place.xMm - across, m_place.xMm + across, m_place.yMm - along, m_place.yMm + along};
     }
 
-    /// Direction of an angle on the fabric, as an angle in the picture, degrees.
-    double toPictureDegrees(double fabricDegrees) const { return fabricDegrees - m_place.rotationDeg; }
-
 private:
     FabricPlace m_place;
     double m_pitchMm, m_centreX, m_centreY, m_cosine, m_sine, m_skew;

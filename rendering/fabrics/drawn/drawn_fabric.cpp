@@ -275,21 +275,21 @@ ThreadPeriod threadPeriod(const DrawnFabric& fabric)
             const double shown = double(std::count(ups.begin(), ups.end(), 1)) / double(ups.size());
             const bool warp = shown * fabric.warp.diameterMm / fabric.warp.spacingMm >=
                               (1 - shown) * fabric.weft.diameterMm / fabric.weft.spacingMm;
-            return warp ? ThreadPeriod{fabric.warp.spacingMm, 0, fabric.weft.spacingMm}
-                        : ThreadPeriod{fabric.weft.spacingMm, 90 + fabric.slack.skewDegrees, fabric.warp.spacingMm};
+            return warp ? ThreadPeriod{fabric.warp.spacingMm, 0}
+                        : ThreadPeriod{fabric.weft.spacingMm, 90 + fabric.slack.skewDegrees};
         }
         case ClothKind::Jersey:
         case ClothKind::Rib:
         case ClothKind::Interlock:
         case ClothKind::Purl:
-            return {fabric.weft.spacingMm, 90 + fabric.slack.skewDegrees, fabric.warp.spacingMm};
+            return {fabric.weft.spacingMm, 90 + fabric.slack.skewDegrees};
         case ClothKind::Corduroy:
-            return {fabric.pile.ribPeriodMm, 0, fabric.pile.spacingMm};
+            return {fabric.pile.ribPeriodMm, 0};
         case ClothKind::Terry:
         case ClothKind::CutPile:
-            return {fabric.pile.spacingMm, 0, fabric.pile.spacingMm};
+            return {fabric.pile.spacingMm, 0};
         case ClothKind::Fleece:
-            return {2.5 * fabric.pile.widthMm, fabric.pile.napDegrees + 90, fabric.pile.lengthMm};
+            return {2.5 * fabric.pile.widthMm, fabric.pile.napDegrees + 90};
     }
     return {};
 }

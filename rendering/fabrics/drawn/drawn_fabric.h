@@ -92,7 +92,6 @@ std::string inWords(const DrawnFabric& fabric);
 struct ThreadPeriod {
     double mm = 1;
     double degrees = 0;
-    double otherMm = 1;  ///< spacing of the threads across them
 };
 ThreadPeriod threadPeriod(const DrawnFabric& fabric);
 

@@ -34,13 +34,10 @@ DrawnPatch drawPatchOf(const DrawnFabric& fabric, double meanFriction, std::uint
     patch.lightDeg = lightSide(camera);
     ClothPhotograph photograph =
         photographCloth(fabric, place, {options.pixels, options.pixels}, patch.mmPerPixel, camera, random);
-    const ThreadPeriod period = threadPeriod(fabric);
     patch.rgb = photograph.rgb;
     patch.heightMm = photograph.heightMm;
     patch.textureSqMm = photograph.textureSqMm;
-    patch.periodPx = period.mm / patch.mmPerPixel;
-    patch.otherPeriodPx = period.otherMm / patch.mmPerPixel;
-    patch.directionDegrees = std::fmod(std::fmod(period.degrees - place.rotationDeg, 180) + 180, 180);
+    patch.periodPx = threadPeriod(fabric).mm / patch.mmPerPixel;
     return patch;
 }
 

@@ -10,8 +10,6 @@ struct DrawnPatch {
     cv::Mat heightMm;  ///< CV_32FC1, with the slack of the cloth
     double mmPerPixel = 0.05;
     double periodPx = 8;  ///< spacing of the threads or tufts that show most
-    double otherPeriodPx = 8;
-    double directionDegrees = 0;  ///< across those threads, from x towards y, 0 to 180
     double meanFriction = 0.3;
     double textureSqMm = 0;          ///< standard deviation of the height without the slack
     bool isFlat = false;             ///< the colour of a scan, with the light taken out

@@ -16,6 +16,7 @@ namespace {
 constexpr double mostNormalN = 1000;    ///< a probe that strokes a fabric does not press as hard as a person weighs
 constexpr double mostCoefficient = 10;  ///< above it the two forces have different units
 constexpr double oddCoefficient = 2, tinyCoefficient = 0.005;
+constexpr double silentCoefficient = 1e-9;  ///< what rounding leaves of a constant offset after its zero is subtracted
 constexpr double leastSpeedMmPerS = 1e-3, mostSpeedMmPerS = 1e5;
 constexpr double fewSamplesHz = 5;    ///< a stroke is rarely sampled so slowly
 constexpr double mostLeftOut = 0.01;  ///< share of the slide's samples
@@ -177,6 +178,17 @@ void requirePlausibleSpeed(const RawRecord& record)
                                "0.001 to 100,000 mm/s", "correct the speed in the file or in its name"});
 }
 
+/// A cable that is out, or a wrong column, is no friction of 0.
+void requireSignal(const PreparedRecord& result, const RawRecord& record)
+{
+    if (std::abs(result.mean) > silentCoefficient || result.sd > silentCoefficient) return;
+    if (record.normalN.empty())
+        throw protocols::badInput({"the coefficient of friction is 0 throughout", record.where, "a coefficient above 0",
+                                   "check the sensor and the column of the coefficient"});
+    throw protocols::badInput({"the tangential force is 0 throughout", record.where, "a force while the probe slides",
+                               "check the cable of the sensor, and name the column with --tangential"});
+}
+
 void measure(PreparedRecord& result, const RawRecord& record)
 {
     const auto at = [&](std::size_t i) {
@@ -196,6 +208,7 @@ void measure(PreparedRecord& result, const RawRecord& record)
             {"the mean coefficient is " + fourFigures(result.mean), record.where, "at most 10",
              "check that both forces have the stated unit (--force-unit, or a unit in the name of each column)"});
     if (!coefficient) return;
+    requireSignal(result, record);
     if (std::abs(result.mean) > oddCoefficient || std::abs(result.mean) < tinyCoefficient)
         result.warnings.push_back("a mean coefficient of " + fourFigures(result.mean) +
                                   " is unusual: check that both forces have the same unit");
@@ -289,6 +302,9 @@ PreparedRecord prepare(const RawRecord& record, const FrictionOptions& options)
     requirePlausibleRate(result.stepS, record);
     measure(result, record);
     requireOneDirection(result, record, first, second);
+    if (result.values.size() < shortestTrace)
+        result.warnings.push_back("the record has only " + std::to_string(result.values.size()) +
+                                  " samples; a friction image needs " + std::to_string(shortestTrace));
     if (!record.timeWithoutUnit.empty() && 1 / result.base.stepS < fewSamplesHz)
         result.warnings.push_back("the column \"" + record.timeWithoutUnit + "\" states no unit, and in s it gives " +
                                   fourFigures(1 / result.base.stepS) + " Hz: if its unit is ms or us, add that to its name");

@@ -39,10 +39,11 @@ struct PreparedRecord {
 /// Prepares a record. Throws badInput naming its file and, where one row is at fault, that row. Faults of the time: time
 /// that does not increase, an interval without samples, a gap too long to fill, a sample rate outside leastRateHz to
 /// mostRateHz. A speed outside 0.001 to 100,000 mm/s is a fault, too. Faults of the forces: forces or a
-/// coefficient that are implausible in every unit, no contact, lost contact, strokes in both directions. Contact is lost
-/// where more than 1 % of the slide's samples have too small a normal force: below leastShareOfLoad of the median, or below
-/// leastNormalN. A slide runs in both directions where each has more than 5 % of its samples and both together have at least
-/// 80 % (directionsOf()). Where both together have less, there is a warning.
+/// coefficient that are implausible in every unit, no contact, lost contact, strokes in both directions. A tangential force or
+/// coefficient of 0 throughout is a fault, too. Contact is lost where more than 1 % of the slide's samples have too small a
+/// normal force: below leastShareOfLoad of the median, or below leastNormalN. A slide runs in both directions where each has more
+/// than 5 % of its samples and both together have at least 80 % (directionsOf()). Where both together have less, there is a
+/// warning; also for a result of fewer than shortestTrace samples.
 PreparedRecord prepare(const RawRecord& record, const FrictionOptions& options);
 
 /// Text with four significant figures.

@@ -15,6 +15,7 @@
 #include "rendering/fabrics/recordings/friction_tables.h"
 #include "rendering/fabrics/recordings/import_sources.h"
 #include "rendering/fabrics/recordings/instrument_texts.h"
+#include "rendering/fabrics/recordings/labview_texts.h"
 
 namespace rendering::fabrics {
 

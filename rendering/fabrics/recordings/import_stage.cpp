@@ -55,7 +55,7 @@ FabricId ImportStage::fabricFor(const std::string& name, const std::optional<Fab
     const auto found = std::find_if(fabrics.begin(), fabrics.end(),
                                     [&](const FabricInfo& info) { return wanted ? info.id == *wanted : info.name == name; });
     if (found != fabrics.end()) return found->id;
-    if (wanted) protocols::requireGoodId(wanted->value, "a fabric", "--fabric");
+    if (wanted) protocols::requireGoodNewId(wanted->value, "a fabric", "--fabric");
     FabricId id = wanted.value_or(FabricId());
     for (int number = 1; id.empty(); ++number) {
         const FabricId candidate("F" + std::string(number < 10 ? "0" : "") + std::to_string(number));

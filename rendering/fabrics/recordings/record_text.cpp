@@ -6,12 +6,15 @@
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/foreign/foreign_table.h"
+#include "protocols/files/number_text.h"
 #include "protocols/files/utf8.h"
 #include "protocols/files/whole_file.h"
 
 namespace rendering::fabrics {
 
 namespace {
+
+constexpr std::size_t mostRecordTables = 10'000;  ///< of one file
 
 /// Removes the characters that a JSON string may not contain, so that only its encoding is tested.
 std::string quotable(std::string text)
@@ -83,15 +86,39 @@ std::vector<std::string_view> linesOf(std::string_view text)
     return lines;
 }
 
-std::vector<std::string_view> splitAt(std::string_view line, char separator)
+LineCells splitAt(std::string_view line, char separator)
 {
-    std::vector<std::string_view> cells;
+    LineCells cells;
     while (true) {
         const auto at = line.find(separator);
         cells.push_back(line.substr(0, at));
         if (at == std::string_view::npos) return cells;
         line.remove_prefix(at + 1);
     }
+}
+
+std::optional<double> numberOf(std::string_view cell, bool decimalComma)
+{
+    if (!decimalComma) return protocols::numberIn(cell);
+    std::string text(cell);
+    std::replace(text.begin(), text.end(), ',', '.');
+    return protocols::numberIn(text);
+}
+
+std::string lineName(const std::string& where, std::size_t line) { return where + ", line " + std::to_string(line + 1); }
+
+void requireFewTables(std::size_t count, const std::string& where)
+{
+    if (count <= mostRecordTables) return;
+    throw protocols::badInput({"has more than " + std::to_string(mostRecordTables) + " tables", where,
+                               "at most " + std::to_string(mostRecordTables), "check that the file is a recording, or split it"});
+}
+
+protocols::Error rowOutsideTable(const std::string& where, std::size_t line)
+{
+    return protocols::badInput({"a row of numbers stands after the end of its table", lineName(where, line),
+                                "rows of numbers directly below their header or below each other",
+                                "remove the lines that interrupt the table, or the row"});
 }
 
 }  // namespace rendering::fabrics

@@ -3,9 +3,12 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "protocols/files/errors.h"
 
 namespace rendering::fabrics {
 
@@ -22,6 +25,21 @@ std::string asUtf8(std::string_view latin1);
 std::string readable(const std::string& text);
 /// Lines of a text; the text must outlive them.
 std::vector<std::string_view> linesOf(std::string_view text);
-std::vector<std::string_view> splitAt(std::string_view line, char separator);
+using LineCells = std::vector<std::string_view>;
+LineCells splitAt(std::string_view line, char separator);
+
+inline constexpr std::size_t longestCellShown = 60;  ///< in a message, bytes
+
+/// The number in a cell; none where it holds anything else.
+std::optional<double> numberOf(std::string_view cell, bool decimalComma);
+
+/// "FILE, line 3" for the line with the index 2.
+std::string lineName(const std::string& where, std::size_t line);
+
+/// Throws badInput for more tables than a recording may have. A table without rows takes some hundred bytes.
+void requireFewTables(std::size_t count, const std::string& where);
+
+/// badInput for a row of numbers that stands in no table.
+protocols::Error rowOutsideTable(const std::string& where, std::size_t line);
 
 }  // namespace rendering::fabrics

@@ -98,7 +98,8 @@ std::vector<ClothFeatures> featuresOf(int count, unsigned threads, const std::fu
     return features;
 }
 
-double fourDigits(double value)
+/// Rounded to five significant digits.
+double fiveDigits(double value)
 {
     char text[32];
     std::snprintf(text, sizeof text, "%.5g", value);
@@ -109,7 +110,7 @@ template <class Numbers>
 nlohmann::ordered_json numbersJson(const Numbers& numbers)
 {
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
-    for (const double value : numbers) json.push_back(fourDigits(value));
+    for (const double value : numbers) json.push_back(fiveDigits(value));
     return json;
 }
 
@@ -189,8 +190,8 @@ void writeClothCheck(const std::filesystem::path& file, const ClothCheck& check)
     const nlohmann::ordered_json json{{"schema", checkSchema},
                                       {"seed", check.seed},
                                       {"pictures", check.pictures},
-                                      {"unusual_above", fourDigits(check.unusualAbove)},
-                                      {"refused_above", fourDigits(check.refusedAbove)},
+                                      {"unusual_above", fiveDigits(check.unusualAbove)},
+                                      {"refused_above", fiveDigits(check.refusedAbove)},
                                       {"mean", numbersJson(check.mean)},
                                       {"deviation", numbersJson(check.deviation)},
                                       {"weights", numbersJson(check.weights)}};

@@ -196,6 +196,7 @@ public:
             m_places[id] = m_cloth.fabrics.size();
             m_cloth.fabrics.push_back({id, heldOut.contains(id), {}, {}});
         }
+        rememberHeldOut();
     }
 
     LabCloth read()
@@ -225,11 +226,24 @@ public:
     }
 
 private:
+    std::string hashOf(const SamplePlace& place) const
+    {
+        return protocols::sha256OfFile(fabrics::samplePath(m_dataset, place.fabric, place.modality, place.index));
+    }
+
+    /// Of photographs that are left out, too: scans may hold the same files.
+    void rememberHeldOut()
+    {
+        for (const auto& [place, part] : m_split) {
+            if (place.modality != Modality::Visual) continue;
+            if (part == LabPart::HeldOutFabric) m_cloth.heldOutFabrics.insert(hashOf(place));
+            if (part == LabPart::HeldOutPlace && m_places.contains(place.fabric)) m_cloth.heldOutPlaces.insert(hashOf(place));
+        }
+    }
+
     void remember(const SamplePlace& place, LabPart part)
     {
-        if (part == LabPart::Training)
-            m_cloth.trainingHashes.push_back(
-                protocols::sha256OfFile(fabrics::samplePath(m_dataset, place.fabric, place.modality, place.index)));
+        if (part == LabPart::Training) m_cloth.trainingHashes.push_back(hashOf(place));
     }
 
     void readMeasurement(const SamplePlace& place, LabPart part)
@@ -294,6 +308,30 @@ private:
     std::map<std::pair<FabricId, int>, PressAt> m_pressAt;
 };
 
+/// A picture of a data set of scans, with what tells whether it shows held-out cloth.
+struct ScanPicture {
+    SamplePlace place;
+    std::string sha256;
+    std::optional<fabrics::Footprint> footprint;
+
+    bool showsPlaceOf(const ScanPicture& other) const
+    {
+        return place.group == other.place.group ||
+               (footprint && other.footprint && fabrics::overlap(*footprint, *other.footprint));
+    }
+};
+
+std::vector<ScanPicture> picturesOf(const Dataset& scans)
+{
+    std::vector<ScanPicture> pictures;
+    for (const SamplePlace& place : fabrics::readSamplePlaces(scans)) {
+        const auto file = fabrics::samplePath(scans, place.fabric, place.modality, place.index);
+        if (place.modality == Modality::Visual && std::filesystem::exists(file))
+            pictures.push_back({place, protocols::sha256OfFile(file), fabrics::footprintOf(scans, place)});
+    }
+    return pictures;
+}
+
 }  // namespace
 
 double LabFabric::logFriction(LabPart part) const
@@ -321,6 +359,20 @@ std::vector<std::size_t> LabCloth::photographsOf(LabPart part) const
 LabCloth readLabCloth(const Dataset& dataset, const Architecture& architecture, const LabOptions& options)
 {
     return LabReader(dataset, architecture, options).read();
+}
+
+PictureSet scansOfHeldOut(const Dataset& scans, const LabCloth& lab)
+{
+    const std::vector<ScanPicture> pictures = picturesOf(scans);
+    PictureSet found;
+    for (const ScanPicture& known : pictures) {
+        const bool ofFabric = lab.heldOutFabrics.contains(known.sha256);
+        if (!ofFabric && !lab.heldOutPlaces.contains(known.sha256)) continue;
+        for (const ScanPicture& other : pictures)
+            if (other.place.fabric == known.place.fabric && (ofFabric || other.showsPlaceOf(known)))
+                found.emplace(other.place.fabric, other.place.index);
+    }
+    return found;
 }
 
 }  // namespace rendering::models

@@ -8,11 +8,13 @@
 #include <cstdint>
 #include <opencv2/core/mat.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "rendering/fabrics/dataset.h"
 #include "rendering/models/architecture.h"
+#include "rendering/models/seeing/cloth_batches.h"
 #include "rendering/models/seeing/friction_target.h"
 
 namespace rendering::models {
@@ -61,8 +63,9 @@ struct LabCloth {
     std::vector<LabFabric> fabrics;
     std::vector<LabPhotograph> photographs;  ///< those of which something was measured
     double pressMmPerPixel = 0.05;
-    std::vector<std::string> trainingHashes;  ///< SHA-256 of every file of the training part, sorted
-    std::vector<std::string> notes;           ///< what was left out and why, one line each
+    std::vector<std::string> trainingHashes;              ///< SHA-256 of every file of the training part, sorted
+    std::set<std::string> heldOutPlaces, heldOutFabrics;  ///< SHA-256 of the photographs of both held-out parts
+    std::vector<std::string> notes;                       ///< what was left out and why, one line each
 
     std::vector<std::size_t> photographsOf(LabPart part) const;
 };
@@ -77,5 +80,9 @@ struct LabOptions {
 /// together (location_split.h). Photographs without a scale get the one that inference assumes. Throws badInput where nothing
 /// was measured, or for fewer than fewestLabPhotographs photographs with something measured.
 LabCloth readLabCloth(const fabrics::Dataset& dataset, const Architecture& architecture, const LabOptions& options);
+
+/// Pictures of `scans` that show what the lab holds out. Held-out photographs are known by the SHA-256 of their files. With one
+/// of a held-out fabric go all pictures of that fabric. With one of a held-out place go its group and what overlaps it.
+PictureSet scansOfHeldOut(const fabrics::Dataset& scans, const LabCloth& lab);
 
 }  // namespace rendering::models

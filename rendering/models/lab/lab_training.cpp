@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "protocols/files/canonical_bytes.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
@@ -70,8 +71,7 @@ public:
           m_lab(readLabCloth(dataset, m_start.architecture, {.splitSeed = options.splitSeed, .heldOut = options.heldOut}))
     {
         m_options.side = m_start.architecture.crop;
-        if (scans != nullptr) m_scans = readScannedCloth(*scans, {});
-        m_scansHash = scans != nullptr ? fabrics::hashOf(*scans) : "";
+        if (scans != nullptr) takeScans(*scans);
         m_datasetHash = fabrics::hashOf(dataset);
         moveTowards(m_best, m_given, 1);
     }
@@ -92,6 +92,19 @@ public:
     }
 
 private:
+    /// What the lab holds out must not come in as a scan: the gain on it would be memory.
+    void takeScans(const fabrics::Dataset& scans)
+    {
+        const PictureSet leftOut = scansOfHeldOut(scans, m_lab);
+        m_scans = readScannedCloth(scans, {}, leftOut);
+        m_scansHash = fabrics::hashOf(scans);
+        if (leftOut.empty()) return;
+        const std::string pictures = countOf(leftOut.size(), "picture");
+        m_scansHash += " without " + pictures;  // A checkpoint of all scans cannot be continued.
+        m_lab.notes.push_back(pictures + " of --scans " + (leftOut.size() == 1 ? "is" : "are") +
+                              " left out: the lab holds out the same places or fabrics");
+    }
+
     void describe() const
     {
         std::size_t presses = 0, strokes = 0, fabrics = 0, registered = 0;
@@ -158,7 +171,9 @@ private:
             std::to_string(m_options.validationPatches) + "|" +
             (m_options.steps ? "steps " + std::to_string(*m_options.steps) : "minutes " + std::to_string(*m_options.minutes));
         for (const protocols::FabricId& id : m_options.heldOut) text += "|" + id.value;
-        return text;
+        protocols::CanonicalBytes files;  // Another version may split the same lab otherwise.
+        for (const std::string& hash : m_lab.trainingHashes) files << hash;
+        return text + "|" + files.hash();
     }
 
     double fractionDone(const Checkpoint& state) const
@@ -355,12 +370,11 @@ private:
     {
         ModelCardFields card;
         card.summary.name = m_options.out.stem().string();
-        card.summary.trainedOnProceduralSet = m_dataset.procedural && m_start.summary.trainedOnProceduralSet;
+        card.summary.trainedOnProceduralSet = m_dataset.procedural && m_scans.empty() && m_start.summary.trainedOnProceduralSet;
         card.summary.trainingCommand = m_options.command;
-        card.summary.trainingSampleHashes = m_start.summary.trainingSampleHashes;
-        card.summary.trainingSampleHashes.insert(card.summary.trainingSampleHashes.end(), m_lab.trainingHashes.begin(),
-                                                 m_lab.trainingHashes.end());
-        std::ranges::sort(card.summary.trainingSampleHashes);
+        addTrainingHashes(card, m_start.summary.trainingSampleHashes);
+        addTrainingHashes(card, hashesOf(m_scans));
+        addTrainingHashes(card, m_lab.trainingHashes);
         card.architecture = m_architecture;
         card.seed = m_options.seed;
         card.splitSeed = m_options.splitSeed;

@@ -15,9 +15,9 @@ inline constexpr double mostWorsePercent = 5;
 inline constexpr double leastGain = 0.02;
 
 /// Adapts `options.from` to `lab` and writes it to `options.out` with its card. Prints what was gained on held-out places and
-/// fabrics, and what the shipped abilities paid. `scans`: joins the drawn cloth, or nullptr. Throws badInput for data that do not
-/// suffice (lab_cloth.h), workFailed where nothing was gained (no model is written) or the loss stops being finite, and as
-/// trainOnCloth().
+/// fabrics, and what the shipped abilities paid. `scans`: joins the drawn cloth without scansOfHeldOut(), or nullptr. Throws
+/// badInput for data that do not suffice (lab_cloth.h), workFailed where nothing was gained (no model is written) or the loss
+/// stops being finite, and as trainOnCloth().
 void adaptToLab(const fabrics::Dataset& lab, const fabrics::Dataset* scans, const ClothTrainingOptions& options,
                 std::ostream& log, bool terminal);
 

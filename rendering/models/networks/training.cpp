@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "protocols/files/canonical_bytes.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/models/networks/adversarial_training.h"
@@ -42,7 +43,7 @@ void checkOptions(const TrainingOptions& options)
         refuse("a count or rate is not positive", "positive numbers");
 }
 
-/// Text of the settings that must agree for a checkpoint to be resumed.
+/// Text of the settings and files that must agree for a checkpoint to be resumed. Another version may split a data set otherwise.
 std::string fingerprint(const TrainingOptions& options, const TrainingData& data, const std::string& datasetHash)
 {
     std::string text = datasetHash;
@@ -53,7 +54,9 @@ std::string fingerprint(const TrainingOptions& options, const TrainingData& data
     text += "|" + std::to_string(options.learningRate) + "|" + nameOf(options.objective) + "|" + nameOf(options.split) + "|" +
             (options.steps ? "steps " + std::to_string(*options.steps) : "minutes " + std::to_string(*options.minutes));
     for (const protocols::FabricId& id : options.heldOut) text += "|" + id.value;
-    return text + "|" + std::to_string(data.trainingHashes.size());
+    protocols::CanonicalBytes files;
+    for (const std::string& hash : data.trainingHashes) files << hash;
+    return text + "|" + files.hash();
 }
 
 constexpr int stepsPerLogRow = 10;

@@ -1,8 +1,9 @@
 #include "rendering/models/networks/weights.h"
 
-#include "protocols/files/sha256.h"
-#include "protocols/files/whole_file.h"
+#include <utility>
+
 #include "rendering/models/seeing/plain_tensors.h"
+#include "rendering/models/seeing/seeing_weights.h"
 
 namespace rendering::models {
 
@@ -52,13 +53,7 @@ void roundToHalf(Generators& generators)
 
 void writeModel(const std::filesystem::path& model, Generators& generators, ModelCardFields card)
 {
-    TensorFile file{{{"format", "vis2hap.weights/1"}}, {}};
-    for (const NamedTensor& one : tensorsOf(generators))
-        file.tensors.push_back(storedTensor(one.name, one.parameter ? one.tensor.to(torch::kHalf) : one.tensor));
-    const std::string bytes = tensorFileBytes(file);
-    protocols::writeWholeFile(model, bytes);
-    card.summary.sha256 = protocols::sha256(bytes);
-    protocols::writeWholeFile(cardOf(model), cardText(card));
+    writeTensorsWithCard(model, tensorsOf(generators), std::move(card));
 }
 
 Generators readModel(const std::filesystem::path& model, const ModelCardFields& card)

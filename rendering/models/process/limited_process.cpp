@@ -20,9 +20,8 @@
 #include <thread>
 
 #include "protocols/files/errors.h"
+#include "protocols/secrets/secret_variables.h"
 #include "rendering/models/process/process_family.h"
-
-extern char** environ;  // NOLINT: declared by the C library.
 
 namespace rendering::models {
 
@@ -181,12 +180,7 @@ ProcessLimits benchLimits()
     return limits;
 }
 
-std::vector<std::string> ownEnvironment()
-{
-    std::vector<std::string> variables;
-    for (char** variable = environ; *variable != nullptr; ++variable) variables.emplace_back(*variable);
-    return variables;
-}
+std::vector<std::string> ownEnvironment() { return protocols::environmentWithoutSecrets(); }
 
 LimitedProcess::LimitedProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                                const std::vector<std::string>& environment, const std::optional<std::filesystem::path>& output,

@@ -73,7 +73,7 @@ private:
     bool m_withDescendants = false;
 };
 
-/// Variables of this process, "NAME=VALUE".
+/// Variables of this process, "NAME=VALUE", without passphrases and passwords.
 std::vector<std::string> ownEnvironment();
 
 }  // namespace rendering::models

@@ -104,6 +104,7 @@ void stayBehindAsKeeper(pid_t parent, int report)
     if (program < 0) ::_exit(cannotKeep);
     if (program > 0) {
         ::close(report);
+        ::close_range(STDERR_FILENO + 1, ~0U, 0);  // It becomes no other program, so nothing else closes what it inherited.
         sigset_t awaited;
         ::sigemptyset(&awaited);
         for (const int number : {SIGCHLD, SIGTERM, SIGINT, SIGHUP, SIGQUIT}) ::sigaddset(&awaited, number);

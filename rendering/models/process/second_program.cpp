@@ -3,22 +3,18 @@
 #include <sys/wait.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <optional>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/temporary_folder.h"
 #include "protocols/files/whole_file.h"
+#include "rendering/models/process/child_process.h"
 #include "rendering/models/process/limited_process.h"
 
 namespace rendering::models {
 
-std::string secondProgram()
-{
-    if (const char* chosen = std::getenv("VIS2HAP_NN"); chosen && *chosen != '\0') return chosen;
-    return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / "vis2hap-nn").string();
-}
+std::string secondProgram() { return generatorProgram().string(); }
 
 namespace {
 

@@ -6,7 +6,7 @@
 
 namespace rendering::models {
 
-/// Path of vis2hap-nn: beside this program, or the value of VIS2HAP_NN.
+/// Path of vis2hap-nn, as generatorProgram() finds it. Throws environmentFault where the program does not exist.
 std::string secondProgram();
 
 /// Runs `vis2hap-nn ARGUMENTS...` on this terminal and returns its exit code. Throws environmentFault where vis2hap-nn or

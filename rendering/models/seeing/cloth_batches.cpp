@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/sha256.h"
 #include "protocols/random.h"
 #include "rendering/fabrics/drawn/drawn_friction.h"
 #include "rendering/fabrics/drawn/drawn_patch.h"
@@ -172,27 +173,38 @@ void copyPhotograph(const cv::Mat& rgb, float* out)
         }
 }
 
-std::vector<ScannedCloth> readScannedCloth(const fabrics::Dataset& dataset, const std::vector<protocols::FabricId>& heldOut)
+std::vector<ScannedCloth> readScannedCloth(const fabrics::Dataset& dataset, const std::vector<protocols::FabricId>& heldOut,
+                                           const PictureSet& leftOut)
 {
     const fabrics::PhotographViews views(dataset);
     std::vector<ScannedCloth> scans;
     for (const fabrics::SamplePlace& place : fabrics::readSamplePlaces(dataset)) {
         if (place.modality != fabrics::Modality::Visual ||
-            std::find(heldOut.begin(), heldOut.end(), place.fabric) != heldOut.end() || !dataset.fabric(place.fabric).surfaceInMm)
+            std::find(heldOut.begin(), heldOut.end(), place.fabric) != heldOut.end() ||
+            leftOut.contains({place.fabric, place.index}) || !dataset.fabric(place.fabric).surfaceInMm)
             continue;
         const auto surface = fabrics::readSurface(dataset, place.fabric, place.index);
         const auto pitch = views.mmPerPixel(place.fabric, place.index);
         if (!surface || !pitch) continue;
         const cv::Mat rgb = fabrics::readPhotograph(dataset, place.fabric, place.index);
         requireOfOneSize(*surface, rgb, fabrics::surfacePath(dataset, place.fabric, place.index));
-        scans.push_back({place.fabric.value, rgb, *surface, *pitch, place.light == "colour", place.lightDeg});
+        scans.push_back(
+            {place.fabric.value, rgb, *surface, *pitch, place.light == "colour", place.lightDeg,
+             protocols::sha256OfFile(fabrics::samplePath(dataset, place.fabric, fabrics::Modality::Visual, place.index))});
     }
     if (std::ranges::none_of(scans, &ScannedCloth::isFlat))
-        throw protocols::badInput(
-            {"no scanned cloth remains for training", dataset.folder.string(),
-             "pictures with light \"colour\", a surface in mm and a scale, of fabrics that are not held out",
-             "make the data set with `vis2hap import scans`"});
+        throw protocols::badInput({"no scanned cloth remains for training", dataset.folder.string(),
+                                   "pictures with light \"colour\", a surface in mm and a scale, of cloth that is not held out",
+                                   leftOut.empty() ? "make the data set with `vis2hap import scans`"
+                                                   : "name scans of cloth that the lab does not hold out, or leave --scans out"});
     return scans;
+}
+
+std::vector<std::string> hashesOf(const std::vector<ScannedCloth>& scans)
+{
+    std::vector<std::string> hashes;
+    for (const ScannedCloth& scan : scans) hashes.push_back(scan.sha256);
+    return hashes;
 }
 
 ClothBatch drawClothBatch(const std::vector<ScannedCloth>& scans, const ClothBatchOptions& options, std::uint64_t seed,

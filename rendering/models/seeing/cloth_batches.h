@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <opencv2/core/mat.hpp>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "rendering/fabrics/dataset.h"
@@ -21,11 +23,20 @@ struct ScannedCloth {
     double mmPerPixel = 0.2;
     bool isFlat = false;                  ///< plain colour, with the light taken out: the simulated camera can photograph it anew
     std::optional<double> lightDeg = {};  ///< side of a single lamp (told_lamp.h)
+    std::string sha256 = {};              ///< of the file of the picture
 };
 
-/// All pictures of a data set that have a scale and a surface in mm. Fabrics of `heldOut` are left out. Throws badInput where no
-/// picture with light "colour" remains. Throws it, too, for a surface of another size than its picture, or with gaps.
-std::vector<ScannedCloth> readScannedCloth(const fabrics::Dataset& dataset, const std::vector<protocols::FabricId>& heldOut);
+/// Pictures of a data set: fabric and index.
+using PictureSet = std::set<std::pair<protocols::FabricId, int>>;
+
+/// All pictures of a data set that have a scale and a surface in mm. Fabrics of `heldOut` and pictures of `leftOut` are left out.
+/// Throws badInput where no picture with light "colour" remains. Throws it, too, for a surface of another size than its picture,
+/// or with gaps.
+std::vector<ScannedCloth> readScannedCloth(const fabrics::Dataset& dataset, const std::vector<protocols::FabricId>& heldOut,
+                                           const PictureSet& leftOut = {});
+
+/// SHA-256 of the file of each picture, in their order.
+std::vector<std::string> hashesOf(const std::vector<ScannedCloth>& scans);
 
 /// In the layout of the networks (N x C x H x W, row-major).
 struct ClothBatch {

@@ -1,5 +1,6 @@
 #include "rendering/models/seeing/cloth_training.h"
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cmath>
@@ -157,7 +158,8 @@ private:
         return shared.item<double>();
     }
 
-    /// Weights on the way to a model that was trained further. Its training is the one that the card tells.
+    /// Weights on the way to a model that was trained further. Its training is the one that the card tells, but for the files,
+    /// which are those of both.
     void mix()
     {
         ModelCardFields card = cardOfSeeingModel(m_options.towards);
@@ -222,6 +224,7 @@ private:
         for (const protocols::FabricId& id : m_options.heldOut) card.heldOut.push_back(id.value);
         card.datasetName = m_dataset != nullptr ? m_dataset->name : "drawn fabrics";
         card.datasetHash = m_scansHash;
+        addTrainingHashes(card, hashesOf(m_scans));
         write(training, std::move(card), state.step);
     }
 
@@ -238,6 +241,8 @@ private:
         if (m_start) {
             card.fromName = m_start->summary.name;
             card.fromHash = m_start->summary.sha256;
+            card.summary.trainedOnProceduralSet = card.summary.trainedOnProceduralSet && m_start->summary.trainedOnProceduralSet;
+            addTrainingHashes(card, m_start->summary.trainingSampleHashes);
         }
         TrainingLog log(logOf(m_options.out), step > 0 ? std::optional(step) : std::nullopt);
         card.validationJson = validate(training, step, log).dump();
@@ -315,6 +320,14 @@ void setTrainingThreads(const ClothTrainingOptions& options)
     const int threads =
         options.threads > 0 ? options.threads : static_cast<int>(std::max(2U, std::thread::hardware_concurrency()));
     torch::set_num_threads(std::max(1, threads - 1));
+}
+
+void addTrainingHashes(ModelCardFields& card, const std::vector<std::string>& hashes)
+{
+    std::vector<std::string>& all = card.summary.trainingSampleHashes;
+    all.insert(all.end(), hashes.begin(), hashes.end());
+    std::ranges::sort(all);
+    all.erase(std::unique(all.begin(), all.end()), all.end());
 }
 
 ModelCardFields cardOfSeeingModel(const std::filesystem::path& model)

@@ -59,6 +59,9 @@ void requireUsable(const ClothTrainingOptions& options);
 /// Sets the threads of the computation; one of the options' threads draws the next batch.
 void setTrainingThreads(const ClothTrainingOptions& options);
 
+/// Adds the SHA-256 of files of the training to a card, whose list stays sorted and has each once.
+void addTrainingHashes(ModelCardFields& card, const std::vector<std::string>& hashes);
+
 /// Card of a model that training can start from. Throws badInput for a model of other networks.
 ModelCardFields cardOfSeeingModel(const std::filesystem::path& model);
 

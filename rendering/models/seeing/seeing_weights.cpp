@@ -1,5 +1,7 @@
 #include "rendering/models/seeing/seeing_weights.h"
 
+#include <utility>
+
 #include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
 
@@ -47,15 +49,20 @@ void moveTowards(SeeingNetworks& to, SeeingNetworks& from, double share)
     }
 }
 
-void writeSeeingModel(const std::filesystem::path& model, SeeingNetworks& networks, ModelCardFields card)
+void writeTensorsWithCard(const std::filesystem::path& model, const std::vector<NamedTensor>& tensors, ModelCardFields card)
 {
     TensorFile file{{{"format", "vis2hap.weights/1"}}, {}};
-    for (const NamedTensor& one : tensorsOf({}, networks))
+    for (const NamedTensor& one : tensors)
         file.tensors.push_back(storedTensor(one.name, one.parameter ? one.tensor.to(torch::kHalf) : one.tensor));
     const std::string bytes = tensorFileBytes(file);
     protocols::writeWholeFile(model, bytes);
     card.summary.sha256 = protocols::sha256(bytes);
     protocols::writeWholeFile(cardOf(model), cardText(card));
+}
+
+void writeSeeingModel(const std::filesystem::path& model, SeeingNetworks& networks, ModelCardFields card)
+{
+    writeTensorsWithCard(model, tensorsOf({}, networks), std::move(card));
 }
 
 SeeingNetworks readSeeingModel(const std::filesystem::path& model, const ModelCardFields& card)

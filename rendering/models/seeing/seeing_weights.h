@@ -26,6 +26,10 @@ void setTraining(SeeingNetworks& networks, bool on);
 /// Moves `to` towards `from` by `share` of the difference; 1 copies, 0 leaves all as it is.
 void moveTowards(SeeingNetworks& to, SeeingNetworks& from, double share);
 
+/// Writes parameters in half precision and running statistics in single precision. Sets the card's SHA-256 and writes both files
+/// whole or not at all. Throws environmentFault.
+void writeTensorsWithCard(const std::filesystem::path& model, const std::vector<NamedTensor>& tensors, ModelCardFields card);
+
 /// Rounds the parameters to half precision, writes them and the card, whole or not at all. Throws environmentFault.
 void writeSeeingModel(const std::filesystem::path& model, SeeingNetworks& networks, ModelCardFields card);
 

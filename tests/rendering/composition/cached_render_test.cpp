@@ -7,6 +7,7 @@
 #include <opencv2/core.hpp>
 #include <set>
 
+#include "protocols/files/errors.h"
 #include "protocols/process/opened_files.h"
 #include "rendering/cache/packed_result.h"
 #include "rendering/cache/result_cache.h"
@@ -200,6 +201,9 @@ private Q_SLOTS:
         QCOMPARE(costly(render("all", all())), 3);
         m_small.writeCalibration(1);
         QCOMPARE(costly(render("all", all())), 0);
+        m_small.dataset.tactileMmPerPixel = 0.06;  // which is not that of the calibration
+        QVERIFY_EXCEPTION_THROWN(render("h", all()), protocols::Error);
+        m_small.dataset.tactileMmPerPixel = 0.05;
         writePng(m_small.file(1, "visual/000.png"), weave(60, 70, 12, 50));
         QCOMPARE(costly(render("all", all())), 2);  // shape from shading, and one photograph for the generators
         m_small.dataset.fabrics.front().fibre = fabrics::Fibre::Wool;

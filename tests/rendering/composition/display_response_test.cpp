@@ -260,6 +260,33 @@ private Q_SLOTS:
         QVERIFY2(std::abs(mean - 0.3012 * 255) < 0.02, qPrintable(QString::number(mean)));
     }
 
+    /// Between a plateau and the next level, dithering once gave the plateau alone: 0 of the range instead of 0.25.
+    void ditheringKeepsTheMeanBesideAPlateau_data()
+    {
+        QTest::addColumn<double>("plateauFrom");
+        QTest::addColumn<double>("share");
+        for (const double share : {0.02, 0.251, 0.313, 0.332, 0.7})
+            QTest::newRow(qPrintable(QString("the lowest levels, %1").arg(share))) << 0.0 << share;
+        for (const double share : {0.1, 0.251, 0.4, 0.7})
+            QTest::newRow(qPrintable(QString("levels within, %1").arg(share))) << 20.0 << share;
+    }
+    void ditheringKeepsTheMeanBesideAPlateau()
+    {
+        QFETCH(double, plateauFrom);
+        QFETCH(double, share);
+        const auto glassWithPlateau = [&](double level) {
+            return level <= 40 ? 0.2 + 0.001 * std::min(level, plateauFrom) : 0.3 + 0.2 * (level - 41) / 214;
+        };
+        const DisplayResponse response = fitted(measured(glassWithPlateau, {1, 1, 0, 0}));
+        DisplayMapping mapping{.dither = true};
+        mapping.response = std::make_shared<DisplayResponse>(response);
+        MapRange range;
+        range.include(0, 1);
+        const cv::Mat levels = mapToDisplay({cv::Mat(200, 200, CV_32FC1, cv::Scalar(share))}, range, mapping);
+        const double felt = cv::mean(frictionOnDisplay(levels, response))[0] / 65535;
+        QVERIFY2(std::abs(felt - share) < 0.005, qPrintable(QString::number(felt)));
+    }
+
     void withoutAResponseNothingChanges()
     {
         const ScaledMap map = ramp();

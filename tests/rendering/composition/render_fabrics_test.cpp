@@ -346,6 +346,20 @@ private Q_SLOTS:
         double high = 0;
         cv::minMaxLoc(f.images.at(FabricId("F02")), nullptr, &high);
         QCOMPARE(high, 255.0);  // The counts do not flatten the coefficients.
+        const auto lines = mixedQuantities(rendering);
+        QCOMPARE(lines.size(), std::size_t(2));
+        QVERIFY2(lines[0].starts_with("condition f: the friction records hold 2 quantities (mu, taxel_sum_counts)"),
+                 lines[0].c_str());
+        auto some = requestFor(small, "f,h&f", asked);
+        some.fabrics = {FabricId("F01"), FabricId("F02")};
+        const auto shown = renderFabrics(small.dataset, some);
+        QCOMPARE(shown.conditions[0].ranges.size(), std::size_t(2));
+        QVERIFY(mixedQuantities(shown).empty());  // F03 sets a range, but no finger feels it.
+        some.fabrics.push_back(FabricId("F03"));
+        some.conditions = protocols::conditionList("h");
+        QVERIFY(mixedQuantities(renderFabrics(small.dataset, some)).empty());
+        small.writeFriction(FabricId("F03"), "000", "CoF", 0.7);
+        QVERIFY(mixedQuantities(renderFabrics(small.dataset, requestFor(small, "f,h&f", asked))).empty());
     }
 
     void gradientNeedsThePitchOfTheTactileFrames()

@@ -154,9 +154,11 @@ private Q_SLOTS:
     {
         const FrictionRecord forces = readFriction(m_dataset, FabricId("F01"), 0);
         QVERIFY(forces.isCoefficient());
-        QCOMPARE(forces.values, (std::vector<double>{0.2, 0.3, 0.2}));
+        QCOMPARE(forces.values, (std::vector<double>{0.2, 0.3, 0.2, 0.2, 0.3, 0.2, 0.2, 0.3}));
         QCOMPARE(forces.sampleRateHz, 2.0);
-        QCOMPARE(readFriction(m_dataset, FabricId("F01"), 1).values, (std::vector<double>{0.25, 0.5}));
+        const FrictionRecord ratio = readFriction(m_dataset, FabricId("F01"), 1);
+        QVERIFY(ratio.isCoefficient());  // another lab writes COF
+        QCOMPARE(ratio.values, (std::vector<double>{0.25, 0.5, 0.5, 0.25, 0.5, 0.5, 0.25, 0.5}));
         const FrictionRecord counts = readFriction(m_dataset, FabricId("F02"), 0);
         QVERIFY(!counts.isCoefficient());
         QCOMPARE(counts.quantity, std::string("taxel_sum_counts"));
@@ -342,6 +344,8 @@ private Q_SLOTS:
         const auto faults = faultsOfDataset(m_dataset.folder);
         QVERIFY2(faults.empty(), faults.empty() ? "" : faults.front().c_str());
         QVERIFY(contains(refusalOf([&] { faultsOfDataset(m_dataset.folder / "F01"); }), "not a data set"));
+        const auto notes = findingsOfDataset(m_dataset.folder).notes;
+        QVERIFY(anyContains(notes, "different quantities", "mu (such as F01/friction/000.csv), taxel_sum_counts (such as F02"));
     }
 
     void everyPlantedFaultIsFoundWithItsFile_data()
@@ -367,6 +371,9 @@ private Q_SLOTS:
         QTest::newRow("lost contact") << "contact"
                                       << "F01/friction/000.csv"
                                       << "row 2";
+        QTest::newRow("short record") << "short"
+                                      << "F01/friction/000.csv"
+                                      << "has only 3 samples; a friction image needs 8";
         QTest::newRow("jump of the clock") << "clock"
                                            << "F01/friction/000.csv"
                                            << "gap in time";
@@ -486,6 +493,7 @@ private:
             {"extra", [&] { write(folder / "F01/friction/002.csv", "t_s,mu\n0,0.1\n1,0.1\n"); }},
             {"contact", [&] { write(folder / "F01/friction/000.csv", "t_s,normal_n,tangential_n\n0,10,1\n1,0,1\n"); }},
             {"against", [&] { write(folder / "F01/friction/000.csv", "t_s,normal_n,tangential_n\n0,10,-1\n1,5,-1\n"); }},
+            {"short", [&] { write(folder / "F01/friction/000.csv", "t_s,mu\n0,0.1\n0.1,0.2\n0.2,0.1\n"); }},
             {"clock", [&] { write(folder / "F01/friction/000.csv", "t_s,mu\n0,0.1\n0.01,0.1\n0.02,0.1\n3600,0.1\n"); }},
             {"nan", [&] { writeHeight(24, 32, std::numeric_limits<float>::quiet_NaN()); }},
             {"negative", [&] { writeHeight(24, 32, -0.01f); }},

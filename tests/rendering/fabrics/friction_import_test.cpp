@@ -301,6 +301,28 @@ private Q_SLOTS:
         QVERIFY(contains(refusalOf([&] { imported("t,normal,tangential\n0,0,1\n1,0,1\n2,0,1\n"); }), "0 N under load"));
     }
 
+    /// A cable is out, or another column was named. Rendering and training refuse such a record later.
+    void aSilentTangentialChannelIsRefused()
+    {
+        std::string zeros = "t_s,fn,ft\n", offset = zeros, coefficient = "t_s,mu\n", faint = zeros;
+        for (int i = 0; i < 500; ++i) {
+            const std::string time = number(i * 0.01) + ",";
+            zeros += time + "3,0\n";
+            offset += time + (i < 100 ? "0" : "3") + ",0.1\n";  // subtracting the zero leaves 1e-16 N
+            coefficient += time + "0\n";
+            faint += time + "3," + (i % 3 == 0 ? "0\n" : "0.0001\n");
+        }
+        for (const std::string& text : {zeros, offset}) {
+            const std::string refusal = refusalOf([&] { imported(text); });
+            QVERIFY2(contains(refusal, "the tangential force is 0 throughout") && contains(refusal, "Felt_1.csv") &&
+                         contains(refusal, "--tangential"),
+                     refusal.c_str());
+        }
+        QVERIFY(contains(refusalOf([&] { imported(coefficient); }), "the coefficient of friction is 0 throughout"));
+        QVERIFY(!fs::exists(m_out));
+        QVERIFY(contains(imported(faint), "is unusual"));
+    }
+
     void unevenStampsAreResampledAtAStatedRate()
     {
         Stroke uneven;
@@ -371,6 +393,19 @@ private Q_SLOTS:
     {
         for (const char* text : {"t,mu\n0,0.1\n", "t,normal,tangential\n0,5,1\n"})
             QVERIFY(contains(refusalOf([&] { imported(text); }), "has 1 rows"));
+    }
+
+    /// The check of a data set calls such a record a fault.
+    void aRecordTooShortForAnImageIsReported()
+    {
+        m_options.trim = Selection::None;
+        std::string text = "t_s,mu\n";
+        for (int i = 0; i < 7; ++i) text += number(i * 0.01) + "," + number(0.3 + 0.01 * (i % 2)) + "\n";
+        const auto line = imported(text);
+        QVERIFY2(contains(line, "warning: the record has only 7 samples; a friction image needs 8"), line.c_str());
+        QVERIFY(contains(saved()["warnings"].dump(), "only 7 samples"));
+        fs::remove_all(m_out);
+        QVERIFY(!contains(imported(text + "0.07,0.3\n"), "samples; a friction image needs"));
     }
 
     void manySamplesAreTaken()

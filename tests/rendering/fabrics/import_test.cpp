@@ -191,7 +191,8 @@ private Q_SLOTS:
         const std::string first = read(m_out / "F01/visual/000.png");
         writePng(m_in / "Aida_1.png", speckled(20, 24, CV_8UC3, 9));
         import(ImportKind::Photos, {m_in});
-        write(pathOf(*m_folder) / "strokes/Wool_a.csv", "time_ms,Fn [N],Ft [mN]\n0,2,500\n10,2,600\n20,4,1000\n");
+        write(pathOf(*m_folder) / "strokes/Wool_a.csv",
+              "time_ms,Fn [N],Ft [mN]\n0,2,500\n10,2,600\n20,4,1000\n30,2,500\n40,2,600\n50,4,1000\n60,2,500\n70,2,600\n");
         import(ImportKind::FrictionCsv, {pathOf(*m_folder) / "strokes"});
         const Dataset dataset = readDataset(m_out);
         QCOMPARE(dataset.fabrics.size(), std::size_t(2));
@@ -200,7 +201,7 @@ private Q_SLOTS:
         QCOMPARE(read(m_out / "F01/visual/000.png"), first);
         QCOMPARE(sampleIndices(dataset, FabricId("F01"), Modality::Visual), (std::vector<int>{0, 1}));
         const FrictionRecord record = readFriction(dataset, FabricId("F01"), 0);
-        QCOMPARE(record.values, (std::vector<double>{0.25, 0.3, 0.25}));
+        QCOMPARE(record.values, (std::vector<double>{0.25, 0.3, 0.25, 0.25, 0.3, 0.25, 0.25, 0.3}));
         QCOMPARE(dataset.friction.sampleRateHz, 100.0);
         QVERIFY(faultsOfDataset(m_out).empty());
         for (const auto& entry : fs::directory_iterator(m_out))
@@ -216,6 +217,8 @@ private Q_SLOTS:
         QCOMPARE(sampleIndices(readDataset(m_out), FabricId("F07"), Modality::Visual).size(), std::size_t(2));
         request.fabric = FabricId("../F08");
         QVERIFY(contains(refusalOf([&] { importRecordings(request); }), "--fabric"));
+        request.fabric = FabricId("NA");
+        QVERIFY(contains(refusalOf([&] { importRecordings(request); }), "cannot name a fabric: it stands for a missing value"));
     }
 
     void theFibreOfTheLabelIsKeptAndNotChanged()

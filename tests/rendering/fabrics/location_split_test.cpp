@@ -50,6 +50,27 @@ std::string onItsSide()
     return QByteArray::fromHex("0000001a655849664d4d002a00000008000101120003000000010006000000000000d6674b69").toStdString();
 }
 
+/// Twenty records of `seconds` at ten samples a second, which start `apartMm` apart on one line.
+std::vector<SamplePlace> stroked(const Dataset& dataset, double seconds, double apartMm)
+{
+    std::string record = "t_s,mu\n";
+    for (int i = 0; i <= std::lround(10 * seconds); ++i)
+        record += std::to_string(i / 10.0) + "," + std::to_string(0.4 + 0.01 * (i % 3)) + "\n";
+    std::vector<SamplePlace> places;
+    for (int i = 0; i < 20; ++i) {
+        places.push_back(at(Modality::Friction, i, apartMm * i, 0));
+        write(samplePath(dataset, FabricId("F01"), Modality::Friction, i), record);
+    }
+    writeSamplePlaces(dataset, places);
+    return places;
+}
+
+void stateOwnSpeed(const Dataset& dataset, const SamplePlace& place, const std::string& speed)
+{
+    fs::path report = samplePath(dataset, place.fabric, Modality::Friction, place.index).replace_extension(".json");
+    write(report, R"({"schema": "vis2hap.friction-import/1", "speed_mm_per_s": )" + speed + "}");
+}
+
 std::map<Part, int> countsOf(const std::vector<std::pair<SamplePlace, Part>>& split)
 {
     std::map<Part, int> counts;
@@ -215,6 +236,46 @@ private Q_SLOTS:
         QCOMPARE(stroke->widthMm, 40.0);
         QCOMPARE(stroke->yMm, 40.0);
         QVERIFY(std::abs(stroke->xMm - 10) < 1e-9);
+    }
+
+    /// With the length of the first import, 40 mm, strokes of 200 mm on one line were taken for separate places.
+    void strokesThatLieOnOneAnotherStayTogether()
+    {
+        const Dataset dataset = photographed(pathOf(*m_folder), {});
+        const auto places = stroked(dataset, 8, 60);
+        for (const SamplePlace& place : places) stateOwnSpeed(dataset, place, "25");
+        const auto stroke = footprintOf(dataset, places[1]);
+        QVERIFY(std::abs(stroke->widthMm - 200) < 1e-9 && std::abs(stroke->xMm - 160) < 1e-9);
+        QVERIFY(overlap(*stroke, *footprintOf(dataset, places[4])) && !overlap(*stroke, *footprintOf(dataset, places[5])));
+        SamplePlace unknownDirection = places[1];
+        unknownDirection.rotationDeg.reset();
+        QVERIFY(std::abs(footprintOf(dataset, unknownDirection)->widthMm - 400) < 1e-9);
+        for (const std::uint64_t seed : {1, 2, 3}) QCOMPARE(countsOf(splitByLocation(dataset, seed))[Part::Training], 20);
+    }
+
+    void aStrokeIsAsLongAsItsRecordLasts_data()
+    {
+        QTest::addColumn<double>("seconds");
+        QTest::addColumn<QByteArray>("speed");
+        QTest::addColumn<double>("length");
+        QTest::newRow("the stated length, from sample to sample") << 8.0 << QByteArray("null") << 40.0;
+        QTest::newRow("the stated length, a step for each sample") << 7.9 << QByteArray("null") << 40.0;
+        QTest::newRow("longer, at the speed of the data set") << 16.0 << QByteArray("null") << 80.0;
+        QTest::newRow("shorter") << 4.0 << QByteArray("null") << 20.0;
+        QTest::newRow("its own speed") << 8.0 << QByteArray("25") << 200.0;
+        QTest::newRow("two samples") << 0.1 << QByteArray("50") << 5.0;
+        QTest::newRow("a speed that cannot be read") << 16.0 << QByteArray("-3") << 40.0;
+    }
+    void aStrokeIsAsLongAsItsRecordLasts()
+    {
+        QFETCH(const double, seconds);
+        QFETCH(const QByteArray, speed);
+        QFETCH(const double, length);
+        const Dataset dataset = photographed(pathOf(*m_folder), {});
+        const SamplePlace place = stroked(dataset, seconds, 60).front();
+        stateOwnSpeed(dataset, place, speed.toStdString());
+        QVERIFY(std::abs(footprintOf(dataset, place)->widthMm - length) < 1e-9);
+        if (length == 40) QCOMPARE(footprintOf(dataset, place)->widthMm, dataset.friction.lengthMm);  // to the last digit
     }
 
 private:

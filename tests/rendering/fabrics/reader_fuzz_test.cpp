@@ -12,6 +12,7 @@
 #include "rendering/fabrics/recordings/friction_report.h"
 #include "rendering/fabrics/recordings/friction_tables.h"
 #include "rendering/fabrics/recordings/instrument_texts.h"
+#include "rendering/fabrics/recordings/labview_texts.h"
 #include "rendering/signals/friction_trace.h"
 #include "rendering/signals/spectrogram_file.h"
 #include "tests/rendering/fabric_files.h"

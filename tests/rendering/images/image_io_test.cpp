@@ -1,8 +1,11 @@
 // Image files are read back bit for bit. Damaged files are refused by name.
 #include "rendering/images/image_io.h"
 
+#include <cstdlib>
 #include <fstream>
 #include <functional>
+#include <limits>
+#include <new>
 #include <string>
 
 #include "protocols/files/whole_file.h"
@@ -10,6 +13,18 @@
 
 using namespace fabric_files;
 using namespace rendering;
+
+// Memory that ends: the linker prefers these to those of the C++ library.
+static std::size_t largestAllocation = std::numeric_limits<std::size_t>::max();
+
+void* operator new(std::size_t bytes)
+{
+    void* memory = bytes <= largestAllocation ? std::malloc(bytes) : nullptr;
+    if (!memory) throw std::bad_alloc();
+    return memory;
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace {
 
@@ -213,6 +228,29 @@ private Q_SLOTS:
         writeTiff(file, height);
         QVERIFY(sameBits(height, before));
         QVERIFY(sameBits(readTiff(file), height));
+    }
+
+    /// The libraries in C call our functions, and no exception may pass through them.
+    void memoryThatEndsWhileAnImageIsEncodedIsNamed()
+    {
+        cv::Mat noise(512, 512, CV_8UC3), height(512, 512, CV_32FC1);
+        cv::randu(noise, 0, 256);
+        cv::randu(height, 0, 1);
+        for (const auto& [name, writeIt] : {std::pair<const char*, std::function<void(const fs::path&)>>{
+                                                "noise.png", [&](const fs::path& file) { writePng(file, noise); }},
+                                            {"noise.tiff", [&](const fs::path& file) { writeTiff(file, height); }}}) {
+            const fs::path file = pathOf(m_folder) / name;
+            const auto limited = [&] {
+                largestAllocation = 1 << 16;
+                writeIt(file);
+            };
+            const std::string fault = refusalOf(limited, protocols::ExitCode::Environment);
+            largestAllocation = std::numeric_limits<std::size_t>::max();
+            QVERIFY2(contains(fault, "the memory is used up") && contains(fault, name), fault.c_str());
+            QVERIFY(!fs::exists(file));
+            writeIt(file);
+            QVERIFY(fs::exists(file));
+        }
     }
 
     /// ZSTD states a repetition by its length: a blank scan of 16 MB has 620 bytes.

@@ -10,7 +10,10 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 
+#include "protocols/files/sha256.h"
+#include "rendering/fabrics/drawn/drawn_dataset.h"
 #include "rendering/fabrics/drawn/drawn_patch.h"
+#include "rendering/fabrics/sample_places.h"
 #include "rendering/models/fair_control.h"
 #include "rendering/models/generation.h"
 #include "rendering/models/model_card.h"
@@ -36,6 +39,21 @@ Outcome run(const QStringList& arguments)
     process.waitForFinished(300000);
     return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1, process.readAllStandardOutput(),
             process.readAllStandardError()};
+}
+
+/// Two pictures of one fabric, as if they were scans. Returns the hashes of their files.
+std::vector<std::string> makeScans(const std::filesystem::path& folder)
+{
+    const fabrics::Dataset scans = fabrics::makeDrawnFabrics(folder, {.fabrics = 1, .samples = 2, .seed = 8});
+    std::vector<fabrics::SamplePlace> places = fabrics::readSamplePlaces(scans);
+    std::vector<std::string> hashes;
+    for (fabrics::SamplePlace& place : places) {
+        if (place.modality != fabrics::Modality::Visual) continue;
+        place.light = "colour";
+        hashes.push_back(protocols::sha256OfFile(fabrics::samplePath(scans, place.fabric, place.modality, place.index)));
+    }
+    fabrics::writeSamplePlaces(scans, places);
+    return hashes;
 }
 
 QByteArray bytesOf(const QString& file)
@@ -180,6 +198,40 @@ private Q_SLOTS:
                                    "--towards", QString::fromStdString(models::shippedModel().string())});
         QCOMPARE(other.exitCode, 2);
         QVERIFY2(other.errors.contains("the two models have other networks"), qPrintable(other.errors));
+    }
+
+    void theCardNamesTheFilesOfItsScansAndOfTheModelsBeforeIt()
+    {
+        const auto saw = [&](const char* name) {
+            return models::readModelCardFields(at(name).toStdString()).summary.trainingSampleHashes;
+        };
+        const auto modelThatSaw = [&](const char* name, std::vector<std::string> hashes) {
+            QFile::copy(at("model.safetensors"), at(name));
+            models::ModelCardFields card = models::readModelCardFields(at("model.safetensors").toStdString());
+            card.summary.trainingSampleHashes = std::move(hashes);
+            QFile file(QString::fromStdString(models::cardOf(at(name).toStdString()).string()));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write(QByteArray::fromStdString(models::cardText(card)));
+        };
+        const auto trained = [&](const QStringList& arguments) {
+            const Outcome outcome = run(arguments);
+            QVERIFY2(outcome.exitCode == 0, qPrintable(outcome.errors));
+        };
+        modelThatSaw("lab.safetensors", {"00aa11", "ff22"});
+        modelThatSaw("another.safetensors", {"0123", "ff22"});
+        trained(smallRun("after-lab.safetensors", 1, {"--from", at("lab.safetensors")}));
+        QCOMPARE(saw("after-lab.safetensors"), (std::vector<std::string>{"00aa11", "ff22"}));
+        std::vector<std::string> expected = makeScans(at("scans").toStdString());
+        QCOMPARE(expected.size(), std::size_t{2});
+        expected.insert(expected.end(), {"00aa11", "ff22"});
+        std::ranges::sort(expected);
+        trained(smallRun("after-scans.safetensors", 1, {"--from", at("after-lab.safetensors"), "--scans", at("scans")}));
+        QCOMPARE(saw("after-scans.safetensors"), expected);
+        trained({"train-cloth", "--out", at("mixed.safetensors"), "--from", at("another.safetensors"), "--towards",
+                 at("after-scans.safetensors"), "--validation-patches", "8"});
+        expected.push_back("0123");
+        std::ranges::sort(expected);
+        QCOMPARE(saw("mixed.safetensors"), expected);
     }
 
     void trainingStartsFromAModelAndPrintsItsFiguresFirst()

@@ -193,6 +193,43 @@ private Q_SLOTS:
         QVERIFY(contains(refusalOf([&] { read(labSet(other, {.fabrics = 4}), {.heldOut = {FabricId("F09")}}); }), "F09"));
     }
 
+    void scansOfHeldOutPlacesAndFabricsAreFoundByTheirFiles()
+    {
+        const QTemporaryDir folder, other;
+        const fabrics::Dataset dataset = labSet(folder, {});
+        const LabCloth lab = read(dataset);
+        QCOMPARE(lab.heldOutPlaces.size(), std::size_t{5});
+        QCOMPARE(lab.heldOutFabrics.size(), std::size_t{3});
+        fabrics::Dataset scans;
+        scans.folder = fabric_files::pathOf(other);
+        scans.cameraMmPerPixel = 0.05;  // 4 mm a photograph
+        std::vector<fabrics::SamplePlace> places;
+        const auto add = [&](int fabric, int index, double xMm, const std::string& group) {
+            places.push_back({idOf(fabric), fabrics::Modality::Visual, index, xMm, 0, 0, group});
+            const auto file = fabrics::samplePath(scans, idOf(fabric), fabrics::Modality::Visual, index);
+            std::filesystem::create_directories(file.parent_path());
+            writePng(file, fabric_files::speckled(photographPx, photographPx, CV_8UC3, 100 + 10 * fabric + index));
+            return file;
+        };
+        const auto addCopy = [&](int fabric, LabPart part) {
+            const LabPhotograph& from = lab.photographs[lab.photographsOf(part).front()];
+            std::filesystem::copy_file(
+                fabrics::samplePath(dataset, lab.fabrics[from.fabric].id, fabrics::Modality::Visual, from.index),
+                add(fabric, 0, 0, "a"), std::filesystem::copy_options::overwrite_existing);
+        };
+        addCopy(1, LabPart::HeldOutFabric);
+        add(1, 1, 50, "b");
+        addCopy(2, LabPart::HeldOutPlace);
+        add(2, 1, 50, "a");
+        add(2, 2, 3, "c");
+        add(2, 3, 5, "d");
+        addCopy(3, LabPart::Training);
+        add(3, 1, 3, "a");
+        fabrics::writeSamplePlaces(scans, places);
+        QCOMPARE(scansOfHeldOut(scans, lab), (PictureSet{{idOf(1), 0}, {idOf(1), 1}, {idOf(2), 0}, {idOf(2), 1}, {idOf(2), 2}}));
+        QVERIFY(scansOfHeldOut(scans, LabCloth()).empty());
+    }
+
     void trainingNeverTakesHeldOutStrokes()
     {
         LabFabric fabric{FabricId("F01"), false, {}, {}};

@@ -9,9 +9,11 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "protocols/files/canonical_bytes.h"
 #include "protocols/files/foreign/foreign_table.h"
 #include "protocols/files/sha256.h"
 #include "rendering/fabrics/drawn/drawn_dataset.h"
+#include "rendering/fabrics/sample_places.h"
 #include "rendering/models/generation.h"
 #include "rendering/models/model_card_fields.h"
 #include "rendering/models/process/child_process.h"
@@ -169,6 +171,35 @@ private Q_SLOTS:
         QCOMPARE(unseen, 8);
     }
 
+    /// The scans are the lab's own photographs and one fabric more.
+    void scansDoNotBringBackWhatTheLabHoldsOut()
+    {
+        const fabrics::Dataset scans =
+            fabrics::makeDrawnFabrics(at("scanned").toStdString(), {.fabrics = 7, .samples = 3, .seed = 31});
+        std::vector<fabrics::SamplePlace> places = fabrics::readSamplePlaces(scans);
+        for (fabrics::SamplePlace& place : places)
+            if (place.modality == fabrics::Modality::Visual) place.light = "colour";
+        fabrics::writeSamplePlaces(scans, places);
+        const Ended ended =
+            runNetworks(adaptation(at("tiny.safetensors"), "with-scans.safetensors", {"--steps", "2", "--scans", at("scanned")}));
+        QVERIFY2(ended.exitCode == 0, qPrintable(ended.errors));
+        QVERIFY2(ended.output.contains("\n8 pictures of --scans are left out: the lab holds out the same places or fabrics\n"),
+                 qPrintable(ended.output));
+        const std::vector<std::string> named = cardAt("with-scans.safetensors").summary.trainingSampleHashes;
+        QCOMPARE(named.size(), std::size_t{33});  // ten photographs, presses and strokes, and the seventh fabric
+        const std::string held = cardAt("with-scans.safetensors").heldOut.front();
+        int trained = 0;
+        for (const fabrics::FabricInfo& fabric : scans.fabrics)
+            for (const int index : fabrics::sampleIndices(scans, fabric.id, fabrics::Modality::Visual)) {
+                const bool known = std::ranges::binary_search(
+                    named, protocols::sha256OfFile(fabrics::samplePath(scans, fabric.id, fabrics::Modality::Visual, index)));
+                QVERIFY(!known || fabric.id.value != held);
+                QVERIFY(known || fabric.id.value != "F07");
+                trained += known ? 1 : 0;
+            }
+        QCOMPARE(trained, 13);
+    }
+
     void killedAdaptationResumesToTheSameWeights()
     {
         const QStringList steps{"--steps", "6"};
@@ -183,8 +214,22 @@ private Q_SLOTS:
         broken.kill();
         broken.waitForFinished();
         QVERIFY2(!QFile::exists(at("broken.safetensors")), "the run ended before it was interrupted");
-        const Ended resumed =
-            runNetworks(adaptation(at("tiny.safetensors"), "broken.safetensors", steps + QStringList{"--resume"}));
+        const QStringList again = adaptation(at("tiny.safetensors"), "broken.safetensors", steps + QStringList{"--resume"});
+
+        // Another version may split the same lab otherwise; the checkpoint of such a run is refused.
+        const QByteArray checkpoint = wholeFile(at("broken.safetensors.checkpoint"));
+        protocols::CanonicalBytes files;
+        for (const std::string& hash : cardAt("whole.safetensors").summary.trainingSampleHashes) files << hash;
+        QByteArray other = checkpoint;
+        other.replace(QByteArray::fromStdString(files.hash()), QByteArray::fromStdString(protocols::sha256("another split")));
+        QVERIFY(other != checkpoint);
+        fabric_files::write(at("broken.safetensors.checkpoint").toStdString(), other.toStdString());
+        const Ended refused = runNetworks(again);
+        QCOMPARE(refused.exitCode, 2);
+        QVERIFY2(refused.errors.contains("belongs to a run with another data set or other options"), qPrintable(refused.errors));
+        fabric_files::write(at("broken.safetensors.checkpoint").toStdString(), checkpoint.toStdString());
+
+        const Ended resumed = runNetworks(again);
         QVERIFY2(resumed.exitCode == 0, qPrintable(resumed.errors));
         QVERIFY(resumed.output.contains("resumed at step"));
         QCOMPARE(wholeFile(at("broken.safetensors")), wholeFile(at("whole.safetensors")));

@@ -1,6 +1,7 @@
 // A child process keeps its limits of time, memory and files, and dies with its parent.
 #include "rendering/models/process/limited_process.h"
 
+#include <fcntl.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -17,6 +18,7 @@
 #include "protocols/files/whole_file.h"
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
 #include "rendering/models/process/child_process.h"
+#include "rendering/models/process/second_program.h"
 #include "tests/support/error_text.h"
 
 using namespace rendering;
@@ -114,6 +116,18 @@ private Q_SLOTS:
         QCOMPARE(WEXITSTATUS(outcome.status), 3);
     }
 
+    /// VIS2HAP_NN may name a program of somebody else.
+    void noPassphraseAndNoPasswordIsPassedOn()
+    {
+        qputenv("VIS2HAP_PASSPHRASE", "Sekret1");
+        qputenv("PGPASSWORD", "Sekret2");
+        qputenv("OF_THE_LAB", "open");
+        const QString variables = shell("env", wide()).output;
+        for (const char* variable : {"VIS2HAP_PASSPHRASE", "PGPASSWORD", "OF_THE_LAB"}) qunsetenv(variable);
+        QVERIFY(variables.contains("OF_THE_LAB=open"));
+        QVERIFY(!variables.contains("Sekret") && !variables.contains("PGPASSWORD"));
+    }
+
     void programThatIsMissingIsNamed()
     {
         const QString fault = errorOf([&] { LimitedProcess("/nowhere/vis2hap-nn", {}, {}, at("output"), wide()); });
@@ -201,6 +215,33 @@ private Q_SLOTS:
         ::waitpid(parent, nullptr, 0);
         const qint64 lived = msUntilEnd(child, 2000);
         QVERIFY2(lived >= 0, qPrintable(QString::number(lived)));
+    }
+
+    /// The keeper becomes no other program, so a descriptor that closes with such a change would stay open in it.
+    void keeperHoldsNoFileOfItsParent()
+    {
+        const int held = ::open(at("held").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+        QVERIFY(held > 2);
+        const LimitedProcess process(
+            "/bin/sleep", {"100"},
+            models::ProcessSurroundings{.environment = models::ownEnvironment(), .output = at("output"), .withDescendants = true},
+            wide());
+        const auto descriptors = [&] {
+            QStringList numbers;
+            for (const auto& one : fs::directory_iterator("/proc/" + std::to_string(process.number()) + "/fd"))
+                numbers << QString::fromStdString(one.path().filename().string());
+            numbers.sort();
+            return numbers;
+        };
+        QTRY_COMPARE(descriptors(), QStringList({"0", "1", "2"}));
+        ::close(held);
+    }
+
+    void commandsFindTheProgramWhereOthersDo()
+    {
+        if (qEnvironmentVariableIsSet("VIS2HAP_NN")) QSKIP("VIS2HAP_NN names the program");
+        QCOMPARE(models::secondProgram(), models::generatorProgram().string());  // one folder above this one
+        QVERIFY(fs::is_regular_file(models::secondProgram()));
     }
 
     void limitsAreThoseAskedFor()

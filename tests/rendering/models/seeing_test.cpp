@@ -7,6 +7,7 @@
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 
+#include "protocols/files/sha256.h"
 #include "rendering/fabrics/sample_places.h"
 #include "rendering/images/image_io.h"
 #include "rendering/models/seeing/cloth_batches.h"
@@ -383,6 +384,21 @@ private Q_SLOTS:
         QVERIFY(refusalOf([&] {
                     readScannedCloth(dataset, {protocols::FabricId("F01"), protocols::FabricId("F02")});
                 }).contains("no scanned cloth remains"));
+    }
+
+    void scansKnowTheirFilesAndNamedPicturesAreLeftOut()
+    {
+        QTemporaryDir folder;
+        const fabrics::Dataset dataset = scans(folder.path().toStdString());
+        const protocols::FabricId first("F01");
+        std::vector<std::string> files;
+        for (const int index : {0, 1})
+            files.push_back(protocols::sha256OfFile(fabrics::samplePath(dataset, first, fabrics::Modality::Visual, index)));
+        QCOMPARE(hashesOf(readScannedCloth(dataset, {protocols::FabricId("F02")})), files);
+        QCOMPARE(hashesOf(readScannedCloth(dataset, {protocols::FabricId("F02")}, {{first, 1}})),
+                 std::vector<std::string>{files[0]});
+        const QString refused = refusalOf([&] { readScannedCloth(dataset, {protocols::FabricId("F02")}, {{first, 0}}); });
+        QVERIFY2(refused.contains("no scanned cloth remains") && refused.contains("leave --scans out"), qPrintable(refused));
     }
 
     void aSurfaceThatDoesNotFitItsPictureIsRefused()

@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "protocols/files/canonical_bytes.h"
 #include "protocols/files/sha256.h"
 #include "rendering/fabrics/dataset.h"
 #include "rendering/fabrics/location_split.h"
@@ -182,6 +183,23 @@ private Q_SLOTS:
         for (const char* file : {"losses.csv", "validation.csv", "curves.svg"})
             QCOMPARE(protocols::sha256OfFile(at("broken.safetensors.log") / file),
                      protocols::sha256OfFile(at("whole.safetensors.log") / file));
+    }
+
+    /// Another version may split the same data set otherwise.
+    void checkpointOfAnotherSplitIsRefused()
+    {
+        breakOffAtFirstCheckpoint("split.safetensors");
+        std::ifstream stream(at("split.safetensors.checkpoint"), std::ios::binary);
+        std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+        protocols::CanonicalBytes files;
+        for (const std::string& hash : models::readModelCard(at("whole.safetensors")).trainingSampleHashes) files << hash;
+        const auto named = bytes.find(files.hash());
+        QVERIFY(named != std::string::npos);
+        bytes.replace(named, 64, protocols::sha256("files of another split"));
+        std::ofstream(at("split.safetensors.checkpoint"), std::ios::binary) << bytes;
+        const TrainingOutcome outcome = run(smallRun("split.safetensors", 24) << "--resume");
+        QCOMPARE(outcome.exitCode, 2);
+        QVERIFY2(outcome.errors.contains("belongs to a run with another data set or other options"), qPrintable(outcome.errors));
     }
 
     void anotherSeedGivesOtherWeights()

@@ -11,9 +11,11 @@
 #include "protocols/random.h"
 #include "rendering/images/true_map.h"
 #include "rendering/signals/cosine_transform.h"
+#include "rendering/signals/gap_multigrid.h"
 #include "rendering/signals/mirrored_columns.h"
 #include "tests/rendering/refusal.h"
 #include "tests/rendering/shared_data.h"
+#include "tests/rendering/signals/direct_surface.h"
 
 using namespace rendering::signals;
 using rendering::readTrueMap;
@@ -80,6 +82,67 @@ cv::Mat gradientAlongX(const cv::Mat& height, double pitch)
             result.at<double>(i, j) = (height.at<double>(i, b) - height.at<double>(i, a)) / (std::max(1, b - a) * pitch);
         }
     return result;
+}
+
+/// Waves with a little noise, and slopes of its kind.
+cv::Mat roughSurface(int rows, int columns)
+{
+    cv::Mat height = 0.02 * randomImage(rows, columns);
+    for (int i = 0; i < rows; ++i)
+        for (int j = 0; j < columns; ++j) height.at<double>(i, j) += std::sin(0.2 * i + 1) * std::cos(0.15 * j);
+    return height;
+}
+
+Slopes slopesOf(const cv::Mat& height, const Pitch& pitch, SlopeKind kind)
+{
+    if (kind == SlopeKind::Forward) return forwardSlopes(height, pitch);
+    return {gradientAlongX(height, pitch.x), gradientAlongX(height.t(), pitch.y).t()};
+}
+
+cv::Mat placesWithout(double missing, cv::Size size, std::uint64_t seed)
+{
+    protocols::Random random(seed);
+    cv::Mat known(size, CV_8UC1);
+    for (int i = 0; i < size.height; ++i)
+        for (int j = 0; j < size.width; ++j) known.at<uchar>(i, j) = random.uniform() < missing ? 0 : 255;
+    return known;
+}
+
+double shareOfSq(const cv::Mat& found, const cv::Mat& wanted) { return cv::norm(found, wanted) / cv::norm(wanted); }
+
+/// A step of 1 between the halves, two pulls across a weak column, and no noise.
+WeightedRises oneStep()
+{
+    WeightedRises rises{{cv::Mat::ones(16, 16, CV_32FC1), cv::Mat::ones(16, 16, CV_32FC1)}, cv::Mat::zeros(16, 16, CV_32FC1)};
+    rises.weights.x.col(3) = 1e-3F;
+    rises.sources.col(7) = -1;
+    rises.sources.col(8) = 1;
+    rises.sources.at<float>(2, 2) -= 1;
+    rises.sources.at<float>(12, 12) += 1;
+    return rises;
+}
+
+/// One row has measured rises; all other rises are continued ones of little weight, which no surface has exactly.
+WeightedRises oneMeasuredRow(int side)
+{
+    const cv::Mat height = roughSurface(side, side), misfit = 0.1 * randomImage(side, side + 1);
+    const auto square = [side](int type, double value) { return cv::Mat(side, side, type, cv::Scalar(value)); };
+    WeightedRises rises{{square(CV_32FC1, 1e-5), square(CV_32FC1, 1e-5)}, square(CV_64FC1, 0)};
+    rises.weights.x.row(side / 2) = 1;
+    rises.weights.x.col(side - 1) = 0;
+    rises.weights.y.row(side - 1) = 0;
+    const auto add = [&](const cv::Mat& weights, int i, int j, int down, int right) {
+        const double rise = height.at<double>(i + down, j + right) - height.at<double>(i, j) + misfit.at<double>(i, j);
+        const double pull = static_cast<double>(weights.at<float>(i, j)) * rise;
+        rises.sources.at<double>(i, j) -= pull;
+        rises.sources.at<double>(i + down, j + right) += pull;
+    };
+    for (int i = 0; i < side; ++i)
+        for (int j = 0; j < side; ++j) {
+            if (j + 1 < side) add(rises.weights.x, i, j, 0, 1);
+            if (i + 1 < side) add(rises.weights.y, i, j, 1, 0);
+        }
+    return rises;
 }
 
 const Pitch surfacePitch{0.05, 0.05};
@@ -346,6 +409,154 @@ private Q_SLOTS:
             const cv::Mat inside = found(cv::Rect(45, 45, 50, 50)), truth = known.heightMm(cv::Rect(45, 45, 50, 50));
             QVERIFY(cv::norm(centred(inside), centred(truth)) < 0.1 * cv::norm(centred(truth)));
         }
+    }
+
+    void mapsWithManyGapsFollowTheDirectSolution_data()
+    {
+        QTest::addColumn<int>("rows");
+        QTest::addColumn<int>("columns");
+        QTest::addColumn<double>("xMm");
+        QTest::addColumn<double>("yMm");
+        QTest::addColumn<double>("missing");
+        QTest::newRow("30 % missing, pitch 1:5") << 64 << 64 << 0.1 << 0.5 << 0.3;
+        QTest::newRow("15 % missing, pitch 1:10") << 64 << 64 << 0.1 << 1.0 << 0.15;
+        QTest::newRow("40 % missing, pitch 1:30") << 40 << 40 << 1.0 << 30.0 << 0.4;
+        QTest::newRow("30 % missing, pitch 1000:1") << 40 << 40 << 1e3 << 1.0 << 0.3;
+        QTest::newRow("half missing, 61 x 67") << 61 << 67 << 1.0 << 1.0 << 0.5;
+        QTest::newRow("40 % missing, square pixels") << 64 << 64 << 1.0 << 1.0 << 0.4;
+        QTest::newRow("30 % missing, three columns") << 120 << 3 << 1.0 << 10.0 << 0.3;
+        QTest::newRow("40 % missing, two rows") << 2 << 100 << 1.0 << 5.0 << 0.4;
+    }
+    void mapsWithManyGapsFollowTheDirectSolution()
+    {
+        QFETCH(int, rows);
+        QFETCH(int, columns);
+        QFETCH(double, xMm);
+        QFETCH(double, yMm);
+        QFETCH(double, missing);
+        const Pitch pitch{xMm, yMm};
+        for (const std::uint64_t seed : {1, 4, 6})
+            for (const auto kind : {SlopeKind::Point, SlopeKind::Forward}) {
+                const Slopes slopes = slopesOf(roughSurface(rows, columns), pitch, kind);
+                const cv::Mat known = placesWithout(missing, slopes.x.size(), seed);
+                const cv::Mat direct = DirectSolution(slopes, known, pitch, kind).height();
+                const double error = shareOfSq(integrateAround(slopes, known, pitch, kind), direct);
+                QVERIFY2(error < 1e-3, qPrintable(QString("%1 of Sq, seed %2").arg(error).arg(seed)));
+            }
+    }
+
+    void centralDifferencesOfLongPixelsKeepTheHeights_data()
+    {
+        QTest::addColumn<QString>("gaps");
+        QTest::addColumn<double>("xMm");
+        QTest::addColumn<double>("yMm");
+        QTest::addColumn<double>("ofSq");
+        // With pulls in single precision, these errors were 2, 2.4, 2.8 and 1.7 of Sq.
+        QTest::newRow("frame, pitch 1:10,000") << "frame" << 1.0 << 1e4 << 0.01;
+        QTest::newRow("frame, pitch 10,000:1") << "frame" << 1e4 << 1.0 << 0.01;
+        QTest::newRow("30 % missing, pitch 1:10,000") << "points" << 1.0 << 1e4 << 0.4;
+        QTest::newRow("islands, pitch 1:30") << "islands" << 1.0 << 30.0 << 0.4;
+    }
+    void centralDifferencesOfLongPixelsKeepTheHeights()
+    {
+        QFETCH(QString, gaps);
+        QFETCH(double, xMm);
+        QFETCH(double, yMm);
+        QFETCH(double, ofSq);
+        const int side = 100;
+        const cv::Mat height = centred(roughSurface(side, side));
+        cv::Mat measured = placesWithout(gaps == "points" ? 0.3 : 0, height.size(), 4);
+        for (int i = 0; i < side; ++i)
+            for (int j = 0; j < side; ++j)
+                if ((gaps == "frame" && std::min({i, j, side - 1 - i, side - 1 - j}) < 5) ||
+                    (gaps == "islands" && (i % 40 >= 25 || j % 40 >= 25)))
+                    measured.at<uchar>(i, j) = 0;
+        const Pitch pitch{xMm, yMm};
+        cv::Mat difference =
+            integrateAround(slopesOf(height, pitch, SlopeKind::Central), measured, pitch, SlopeKind::Central) - height;
+        difference -= cv::mean(difference, measured)[0];
+        const double error = cv::norm(difference, cv::NORM_L2, measured) / cv::norm(height, cv::NORM_L2, measured);
+        QVERIFY2(error < ofSq, qPrintable(QString("%1 of Sq").arg(error)));
+    }
+
+    /// Weights differ by 1e5, yet the pixels are square: multigrid solves it, which a transform alone does in hundreds of steps.
+    void squarePixelsWithOneMeasuredRowAreNotTakenForLongOnes()
+    {
+        const cv::Mat quick = surfaceOfWeightedRises(oneMeasuredRow(100)),
+                      slow = surfaceOfWeightedRises(oneMeasuredRow(100), {.mostIterations = 0});
+        QVERIFY(shareOfSq(centred(quick), centred(slow)) < 1e-3);
+        QVERIFY(largestDifference(quick, slow) > 0);  // They would be equal if both used the transform alone.
+    }
+
+    void profilesWithGapsAreSummed_data()
+    {
+        QTest::addColumn<int>("rows");
+        QTest::addColumn<int>("columns");
+        for (const auto& [rows, columns] : {std::pair{1, 200}, {64, 1}, {63, 1}, {1, 12}})
+            QTest::addRow("%dx%d", rows, columns) << rows << columns;
+    }
+    void profilesWithGapsAreSummed()
+    {
+        QFETCH(int, rows);
+        QFETCH(int, columns);
+        const cv::Mat height = roughSurface(rows, columns);
+        for (std::uint64_t seed = 1; seed <= 20; ++seed)
+            for (const auto kind : {SlopeKind::Point, SlopeKind::Forward}) {
+                const Slopes slopes = slopesOf(height, surfacePitch, kind);
+                const cv::Mat known = placesWithout(0.3, height.size(), seed);
+                const cv::Mat direct = DirectSolution(slopes, known, surfacePitch, kind).height();
+                QVERIFY(shareOfSq(integrateAround(slopes, known, surfacePitch, kind), direct) < 1e-6);
+            }
+    }
+
+    /// The lattices of central differences end at every gap, and where their parts lie is an estimate.
+    void profilesOfCentralDifferencesStayNearTheSurface_data() { profilesWithGapsAreSummed_data(); }
+    void profilesOfCentralDifferencesStayNearTheSurface()
+    {
+        QFETCH(int, rows);
+        QFETCH(int, columns);
+        const cv::Mat height = roughSurface(rows, columns);
+        const Slopes slopes = slopesOf(height, surfacePitch, SlopeKind::Central);
+        for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+            const cv::Mat known = placesWithout(0.1, height.size(), seed);
+            const cv::Mat found = integrateAround(slopes, known, surfacePitch, SlopeKind::Central);
+            QVERIFY(shareOfSq(found, centred(height)) < 0.5);
+        }
+    }
+
+    void unusedLastSlopesDoNotReachTheGaps()
+    {
+        const cv::Mat height = roughSurface(30, 40), known = placesWithout(0.3, height.size(), 2);
+        const Slopes slopes = forwardSlopes(height, surfacePitch);  // They hold 1000 and -1000 in the last column and row.
+        Slopes others{slopes.x.clone(), slopes.y.clone()};
+        others.x.col(39) = 0;
+        others.y.row(29) = 0;
+        const auto found = [&](const Slopes& any) { return integrateAround(any, known, surfacePitch, SlopeKind::Forward); };
+        QVERIFY(largestDifference(found(slopes), found(others)) == 0);
+    }
+
+    void withoutMultigridTheTransformSolvesTheSame()
+    {
+        const cv::Mat quick = surfaceOfWeightedRises(oneStep()),
+                      direct = surfaceOfWeightedRises(oneStep(), {.mostIterations = 0});
+        QVERIFY(cv::norm(direct) > 1);
+        QVERIFY(shareOfSq(centred(quick), centred(direct)) < 1e-4);
+    }
+
+    void heightsThatAreNotFoundAreAFault()
+    {
+        WeightedRises broken = oneStep();
+        broken.weights.x.at<float>(5, 5) = std::numeric_limits<float>::quiet_NaN();
+        QVERIFY(refusalOf([&] { surfaceOfWeightedRises(broken); }).contains("a map of 16 x 16 pixels: the heights around"));
+        for (const auto& [accepted, limit] : {std::pair{2e-6, "0.0001"}, {5e-4, "0.0005"}}) {
+            const auto refusal = refusalOf([&] { surfaceOfWeightedRises(broken, {.residualToAccept = accepted}); });
+            QVERIFY2(refusal.contains(QString("at most ") + limit), qPrintable(refusal));
+        }
+        Slopes steep{cv::Mat(16, 16, CV_64FC1, 1e300), cv::Mat::zeros(16, 16, CV_64FC1)};
+        const cv::Mat known = placesWithout(0.3, steep.x.size(), 1);
+        for (const auto kind : {SlopeKind::Point, SlopeKind::Central})
+            QVERIFY(
+                refusalOf([&] { integrateAround(steep, known, surfacePitch, kind); }).contains("the range of 32-bit numbers"));
     }
 
     void tiltIsRemovedByThePlacesOutside()

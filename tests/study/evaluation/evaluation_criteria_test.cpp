@@ -141,6 +141,24 @@ private Q_SLOTS:
         QVERIFY(one.found.find("noise floor") != std::string::npos);
     }
 
+    /// A fabric that the control cannot predict, and that the generator finds hard.
+    void meansAreComparedOverTheFabricsThatBothHave()
+    {
+        Evaluation evaluation = good(SplitKind::Fabric);
+        PredictorResult &ours = of(evaluation, PredictorKind::Generated), &retrieval = of(evaluation, PredictorKind::Retrieval);
+        const auto measure = Measure::MeanFrictionError;
+        at(ours.fabrics[0].values, measure) = 0.3;
+        at(ours.mean, measure) = (0.3 + 0.04 + 0.04) / 3;
+        at(retrieval.fabrics[0].values, measure) = stats::Value::undefined("no photograph is near");
+        const auto shared = named(criteriaOf(evaluation), "mean off by", "nearest photograph");
+        QCOMPARE(shared.reached, std::optional(true));
+        QVERIFY2(shared.found.find("4.0 % to 8.0 % (over the 2 of 3 fabrics that have both)") != std::string::npos,
+                 shared.found.c_str());
+        for (std::size_t i : {1U, 2U}) at(ours.fabrics[i].values, measure) = stats::Value::undefined("no stroke");
+        const auto none = named(criteriaOf(evaluation), "mean off by", "nearest photograph");
+        QVERIFY2(!none.reached && none.found.find("on no fabric that both have") != std::string::npos, none.found.c_str());
+    }
+
     void worstFabricDecidesTheRoughness()
     {
         Evaluation evaluation = good();

@@ -150,8 +150,8 @@ private Q_SLOTS:
         const auto stroke = readSignal(at("set/F01/friction/000.csv"));
         const auto& trace = std::get<SeenTrace>(stroke.what);
         QCOMPARE(trace.placeUnit, std::string("mm"));
-        QCOMPARE(trace.places, (std::vector<double>{0, 2.5, 5}));  // 5 mm/s
-        QCOMPARE(trace.values, (std::vector<double>{0.2, 0.3, 0.2}));
+        QCOMPARE(trace.places, (std::vector<double>{0, 2.5, 5, 7.5, 10, 12.5, 15, 17.5}));  // 5 mm/s
+        QCOMPARE(trace.values, (std::vector<double>{0.2, 0.3, 0.2, 0.2, 0.3, 0.2, 0.2, 0.3}));
         QVERIFY(warningsIn(readSignal(at("set/F01/height/000.tiff"))).contains("All values are equal"));
     }
 
@@ -281,6 +281,8 @@ private Q_SLOTS:
         QTest::addColumn<QString>("unit");
         QTest::newRow("coefficient") << QByteArray("t_s,mu\n0,1\n1,2\n") << "coefficient of friction"
                                      << "s";
+        QTest::newRow("coefficient under another name") << QByteArray("t_s,COF\n0,1\n1,2\n") << "coefficient of friction"
+                                                        << "s";
         QTest::newRow("counts") << QByteArray("t_s,taxel_sum_counts\n0,1\n1,2\n") << "taxel_sum_counts"
                                 << "s";
         QTest::newRow("of a stroke") << QByteArray("t_s,position_mm,normal_n,tangential_n\n0,0,1,1\n1,5,1,2\n")

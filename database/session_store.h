@@ -2,6 +2,7 @@
 // a file of this disk, StationStore (server/station_store.h) on a server that many stations share.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -187,6 +188,10 @@ struct ReleasedImage {
 };
 /// What the seal of a released image is bound to.
 inline constexpr const char* releasedImageBound = "vis2hap.image";
+
+/// What a study on a server takes (server/sql/functions.sql); a session keeps it in folders, too.
+inline constexpr std::size_t longestText = 100'000;       ///< bytes of words, a note, a reason or a fact
+inline constexpr std::size_t longestPayload = 1'000'000;  ///< bytes of the JSON of an event
 
 class SessionStore {
 public:

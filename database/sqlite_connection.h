@@ -8,6 +8,7 @@
 #include <QSqlQuery>
 #include <QVariant>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 
@@ -121,6 +122,9 @@ private:
 
 /// The version of the SQLite library, such as "3.40.1".
 std::string sqliteVersion();
+
+/// Each "?" outside quotes as the name of its place, counted from 0.
+QString withPlaceholders(const QString& sql, const std::function<QString(qsizetype)>& nameOf);
 
 QString toQt(const std::string& text);
 std::string fromQt(const QVariant& text);

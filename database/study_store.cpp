@@ -1,6 +1,5 @@
 #include "database/study_store.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <optional>
 #include <set>
@@ -11,14 +10,15 @@
 #include "database/audit.h"
 #include "database/disk/open_files.h"
 #include "database/disk/server_note.h"
+#include "database/disk/study_upgrade.h"
 #include "database/disk/write_lock.h"
 #include "database/erasure.h"
+#include "database/open_study.h"
 #include "database/rescue.h"
 #include "database/rescue_files.h"
 #include "database/sqlite_connection.h"
 #include "database/study_creation.h"
 #include "database/study_rows.h"
-#include "database/study_upgrade.h"
 #include "database/study_writing.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/safe_text.h"
@@ -26,111 +26,6 @@
 #include "protocols/files/whole_file.h"
 
 namespace database {
-
-struct StudyStore::Connection {
-    enum class Moment { BeforeStep, AfterStep };  ///< when the open files are looked at
-
-    std::unique_ptr<protocols::TemporaryFolder> copy;  ///< of a study of an earlier version that is only read
-    StudyFolder folder;
-    std::unique_ptr<WriteLock> lock;  ///< null for a reader
-    SqliteConnection sqlite;
-    std::filesystem::path serverFolder = {};  ///< of a study on a server, of which this is a copy
-    std::optional<OpenFiles> files = {};      ///< of a writer
-    std::filesystem::path keptAside = {};     ///< the rescue file, once the open files are no longer in place
-    LogHead keptHead = {};                    ///< end of the log in the rescue file
-    std::optional<StudyFacts> facts = {};     ///< once they were asked for
-    /// Participants that the open batch may store; none without a batch.
-    std::optional<std::set<protocols::ParticipantId>> batch = {};
-    bool isGivenUp = false;                   ///< the files hold bytes of somebody else
-    bool isTold = false;                      ///< that the files are not in place
-    std::filesystem::path upgradedFrom = {};  ///< the study of which this is an upgraded copy
-    bool isChainedAnew = false;               ///< the log of this copy
-
-    /// A database that somebody overwrote, deleted or replaced since the last step is noticed at the end, too. The bytes that
-    /// stand there then are not mixed with older ones. Where only its log is gone, the close moves what the open log holds into
-    /// the database.
-    ~Connection()
-    {
-        try {
-            if (files && keptAside.empty()) lookAtTheEnd();
-            if (!isTold && (isGivenUp || !keptAside.empty())) std::fprintf(stderr, "%s\n", displaced().what());
-        } catch (const std::exception& fault) {
-            std::fprintf(stderr, "%s\n", fault.what());
-        }
-        if (isGivenUp || (!keptAside.empty() && !files->hasDatabaseInPlace())) files->giveUp(!keptAside.empty());
-    }
-
-    /// Keeps aside what the close might lose. A folder that was moved has its files with it, and one that was removed is not
-    /// wanted any more. A file system that does not answer may have lost them.
-    void lookAtTheEnd()
-    {
-        std::error_code unknown;
-        const OpenFiles::State state = files->state();
-        const bool isLost =
-            state == OpenFiles::State::Gone && !files->hasDatabaseInPlace() && std::filesystem::exists(folder.folder, unknown);
-        if (state == OpenFiles::State::Overwritten || isLost) hasFilesInPlace();
-        if (state != OpenFiles::State::Unseen || !files->copy()) return;
-        const protocols::Error fault = files->unseen();
-        std::fprintf(stderr, "%s; every stored answer is kept in %s, too\n", fault.what(),
-                     keepAside(sqlite, files->copy(), folder).c_str());
-    }
-
-    void requireInBatch(bool belongs, const protocols::ParticipantId& participant) const
-    {
-        if (belongs) return;
-        throw protocols::workFailed({"only simulated participants are stored in batches", participant.value,
-                                     "each event of other participants in a transaction of its own", ""});
-    }
-
-    /// False for a writer whose files somebody deleted, replaced, overwrote or moved. Everything stored so far is kept aside
-    /// then. Before a step, throws environmentFault where the file system does not say; the same step can then be done again.
-    bool hasFilesInPlace(Moment moment = Moment::BeforeStep)
-    {
-        if (!files) return true;
-        if (!keptAside.empty()) return false;
-        const OpenFiles::State state = files->state();
-        if (state == OpenFiles::State::InPlace) return true;
-        if (state == OpenFiles::State::Unseen) {
-            if (moment == Moment::AfterStep) return true;  // it is stored, so it must not be done again
-            throw files->unseen();
-        }
-        if (state == OpenFiles::State::Overwritten && files->copy() && holdsAllOf(*files->copy(), folder.database())) {
-            files->takeCopy();
-            return true;
-        }
-        isGivenUp = isGivenUp || state == OpenFiles::State::Overwritten;
-        if (isGivenUp && !files->copy()) return false;  // a very large study, or one of simulated participants
-        keptAside = keepAside(sqlite, files->copy(), folder);
-        keptHead = headIn(SqliteConnection(keptAside, SqliteConnection::Mode::Read));
-        return false;
-    }
-
-    protocols::Error displaced() const
-    {
-        if (keptAside.empty())
-            return protocols::workFailed({"the database is damaged (overwritten while it was open)", folder.database().string(),
-                                          "the file that the session began with",
-                                          "keep study.db-wal, which holds the newest answers; restore study.db from a backup"});
-        const auto found = rescueFiles(folder);  // none in the folder for temporary files
-        const bool isFound = std::ranges::find(found, keptAside) != found.end();
-        return protocols::environmentFault(
-            {"the database of the study was deleted, replaced, overwritten or moved while it was open",
-             folder.database().string(), "the file that the session began with",
-             "every stored answer is kept in " + keptAside.string() + "; close the study, then run vis2hap rescue " +
-                 protocols::shellWord(folder.folder.string()) +
-                 (isFound ? "" : " --from " + protocols::shellWord(keptAside.string()))});
-    }
-
-    /// Stops a writer whose files, or whose lock, are no longer in place.
-    void requireFilesInPlace(Moment moment = Moment::BeforeStep)
-    {
-        if (!hasFilesInPlace(moment)) {
-            isTold = true;
-            throw displaced();
-        }
-        if (lock && moment == Moment::BeforeStep) lock->requireInPlace();
-    }
-};
 
 namespace {
 
@@ -148,7 +43,6 @@ std::unique_ptr<protocols::TemporaryFolder> upgraded(const StudyFolder& folder, 
     return upgradedCopy(folder);
 }
 
-/// Runs a write with the open files in place before it and after it, so that an acknowledged answer is in the folder.
 /// A rescue gives study.db another name before it puts the rescued one in its place.
 bool hasInterruptedRescue(const StudyFolder& folder)
 {
@@ -178,6 +72,7 @@ void requireOwnFile(const StudyFolder& folder, StudyStore::Access access)
              "close every program of the study, then: cp -p " + word + " " + word + ".new && mv " + word + ".new " + word});
 }
 
+/// Runs a write with the open files in place before it and after it, so that an acknowledged answer is in the folder.
 template <class Connection, class Write>
 auto written(Connection& connection, const Write& write)
 {
@@ -362,11 +257,6 @@ std::vector<protocols::ParticipantId> StudyStore::nextParticipantIds(const std::
     return ids;
 }
 
-void StudyStore::setSlotState(const protocols::ParticipantId& participant, SlotState state)
-{
-    written(*m_connection, [&] { setSlotStateIn(m_connection->sqlite, participant, state); });
-}
-
 void StudyStore::append(const Append& entry)
 {
     const auto& batch = m_connection->batch;
@@ -530,8 +420,6 @@ void StudyStore::recordUnblinding(const UnblindingRecord& record)
 }
 
 std::optional<UnblindingRecord> StudyStore::unblinding() const { return unblindingIn(m_connection->sqlite); }
-
-int StudyStore::synchronousMode() const { return m_connection->sqlite.value(QStringLiteral("PRAGMA synchronous")).toInt(); }
 
 std::vector<std::string> StudyStore::faults() const { return faultsOfDatabase(m_connection->sqlite); }
 

@@ -76,7 +76,6 @@ public:
     /// The next `count` unused ids: the prefix with a number of at least two digits, "SIM01". The ids of withdrawn
     /// participants count as used.
     std::vector<protocols::ParticipantId> nextParticipantIds(const std::string& prefix, std::size_t count) const;
-    void setSlotState(const protocols::ParticipantId& participant, SlotState state);
 
     /// Every writing call throws environmentFault where somebody deleted, replaced, overwrote or moved the open database; a
     /// rescue file then holds everything that was acknowledged. The destructor looks once more, and prints where that file lies.
@@ -148,8 +147,6 @@ public:
     void recordUnblinding(const UnblindingRecord& record);
     std::optional<UnblindingRecord> unblinding() const;
 
-    /// PRAGMA synchronous of this connection: 2.
-    int synchronousMode() const;
     /// One line for each fault of the file, its foreign keys and the hash chain.
     std::vector<std::string> faults() const;
 

@@ -180,7 +180,7 @@ Slot enrolIn(const SqliteConnection& sqlite, const protocols::ParticipantId& par
         transaction.commit();
         return taken;
     }
-    protocols::requireGoodId(participant.value, "a participant", sqlite.folder());
+    protocols::requireGoodNewId(participant.value, "a participant", sqlite.folder());
     const QVariant place = sqlite.value(
         QStringLiteral("SELECT s.number FROM slots s WHERE NOT EXISTS (SELECT 1 FROM participants p WHERE p.slot = s.number AND "
                        "p.state <> 'withdrawn') ORDER BY s.number LIMIT 1"));
@@ -196,14 +196,6 @@ Slot enrolIn(const SqliteConnection& sqlite, const protocols::ParticipantId& par
     store(sqlite, actOnStudy("enrolled", payload, wallTimeNow()));
     transaction.commit();
     return free;
-}
-
-void setSlotStateIn(const SqliteConnection& sqlite, const protocols::ParticipantId& participant, SlotState state)
-{
-    Transaction transaction(sqlite);
-    moveState(sqlite, participant, state);
-    store(sqlite, actOnStudy("slot_state_set", {{"participant", participant.value}, {"state", nameOf(state)}}, wallTimeNow()));
-    transaction.commit();
 }
 
 void appendTo(const SqliteConnection& sqlite, const StudyStore::Append& entry)

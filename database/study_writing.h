@@ -22,9 +22,6 @@ std::string withCommitments(const std::string& payloadJson, const std::vector<Sa
 /// As StudyStore::enrol.
 Slot enrolIn(const SqliteConnection& sqlite, const protocols::ParticipantId& participant, ParticipantKind kind);
 
-/// As StudyStore::setSlotState.
-void setSlotStateIn(const SqliteConnection& sqlite, const protocols::ParticipantId& participant, SlotState state);
-
 /// As StudyStore::append.
 void appendTo(const SqliteConnection& sqlite, const StudyStore::Append& entry);
 

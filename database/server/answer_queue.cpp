@@ -1,8 +1,7 @@
 #include "database/server/answer_queue.h"
 
+#include <exception>
 #include <filesystem>
-
-#include "protocols/files/errors.h"
 
 namespace database {
 
@@ -41,6 +40,7 @@ AnswerQueue::AnswerQueue(const StudyFolder& folder)
 
 void AnswerQueue::put(const Entry& entry)
 {
+    waitForDisk();
     Transaction transaction(m_file);
     m_file.run(QStringLiteral("INSERT INTO entries(participant, kind, json) VALUES (?, ?, ?)"),
                {toQt(entry.participant), toQt(entry.kind), toQt(entry.json)});
@@ -56,6 +56,7 @@ std::optional<AnswerQueue::Entry> AnswerQueue::first() const
 
 void AnswerQueue::remove(std::int64_t number)
 {
+    waitForDisk();
     {
         Transaction transaction(m_file);
         m_file.run(QStringLiteral("DELETE FROM entries WHERE number = ?"), {qlonglong(number)});
@@ -103,16 +104,29 @@ void AnswerQueue::keepEnrolled(const std::string& participant)
     keep(QStringLiteral("INSERT OR IGNORE INTO enrolled(participant) VALUES (?)"), {toQt(participant)});
 }
 
-/// A commit with synchronous NORMAL waits for no disk, so it costs an answer some microseconds. Entries keep FULL.
+/// A commit with synchronous NORMAL waits for no disk, so it costs an answer some microseconds. Entries keep FULL. The answer may
+/// be on the server already, so nothing here may throw.
 void AnswerQueue::keep(const QString& sql, const QVariantList& values)
 {
+    m_waitsForDisk = false;
     try {
         m_file.run(QStringLiteral("PRAGMA synchronous = NORMAL"));
         m_file.run(sql, values);
-    } catch (const protocols::Error&) {
+    } catch (const std::exception&) {
         // An older memory is better than an answer that fails.
     }
+    try {
+        waitForDisk();
+    } catch (const std::exception&) {
+        // The next entry asks for it again, and is refused where that fails.
+    }
+}
+
+void AnswerQueue::waitForDisk()
+{
+    if (m_waitsForDisk) return;
     m_file.run(QStringLiteral("PRAGMA synchronous = FULL"));
+    m_waitsForDisk = true;
 }
 
 }  // namespace database

@@ -47,8 +47,13 @@ public:
     void keepEnrolled(const std::string& participant);
 
 private:
+    /// Never throws.
     void keep(const QString& sql, const QVariantList& values);
+    /// From here on a commit returns only when it is on the disk.
+    void waitForDisk();
+
     SqliteConnection m_file;
+    bool m_waitsForDisk = true;  ///< false while, or after, something is kept without waiting
 };
 
 }  // namespace database

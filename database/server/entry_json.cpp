@@ -2,6 +2,7 @@
 
 #include <QUuid>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "database/disk/finger_text.h"
 #include "database/stored_texts.h"
@@ -59,16 +60,17 @@ Json jsonOf(const SessionStore::Note& note)
 
 }  // namespace
 
-std::string entryJson(const SessionStore::Append& entry, int before)
+EntryToSend entryToSend(const SessionStore::Append& entry, int before)
 {
     const std::vector<SaltedFact> facts = salted(entry.facts);
+    std::string payload = withCommitments(entry.event.payloadJson, facts);
     Json json{{"id", QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString()},
               {"after", before},
               {"event",
                {{"participant", entry.event.participant.value},
                 {"sitting", entry.event.sitting},
                 {"kind", entry.event.kind},
-                {"payload", withCommitments(entry.event.payloadJson, facts)},
+                {"payload", payload},
                 {"at_ns", entry.event.atNs},
                 {"wall_time", entry.event.wallTime}}},
               {"answers", Json::array()},
@@ -80,7 +82,7 @@ std::string entryJson(const SessionStore::Append& entry, int before)
               {"stored_at", entry.storedAtNs}};
     for (const AnswerRecord& answer : entry.answers) json["answers"].push_back(jsonOf(answer));
     for (const auto& [fact, value, salt] : facts) json["facts"].push_back(Json::array({fact, value, salt}));
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return {json.dump(-1, ' ', false, Json::error_handler_t::replace), std::move(payload)};
 }
 
 }  // namespace database

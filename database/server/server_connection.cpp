@@ -69,21 +69,8 @@ constexpr const char* ownSession =
     "('log_min_duration_statement', '-1'), ('log_error_verbosity', 'terse'), ('track_activities', 'off')) quiet(name, value) "
     "WHERE has_parameter_privilege(name, 'SET'))";
 
-/// "?" outside quotes as ":v1", ":v2": QPSQL would rewrite a text that holds another question mark.
-QString withNumbers(const QString& sql)
-{
-    QString numbered;
-    int count = 0;
-    bool isQuoted = false;
-    for (const QChar c : sql) {
-        if (c == QLatin1Char('\'')) isQuoted = !isQuoted;
-        if (c == QLatin1Char('?') && !isQuoted)
-            numbered += QStringLiteral(":v%1").arg(++count);
-        else
-            numbered += c;
-    }
-    return numbered;
-}
+/// ":v1", ":v2", ...: QPSQL would rewrite a text that holds another question mark.
+QString placeholderFromOne(qsizetype place) { return QStringLiteral(":v%1").arg(place + 1); }
 
 }  // namespace
 
@@ -193,7 +180,7 @@ QSqlQuery ServerConnection::run(const QString& sql, const QVariantList& values) 
         if (!query.exec(text)) fail(query.lastError());
         return query;
     }
-    if (!query.prepare(withNumbers(text))) fail(query.lastError());
+    if (!query.prepare(withPlaceholders(text, placeholderFromOne))) fail(query.lastError());
     for (qsizetype place = 0; place < values.size(); ++place)
         query.bindValue(QStringLiteral(":v%1").arg(place + 1), values[place]);
     if (!query.exec()) fail(query.lastError());
@@ -263,7 +250,9 @@ void ServerConnection::fail(const QString& code, const QStringList& parts) const
     if (code == QLatin1String("53100"))
         throw protocols::environmentFault({"the disk of the server is full; this step was not stored", where, "",
                                            "free some space on the server and do it again"});
-    throw protocols::workFailed({"the server refused a step: " + what + " (" + code.toStdString() + ")", where, "", ""});
+    const protocols::Fault refused{"the server refused a step: " + what + " (" + code.toStdString() + ")", where, "", ""};
+    if (code == QLatin1String("55P03")) throw ServerLocked(refused);
+    throw protocols::workFailed(refused);
 }
 
 ServerTransaction::ServerTransaction(const ServerConnection& connection, Kind kind) : m_connection(connection)

@@ -19,6 +19,12 @@ public:
     explicit ServerAway(const protocols::Fault& fault) : Error(protocols::ExitCode::Environment, fault) {}
 };
 
+/// Another connection held a lock for longer than lock_timeout.
+class ServerLocked : public protocols::Error {
+public:
+    explicit ServerLocked(const protocols::Fault& fault) : Error(protocols::ExitCode::WorkFailed, fault) {}
+};
+
 /// A study on the server refused a step, by one of its own rules (functions.sql).
 class ServerRefusal : public protocols::Error {
 public:

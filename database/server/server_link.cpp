@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 #include <queue>
+#include <system_error>
 #include <thread>
 
 #include "database/server/server_connection.h"
@@ -45,7 +46,7 @@ struct ServerLink::Worker {
 
 namespace {
 
-/// Threads of all links of the process: they outlive their links, so nobody else can count them.
+/// Threads of all links of the process, and those beside them: they outlive their owners, so nobody else can count them.
 struct LivingThreads {
     std::mutex mutex;
     std::condition_variable ended;
@@ -89,12 +90,12 @@ ServerReply replyOf(const ServerConnection& server, const char* function, const 
 
 ServerLink::ServerLink(ServerAddress address) : m_worker(std::make_shared<Worker>()), m_address(std::move(address))
 {
-    beginThread();
-    std::thread([own = m_worker]() mutable {
-        Worker::run(own);
-        own.reset();
-        endThread();
-    }).detach();
+    try {
+        runBesideLinks([own = m_worker] { Worker::run(own); });
+    } catch (const std::system_error&) {
+        throw ServerAway({"the computer starts no further work", "", "memory and room for one more thread",
+                          "close other programs, then try again"});
+    }
 }
 
 ServerLink::~ServerLink()
@@ -151,6 +152,21 @@ ServerReply ServerLink::waited(std::future<ServerReply> reply, std::chrono::mill
     if (reply.wait_for(patience) != std::future_status::ready)
         throw ServerAway({"the server does not answer", m_address.text, "", "check the network and the server"});
     return reply.get();
+}
+
+void runBesideLinks(std::function<void()> work)
+{
+    beginThread();
+    try {
+        std::thread([own = std::move(work)]() mutable {
+            own();
+            own = nullptr;  // what the work holds ends before its thread counts as ended
+            endThread();
+        }).detach();
+    } catch (...) {
+        endThread();
+        throw;
+    }
 }
 
 bool haveLinksEnded(std::chrono::milliseconds patience)

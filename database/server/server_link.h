@@ -4,6 +4,7 @@
 
 #include <QVariant>
 #include <chrono>
+#include <functional>
 #include <future>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -21,7 +22,8 @@ struct ServerReply {
 
 class ServerLink {
 public:
-    /// Connects at the first call. An address without a study means the only one of its database.
+    /// Connects at the first call. An address without a study means the only one of its database. Throws ServerAway where no
+    /// thread can begin.
     explicit ServerLink(ServerAddress address);
     /// Does not wait for a call that was given up.
     ~ServerLink();
@@ -44,8 +46,12 @@ private:
     ServerAddress m_address;
 };
 
-/// Waits until the threads of links that were given up have ended, and returns whether all have. The program must not take down
-/// Qt while one of them still waits for a server.
+/// Runs work that may wait for a server on a thread that nobody waits for but haveLinksEnded(). The work must not throw. Throws
+/// std::system_error where no thread can begin.
+void runBesideLinks(std::function<void()> work);
+
+/// Waits until the threads of links that were given up, and those of runBesideLinks(), have ended. Returns whether all have. The
+/// program must not take down Qt while one of them still waits for a server.
 bool haveLinksEnded(std::chrono::milliseconds patience);
 
 }  // namespace database

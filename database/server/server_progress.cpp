@@ -1,6 +1,7 @@
 #include "database/server/server_progress.h"
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "database/server/server_connection.h"
 #include "database/server/server_replies.h"
@@ -25,13 +26,20 @@ ServerProgress progressOf(const ServerAddress& address)
 void ProgressWatch::ask()
 {
     if (m_reply.valid()) return;
-    if (!m_link) m_link = std::make_unique<ServerLink>(m_address);
+    try {
+        if (!m_link) m_link = std::make_unique<ServerLink>(m_address);
+    } catch (const ServerAway& fault) {
+        lose(fault.what(), false);  // this computer is in need, not the server
+        m_isUntold = true;
+        return;
+    }
     m_reply = m_link->start("progress", {});
     m_askedAt = std::chrono::steady_clock::now();
 }
 
 bool ProgressWatch::take()
 {
+    if (std::exchange(m_isUntold, false)) return true;
     if (!m_reply.valid()) return false;
     const auto now = std::chrono::steady_clock::now();
     if (m_reply.wait_for(0ms) != std::future_status::ready) {

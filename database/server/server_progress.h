@@ -58,7 +58,7 @@ class ProgressWatch {
 public:
     explicit ProgressWatch(ServerAddress address) : m_address(std::move(address)) {}
 
-    /// Asks, unless the last question still waits for its reply.
+    /// Asks, unless the last question still waits for its reply. Where no thread can begin, take() has the fault.
     void ask();
     /// Takes a reply or a fault that has arrived. Returns whether there was one.
     bool take();
@@ -82,6 +82,7 @@ private:
     std::optional<ServerProgress> m_seen;
     std::string m_fault;
     bool m_isAway = false;
+    bool m_isUntold = false;  ///< a question that could not be asked
 };
 
 }  // namespace database

@@ -76,6 +76,22 @@ void requireKnown(const ServerConnection& server, const std::string& login, cons
                                    "make it first: CREATE ROLE \"" + login + "\" LOGIN PASSWORD '…'"});
 }
 
+/// An earlier version may have moved the study there. The rights of each function stay. A function that is new belongs to the
+/// login that makes it, so only the owner's may.
+void renewFunctions(const ServerConnection& server)
+{
+    const bool isOwner = server
+                             .value(QStringLiteral("SELECT nspowner = (SELECT oid FROM pg_roles WHERE rolname = current_user) "
+                                                   "FROM pg_namespace WHERE oid = '@schema@'::regnamespace"))
+                             .toBool();
+    if (!isOwner) return;
+    if (server.value(QStringLiteral("SELECT to_regclass('@schema@.server_owed') IS NULL")).toBool())
+        throw protocols::badInput({"the study has the tables of an earlier version", server.address().text,
+                                   "a study that this version moved there",
+                                   "move the study back with the version that moved it, and there again with this one"});
+    server.runScript(serverScript("functions"));
+}
+
 QString quoted(const std::string& name)
 {
     return QLatin1Char('"') + toQt(name).replace(QLatin1Char('"'), QStringLiteral("\"\"")) + QLatin1Char('"');
@@ -89,6 +105,7 @@ std::vector<std::string> makeRoles(const ServerAddress& address, const std::vect
     server.chooseStudy();
     for (const auto& [login, role] : logins) requireKnown(server, login, role);
     ServerTransaction transaction(server);
+    renewFunctions(server);
     server.runScript(serverScript("roles"));
     for (const auto& [login, role] : logins)
         server.run(QStringLiteral("GRANT \"@prefix@_%1\" TO %2").arg(toQt(role), quoted(login)));

@@ -12,8 +12,8 @@
 namespace database {
 
 /// Makes the study's roles where they are missing, and grants them. `logins`: login and role ("experimenter", "monitor",
-/// "analyst" or "display"). Returns one line for each role. Throws badInput for an unknown role or login, and without the right
-/// to make roles.
+/// "analyst" or "display"). Called by the owner, it also gives the study the functions of this program. Returns one line for each
+/// role. Throws badInput for an unknown role or login, without the right to make roles, and for tables of an earlier version.
 std::vector<std::string> makeRoles(const ServerAddress& address, const std::vector<std::pair<std::string, std::string>>& logins);
 
 /// Where the images of presentations go: "station", or "display" with tickets for the stations. Only the owner may call it.

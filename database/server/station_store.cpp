@@ -33,6 +33,13 @@ bool passes(const ServerRefusal& refusal)
 
 bool meansAway(const protocols::Error& fault) { return dynamic_cast<const ServerAway*>(&fault) != nullptr; }
 
+/// Whether the server may answer the same question later. What a login may not do, and a study that is gone, must be seen.
+bool isOfThisMoment(const protocols::Error& fault)
+{
+    const auto* refusal = dynamic_cast<const ServerRefusal*>(&fault);
+    return fault.exitCode() == protocols::ExitCode::Environment || (refusal && passes(*refusal));
+}
+
 bool meansJoinAgain(const protocols::Error& fault)
 {
     const auto* refusal = dynamic_cast<const ServerRefusal*>(&fault);
@@ -154,8 +161,8 @@ Json StationStore::overview() const
 {
     if (m_link) try {
             m_overview = asked("overview");
-        } catch (const ServerAway&) {
-            if (m_overview.is_null()) throw;  // else what was known last
+        } catch (const protocols::Error& fault) {
+            if (m_overview.is_null() || !isOfThisMoment(fault)) throw;  // else what was known last
         }
     return m_overview;
 }
@@ -259,7 +266,11 @@ void StationStore::enrolNew(const protocols::ParticipantId& participant, Partici
     m_watch.requireAgreement(participant, m_note.address);
     (void)enrol(participant, kind);
     if (m_events.empty()) return;
+    const bool hasWithdrawn = m_slotState == SlotState::Withdrawn;
     leaveParticipant();
+    if (hasWithdrawn)
+        throw protocols::badInput({"participant " + participant.value + " has withdrawn", m_note.address,
+                                   "a code that nobody has", "type the next free code"});
     throw protocols::badInput({participant.value + " was enrolled at another station in the meantime", m_note.address,
                                "a code that nobody has", "type the next free code, or choose the participant in the list"});
 }
@@ -337,10 +348,11 @@ void StationStore::append(const Append& entry)
 {
     if (m_stale) throw *m_stale;
     m_lock.requireInPlace();
-    const AnswerQueue::Entry waiting{0, entry.event.participant.value, m_kind,
-                                     entryJson(entry, static_cast<int>(m_events.size()))};
+    EntryToSend sent = entryToSend(entry, static_cast<int>(m_events.size()));
+    const AnswerQueue::Entry waiting{0, entry.event.participant.value, m_kind, std::move(sent.json)};
     EventRecord event = entry.event;
     event.sequence = 0;
+    event.payloadJson = std::move(sent.payload);  // the next claim compares it with the server's
     if (m_link && m_queue.size() == 0) {
         try {
             event.sequence = send(waiting);
@@ -360,10 +372,23 @@ void StationStore::append(const Append& entry)
     m_events.push_back(std::move(event));
 }
 
+/// Before entries are sent and after it: where the connection ends between them, the monitors and the way back know of them.
+void StationStore::tellWaiting()
+{
+    try {
+        (void)m_link->call("sign_of_life", {static_cast<int>(m_queue.size())}, m_patience.answer);
+    } catch (const protocols::Error& fault) {
+        loseLink(fault);
+        throw;
+    }
+}
+
 /// Every entry is sent under a claim on its participant. An entry that the server refuses must not keep back those of others.
 /// After any other fault the link is lost, so that nothing seems to be on the server while it waits here.
 void StationStore::sendWaiting()
 {
+    if (m_queue.size() == 0) return;
+    tellWaiting();
     bool hasClaimed = false;
     while (const auto entry = m_queue.first()) {
         try {
@@ -386,6 +411,7 @@ void StationStore::sendWaiting()
             setAside(*entry, fault.what());
         }
     }
+    tellWaiting();
     if (hasClaimed && !m_isOpen) leaveParticipant();
 }
 

@@ -49,9 +49,9 @@ public:
     void append(const Append& entry) override;
     LogHead head() const override { return m_watch.head(); }
 
-    /// Enrols a participant who must be new. Throws badInput where another station has enrolled this id in the meantime. Where
-    /// the server lost entries, a code could be given to a second person: the first call throws badInput, and a call for the same
-    /// code after a second agrees to go on.
+    /// Enrols a participant who must be new. Throws badInput where another station has enrolled this id in the meantime, or this
+    /// participant has withdrawn. Where the server lost entries, a code could be given to a second person: the first call throws
+    /// badInput, and a call for the same code after a second agrees to go on.
     void enrolNew(const protocols::ParticipantId& participant, ParticipantKind kind);
     /// Ends the work on the participant here, so that any station can go on. Never throws.
     void leaveParticipant();
@@ -100,6 +100,7 @@ private:
     /// Returns the number of the entry in the log.
     std::int64_t send(const AnswerQueue::Entry& entry);
     void sendWaiting();
+    void tellWaiting();
     void setAside(const AnswerQueue::Entry& first, const std::string& why);
     /// `how` the server's log of the participant differs. The session that is open here must be opened again.
     void endSession(const std::string& how);

@@ -44,15 +44,44 @@ std::string stateOf(const ServerConnection& server)
     return fromQt(server.value(QStringLiteral("SELECT state FROM @schema@.server_study")));
 }
 
+/// Logins that hold locks on the study's tables, with the number of the process and the name of the program.
+std::string loginsAtWork(const ServerConnection& server)
+{
+    return fromQt(server.value(
+        QStringLiteral("SELECT string_agg(DISTINCT concat(coalesce(a.usename, 'a login that is not shown'), ' (process ', l.pid, "
+                       "nullif(', ' || a.application_name, ', '), ')'), ', ') "
+                       "FROM pg_locks l LEFT JOIN pg_stat_activity a ON a.pid = l.pid "
+                       "WHERE l.granted AND l.pid <> pg_backend_pid() AND l.relation IN (SELECT c.oid FROM pg_class c JOIN "
+                       "pg_namespace n ON n.oid = c.relnamespace WHERE n.nspname = ?) AND l.database = "
+                       "(SELECT d.oid FROM pg_database d WHERE d.datname = current_database())"),
+        {QStringLiteral("vis2hap_%1").arg(toQt(server.address().study))}));
+}
+
+protocols::Error studyIsInUse(const ServerConnection& server)
+{
+    const std::string logins = loginsAtWork(server);
+    return protocols::environmentFault(
+        {"the copy of the study on the server cannot be removed, because others read its tables: " +
+             (logins.empty() ? "logins that are not shown" : logins),
+         server.address().text, "no open transaction on the study within 10 seconds",
+         "close these, then run the same command again"});
+}
+
 void dropStudy(const ServerConnection& server)
 {
-    server.run(QStringLiteral("DROP SCHEMA @schema@ CASCADE"));
+    server.run(QStringLiteral("SET lock_timeout = '10s'"));
+    try {
+        server.run(QStringLiteral("DROP SCHEMA @schema@ CASCADE"));
+    } catch (const ServerLocked&) {
+        throw studyIsInUse(server);
+    }
     try {
         server.run(QStringLiteral(
             "DROP ROLE IF EXISTS \"@prefix@_experimenter\", \"@prefix@_monitor\", \"@prefix@_analyst\", \"@prefix@_display\""));
     } catch (const protocols::Error&) {
         // An owner without the right to make roles leaves them to the administrator; they have no rights any more.
     }
+    server.run(QStringLiteral("RESET lock_timeout"));
 }
 
 LogHead headOf(const ServerConnection& server)

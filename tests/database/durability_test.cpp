@@ -3,6 +3,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "database/sqlite_connection.h"
 #include "protocols/files/errors.h"
 #include "tests/support/counting_vfs.h"
 #include "tests/support/played_session.h"
@@ -37,8 +38,8 @@ private Q_SLOTS:
         const auto folder = buildStudy(place.filePath("study").toStdString());
         const StudyStore writer(folder, StudyStore::Access::Write);
         const StudyStore reader(folder, StudyStore::Access::Read);
-        QCOMPARE(writer.synchronousMode(), synchronousFull);
-        QCOMPARE(reader.synchronousMode(), synchronousFull);
+        for (const StudyStore* store : {&writer, &reader})
+            QCOMPARE(store->connection().value("PRAGMA synchronous").toInt(), synchronousFull);
     }
 
     void anAnswerIsSyncedBeforeTheNextPrompt()

@@ -34,6 +34,15 @@ const protocols::ParticipantId s01("S01");
 
 QString childProgram() { return QCoreApplication::applicationDirPath() + "/session_child"; }
 
+/// The last event of a session.
+StudyStore::Append endOf(const protocols::ParticipantId& participant, const char* kind, SlotState state)
+{
+    StudyStore::Append entry;
+    entry.event = {0, participant, 1, kind, "{}", 20 * oneSecondNs, "2026-01-01T10:00:10.000Z"};
+    entry.slotState = state;
+    return entry;
+}
+
 /// One answer to the first trial, at 10 s after a touch at 8 s.
 StudyStore::Append answerOf(const StudyStore& store, const char* question, std::optional<int> tenths)
 {
@@ -247,17 +256,40 @@ private Q_SLOTS:
         QVERIFY(errorOf([&] {
                     store.enrol(protocols::ParticipantId("S02"), ParticipantKind::Scripted);
                 }).contains("all slots of the study are taken"));
-        store.setSlotState(s01, SlotState::Finished);
+        store.append(endOf(s01, "debriefed", SlotState::Finished));
         QCOMPARE(store.slots()[1].state, SlotState::Finished);
-        QVERIFY(errorOf([&] { store.setSlotState(protocols::ParticipantId("nobody"), SlotState::Finished); }).startsWith("2:"));
+        QVERIFY(errorOf([&] {
+                    store.append(endOf(protocols::ParticipantId("nobody"), "debriefed", SlotState::Finished));
+                }).startsWith("2:"));
         QCOMPARE(store.faults(), std::vector<std::string>{"participant S01 is finished without 24 answers of the list"});
+    }
+
+    /// Tables read such a code as a missing value. Whom an earlier version enrolled can go on.
+    void wordsForMissingValuesEnrolNobodyNew()
+    {
+        const StudyFolder study = newStudy();
+        {
+            StudyStore store(study, Access::Write);
+            for (const char* code : {"NA", "NaN", "null", "None"}) {
+                const QString error = errorOf([&] { store.enrol(protocols::ParticipantId(code), ParticipantKind::Scripted); });
+                QVERIFY2(error.startsWith("2:") && error.contains("it stands for a missing value in tables"), qPrintable(error));
+            }
+            store.enrol(s01, ParticipantKind::Scripted);
+        }
+        {
+            RawSqlite raw(study.database());
+            raw.dropTriggers();
+            QCOMPARE(raw.run("UPDATE participants SET id = 'NA' WHERE id = 'S01'"), std::string());
+        }
+        StudyStore store(study, Access::Write);
+        QCOMPARE(store.enrol(protocols::ParticipantId("NA"), ParticipantKind::Scripted).number, 1);
     }
 
     void whoWithdrawsFreesTheSlotForTheNext()
     {
         StudyStore store(newStudy(), Access::Write);
         store.enrol(s01, ParticipantKind::Scripted);
-        store.setSlotState(s01, SlotState::Withdrawn);
+        store.append(endOf(s01, "withdrawn", SlotState::Withdrawn));
         QCOMPARE(store.slots()[0].state, SlotState::Free);
         const protocols::ParticipantId s02("S02");
         QCOMPARE(store.enrol(s02, ParticipantKind::Scripted).number, 1);

@@ -1,5 +1,5 @@
 // A study of version 0.5.0 is upgraded whole or not at all, wherever the program is killed.
-#include "database/study_upgrade.h"
+#include "database/disk/study_upgrade.h"
 
 #include <sys/wait.h>
 #include <unistd.h>

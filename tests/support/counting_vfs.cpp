@@ -15,6 +15,7 @@ struct SharedState {
     int writeFault = SQLITE_OK;
     int syncFault = SQLITE_OK;
     bool hasSharedMemory = true;
+    bool readsFail = false, readsFailAfterSync = false;
     DiskFault fault;
     std::int64_t operations = 0;
     std::chrono::milliseconds delay{0};
@@ -70,6 +71,7 @@ int syncFile(sqlite3_file* file, int flags)
     if (result == SQLITE_OK && isLog(file)) {
         ++shared.traffic.completedSyncs;
         shared.traffic.writesSinceSync = 0;
+        shared.readsFail = shared.readsFail || shared.readsFailAfterSync;
     }
     return shown(result, nameOf(file), DiskOperation::Kind::Sync);
 }
@@ -103,7 +105,10 @@ const sqlite3_io_methods countingMethods = {
     [](sqlite3_file* f, int page, int size, int extend, void volatile** memory) {
         return shared.hasSharedMemory ? methodsOf(f).xShmMap(realOf(f), page, size, extend, memory) : SQLITE_IOERR_SHMMAP;
     },
-    [](sqlite3_file* f, int offset, int count, int flags) { return methodsOf(f).xShmLock(realOf(f), offset, count, flags); },
+    [](sqlite3_file* f, int offset, int count, int flags) {
+        constexpr int asReader = SQLITE_SHM_LOCK | SQLITE_SHM_SHARED;
+        return shared.readsFail && flags == asReader ? SQLITE_IOERR_READ : methodsOf(f).xShmLock(realOf(f), offset, count, flags);
+    },
     [](sqlite3_file* f) { methodsOf(f).xShmBarrier(realOf(f)); },
     [](sqlite3_file* f, int deleteFlag) { return methodsOf(f).xShmUnmap(realOf(f), deleteFlag); },
     nullptr,
@@ -140,6 +145,10 @@ CountingVfs::~CountingVfs()
 }
 
 LogTraffic CountingVfs::traffic() const { return shared.traffic; }
+void CountingVfs::letReadsFailAfterNextSync() { shared.readsFailAfterSync = true; }
+
+void CountingVfs::letReadsWork() { shared.readsFail = shared.readsFailAfterSync = false; }
+
 void CountingVfs::letWritesFailWith(int code) { shared.writeFault = code; }
 void CountingVfs::letSyncsFailWith(int code) { shared.syncFault = code; }
 void CountingVfs::letSharedMemoryFail() { shared.hasSharedMemory = false; }

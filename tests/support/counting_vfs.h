@@ -46,6 +46,10 @@ public:
     /// Sets the result of all following writes: SQLITE_FULL, SQLITE_IOERR_WRITE, …; SQLITE_OK lets them work again.
     void letWritesFailWith(int code);
     void letSyncsFailWith(int code);
+    /// Statements that begin to read fail from the end of the next sync of a log on, until letReadsWork(): what that sync stored
+    /// is stored.
+    void letReadsFailAfterNextSync();
+    void letReadsWork();
     /// As a file system that maps no memory for several processes.
     void letSharedMemoryFail();
 

@@ -8,6 +8,7 @@
 #include <iostream>
 #include <string>
 
+#include "database/sqlite_connection.h"
 #include "protocols/files/errors.h"
 #include "tests/support/server/engine_session.h"
 
@@ -44,7 +45,8 @@ void look(const database::StudyFolder& folder)
 {
     if (::geteuid() == 0 && ::setuid(nobody) != 0) print("still root");
     const database::StudyStore store(folder, database::StudyStore::Access::Read);
-    print("read " + std::to_string(store.answers().size()) + " synchronous " + std::to_string(store.synchronousMode()));
+    const int synchronous = store.connection().value("PRAGMA synchronous").toInt();
+    print("read " + std::to_string(store.answers().size()) + " synchronous " + std::to_string(synchronous));
     try {
         const database::StudyStore writer(folder, database::StudyStore::Access::Write);
         print("write possible");

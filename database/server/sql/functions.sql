@@ -120,7 +120,8 @@ BEGIN
 END
 $$;
 
--- The fields of an entry. `place` names where the field is, such as "answers[0].".
+-- The fields of an entry. `place` names where the field is, such as "answers[0].". What a person typed has at most 100000 bytes,
+-- and a payload 1000000: longestText and longestPayload in database/session_store.h, which a session keeps.
 
 CREATE OR REPLACE FUNCTION @schema@.server_wrong_field(name text, expected text) RETURNS void LANGUAGE plpgsql AS $$
 BEGIN
@@ -519,6 +520,12 @@ BEGIN
                 || 'with no dot, dash or blank and end with no blank',
             HINT = 'choose another id';
     END IF;
+    -- faultOfNewId(): a table would read this id as a missing value.
+    IF lower(its_id) IN ('na', 'nan', 'null', 'none') THEN
+        RAISE EXCEPTION USING ERRCODE = 'VH104',
+            MESSAGE = '"' || its_id || '" cannot name a participant: it stands for a missing value in tables',
+            DETAIL = 'another id than NA, NaN, null and None in any case', HINT = 'choose another id';
+    END IF;
     SELECT s.number INTO free FROM @schema@.slots s
     WHERE NOT @schema@.server_is_taken(s.number)
     ORDER BY s.number LIMIT 1;
@@ -810,7 +817,7 @@ BEGIN
     made.question := @schema@.server_text(answer, 'question', 64, false, place);
     made.presentation_code := @schema@.server_text(answer, 'presentation_code', 64, false, place);
     made.alternatives := @schema@.server_text(answer, 'alternatives', 100000, false, place);
-    made.choice := @schema@.server_text(answer, 'choice', 1000, true, place);
+    made.choice := @schema@.server_text(answer, 'choice', 100000, true, place);
     made.rating_tenths := @schema@.server_whole(answer, 'rating_tenths', true, place, -2147483648, 2147483647);
     made.ready_at := @schema@.server_stamp(answer, 'ready_at', false, place);
     made.touched_at := @schema@.server_stamp(answer, 'touched_at', true, place);
@@ -955,7 +962,7 @@ BEGIN
     FOR item IN SELECT f.value FROM jsonb_array_elements(facts) f LOOP
         IF jsonb_typeof(item) <> 'array' OR jsonb_array_length(item) <> 3
            OR EXISTS (SELECT FROM jsonb_array_elements(item) part WHERE jsonb_typeof(part.value) <> 'string')
-           OR octet_length(item ->> 0) NOT BETWEEN 1 AND 200 OR octet_length(item ->> 1) > 100000
+           OR octet_length(item ->> 0) NOT BETWEEN 1 AND 2000 OR octet_length(item ->> 1) > 100000
            OR item ->> 2 !~ '^[0-9a-f]{64}$' OR NOT @schema@.server_is_kept_text(item ->> 0)
            OR NOT @schema@.server_is_kept_text(item ->> 1) THEN
             PERFORM @schema@.server_wrong_field('facts', 'lists of a fact, its value and a salt of 64 hexadecimal digits');

@@ -54,6 +54,8 @@ private Q_SLOTS:
     void anAnalystReadsTheRowsButNoKeys();
     void theOwnerIsToldWhatTheLoginLearns();
     void wrongGrantsAreOneLine();
+    void rolesBringTheFunctionsOfThisProgram();
+    void tablesOfAnEarlierVersionAreNamed();
 
 private:
     database::ServerAddress as(const char* login, const char* study = "roles") const
@@ -164,6 +166,8 @@ void RolesTest::nothingIsStoredForAnybodyElse()
     QVERIFY(send(bert, sentEntry("P11", 7, "begun")).contains("another station went on"));
     const QString scripted = errorOf([&] { bert.call("claim", {"P12", "scripted"}); });
     QVERIFY2(scripted.contains("only the owner"), qPrintable(scripted));
+    const QString missing = errorOf([&] { bert.call("claim", {"NaN", "human"}); });
+    QVERIFY2(missing.contains("it stands for a missing value in tables"), qPrintable(missing));
     const QString taken = errorOf([&] { bert.call("claim", {"P10", "human"}); });
     QVERIFY2(taken.contains("is at station one"), qPrintable(taken));
     auto forged = sentEntry("P11", 0, "answered");
@@ -458,6 +462,39 @@ void RolesTest::wrongGrantsAreOneLine()
     QVERIFY(errorOf([&] { makeRoles(as("owner"), {{"anna", "boss"}}); }).contains("no role \"boss\""));
     const QString refusal = errorOf([&] { makeRoles(as("anna"), {}); });
     QVERIFY2(refusal.contains("may not do this") || refusal.contains("cannot make the groups"), qPrintable(refusal));
+}
+
+/// An earlier version moved the study there, and its functions refuse more.
+void RolesTest::rolesBringTheFunctionsOfThisProgram()
+{
+    const StudyFolder study = studyOfAnna("renewed", {.participants = 2});
+    const auto lines = makeRoles(as("owner", "renewed"), {});
+    const ServerConnection owner(as("owner", "renewed")), anna(as("anna", "renewed"));
+    owner.run(
+        "CREATE OR REPLACE FUNCTION @schema@.server_fault_of_payload(its_kind text, payload text) RETURNS text "
+        "LANGUAGE sql IMMUTABLE AS $$ SELECT 'an older rule' $$");
+    anna.call("join_study", {"one", token, "test"});
+    anna.call("claim", {"P01", "human"});
+    const QString entry = QString::fromStdString(sentEntry("P01", 0, "noted").dump());
+    const auto refusal = [&] { return errorOf([&] { anna.call("store", {entry}); }); };
+    QVERIFY2(refusal().contains("an older rule"), qPrintable(refusal()));
+    QVERIFY(!errorOf([&] { makeRoles(as("anna", "renewed"), {}); }).isEmpty());
+    QVERIFY(refusal().contains("an older rule"));
+    QCOMPARE(makeRoles(as("owner", "renewed"), {}), lines);
+    QCOMPARE(refusal(), QString());
+    const auto rights = rightsOf(as("anna", "renewed"));
+    QCOMPARE(rights.learns, std::vector<std::string>());
+    QVERIFY(isAmong(rights.may, "store") && !isAmong(rights.may, "record_act"));
+    QCOMPARE(readStudy(study).faults(), std::vector<std::string>());
+}
+
+void RolesTest::tablesOfAnEarlierVersionAreNamed()
+{
+    (void)studyOfAnna("early", {.participants = 2});
+    ServerConnection(as("owner", "early")).run("DROP TABLE @schema@.server_owed CASCADE");
+    const QString refusal = errorOf([&] { makeRoles(as("owner", "early"), {}); });
+    QVERIFY2(refusal.startsWith("2: ") && refusal.contains("tables of an earlier version"), qPrintable(refusal));
+    QVERIFY2(refusal.contains("move the study back"), qPrintable(refusal));
 }
 
 QTEST_GUILESS_MAIN(RolesTest)

@@ -87,6 +87,7 @@ private Q_SLOTS:
     void aStationThatIsAwayIsNotForgotten();
     void whatAStationOwesOutlivesLaterJoins();
     void aStationThatGoesOnSettlesWhatAnotherOwed();
+    void whoKeepsTheStudyBusyIsNamed();
 
 private:
     StudyFolder folder(const char* name) const { return {m_folder.filePath(name).toStdString()}; }
@@ -453,6 +454,25 @@ void ServerMoveTest::aStationThatGoesOnSettlesWhatAnotherOwed()
     right.call("store", {QString::fromStdString(sentEntry("P01", 0, "begun").dump())});
     right.call("leave", {});
     QCOMPARE(errorOf([&] { moveToFolder(address, study); }), QString());
+}
+
+/// An analyst whose transaction stays open holds locks on what was read.
+void ServerMoveTest::whoKeepsTheStudyBusyIsNamed()
+{
+    const StudyFolder study = buildStudy(folder("busy").folder);
+    const auto address = database::serverAddressFrom(m_server->address("busy"));
+    moveToServer(study, address, "owner");
+    auto analyst = std::make_unique<ServerConnection>(address);
+    analyst->run("BEGIN");
+    (void)analyst->value("SELECT count(*) FROM @schema@.responses");
+    const QString process = analyst->value("SELECT pg_backend_pid()").toString();
+    const QString refusal = errorOf([&] { moveToFolder(address, study); });
+    QVERIFY2(refusal.contains("owner (process " + process), qPrintable(refusal));
+    QVERIFY2(refusal.contains("close these, then run the same command again"), qPrintable(refusal));
+    analyst.reset();
+    QCOMPARE(errorOf([&] { moveToFolder(address, study); }), QString());
+    QVERIFY(ServerConnection(address).studies().isEmpty() || !ServerConnection(address).studies().contains("busy"));
+    QCOMPARE(readStudy(study).faults(), std::vector<std::string>());
 }
 
 QTEST_GUILESS_MAIN(ServerMoveTest)

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "database/server/entry_json.h"
 #include "tests/support/error_text.h"
 
 using namespace database;
@@ -48,6 +49,20 @@ nlohmann::json changed(nlohmann::json reply, const char* place, const nlohmann::
 class ServerRepliesTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    /// A station compares its log with the server's at each claim.
+    void whatIsHeldOfFactsIsWhatIsSent()
+    {
+        SessionStore::Append entry;
+        entry.event = {0, protocols::ParticipantId("P01"), 1, "facts_given", R"({"given":["hand"]})", 1, "2026-01-01T00:00:00Z"};
+        entry.facts = {{"hand", "left-handed"}};
+        const EntryToSend sent = entryToSend(entry, 3);
+        QCOMPARE(nlohmann::json::parse(sent.json).at("event").at("payload").get<std::string>(), sent.payload);
+        QVERIFY(sent.payload.find("facts_sha256") != std::string::npos);
+        QVERIFY(sent.payload.find("left-handed") == std::string::npos);
+        entry.facts.clear();
+        QCOMPARE(entryToSend(entry, 3).payload, entry.event.payloadJson);
+    }
+
     void soundRepliesAreTaken()
     {
         const ClaimReply place = claimReplyFrom(claim(), where, "P01");

@@ -7,9 +7,11 @@
 #include "database/disk/server_note.h"
 #include "database/server/server_connection.h"
 #include "database/server/server_link.h"
+#include "database/server/server_progress.h"
 #include "database/server/server_roles.h"
 #include "database/server/station_folders.h"
 #include "database/server/study_move.h"
+#include "tests/support/counting_vfs.h"
 #include "tests/support/error_text.h"
 #include "tests/support/program.h"
 #include "tests/support/server/cut_network.h"
@@ -67,10 +69,14 @@ private Q_SLOTS:
     void aHeadIsComparedWithTheOneThatWasSeen();
     void aMoveOutAndBackLosesNothing();
     void aQueueOfAnEarlierVersionOpens();
+    void aMemoryThatCannotBeKeptFailsNoAnswer();
+    void theProgressOfBeforeIsShownWhileTheServerIsBusy();
     void aServerThatTakesNoEntryKeepsThemWaiting_data();
     void aServerThatTakesNoEntryKeepsThemWaiting();
+    void aMonitorSeesWhatWaitsAtAStation();
     void aCallThatWasGivenUpIsNotMade();
     void aNewParticipantIsNobodyElse();
+    void whoWithdrewIsNoNewParticipant();
     void aParticipantWhoseSessionWasLeftIsFree();
     void aCopiedFolderGetsATokenOfItsOwn();
     void aWrongClockIsNoticed();
@@ -277,6 +283,51 @@ void StaleSessionsTest::aQueueOfAnEarlierVersionOpens()
     QVERIFY(queue.enrolledHere().empty());
 }
 
+/// The server has the answer already when a station notes what it has seen of the log.
+void StaleSessionsTest::aMemoryThatCannotBeKeptFailsNoAnswer()
+{
+    const StudyFolder place{m_folder.filePath("no-memory").toStdString()};
+    std::filesystem::create_directory(place.folder);
+    CountingVfs disk;
+    database::AnswerQueue queue(place);
+    const database::SqliteConnection other(place.queue(), database::SqliteConnection::Mode::Write);
+    const QVariant table = other.value("SELECT sql FROM sqlite_schema WHERE name = 'seen'");
+    other.run("PRAGMA writable_schema = ON");
+    other.run("UPDATE sqlite_schema SET sql = 'CREATE TABLE seen(' WHERE name = 'seen'");
+    other.run("PRAGMA schema_version = 100");
+    queue.keepSeen({"study", {7, std::string(64, 'a')}, {}});
+    queue.keepEnrolled("P01");
+    QVERIFY(!errorOf([&] { queue.put({0, "P01", "human", "{}"}); }).isEmpty());
+    other.run("UPDATE sqlite_schema SET sql = ? WHERE name = 'seen'", {table});
+    other.run("PRAGMA schema_version = 101");
+    const int before = disk.traffic().completedSyncs;
+    queue.put({0, "P01", "human", "{}"});
+    QVERIFY(disk.traffic().completedSyncs > before);
+    QCOMPARE(queue.size(), std::size_t{1});
+}
+
+void StaleSessionsTest::theProgressOfBeforeIsShownWhileTheServerIsBusy()
+{
+    studyOnServer("busy");
+    const StationStore store(station("busy", "left"));
+    const auto before = store.slots();
+    QVERIFY(!before.empty());
+    const ServerConnection server = connection("busy");
+    server.run("ALTER FUNCTION @schema@.overview() RENAME TO overview_kept");
+    const auto refuseWith = [&](const QString& code) {
+        server.run(
+            "CREATE OR REPLACE FUNCTION @schema@.overview() RETURNS jsonb LANGUAGE plpgsql AS $$ BEGIN RAISE EXCEPTION "
+            "USING ERRCODE = '" +
+            code + "', MESSAGE = 'not now'; END $$");
+    };
+    for (const char* code : {"VH302", "VH206", "53100"}) {
+        refuseWith(code);
+        QCOMPARE(store.slots().size(), before.size());
+    }
+    refuseWith("42501");
+    QVERIFY(errorOf([&] { (void)store.slots(); }).contains("this login may not do this"));
+}
+
 void StaleSessionsTest::aServerThatTakesNoEntryKeepsThemWaiting_data()
 {
     QTest::addColumn<QString>("body");
@@ -321,6 +372,38 @@ void StaleSessionsTest::aServerThatTakesNoEntryKeepsThemWaiting()
     QCOMPARE(readStudy(owner).faults(), std::vector<std::string>());
 }
 
+/// The study is being moved, so that the station reaches the server but cannot send.
+void StaleSessionsTest::aMonitorSeesWhatWaitsAtAStation()
+{
+    studyOnServer("reported");
+    const auto address = database::serverAddressFrom(m_server->address("reported"));
+    CutNetwork network(m_server->port());
+    const StudyFolder place = station("reported", "left", network.port());
+    {
+        ServerSession session(place, "P01");
+        session.stepUntil("Presenting");
+        network.cut();
+        (void)errorOf([&] { session.step(); });
+        const std::size_t waiting = session.store.link().waiting;
+        QVERIFY(waiting > 0);
+        connection("reported").run("UPDATE @schema@.server_study SET state = 'leaving'");
+        network.mend();
+        for (int tries = 0; !session.store.link().isRefused && tries < 400; ++tries) {
+            QTest::qWait(50);
+            session.store.refresh();
+        }
+        QVERIFY(session.store.link().isRefused);
+        const auto seen = progressOf(address).stations;
+        QCOMPARE(seen.size(), std::size_t{1});
+        QCOMPARE(seen[0].waiting, static_cast<int>(waiting));
+        connection("reported").run("UPDATE @schema@.server_study SET state = 'open'");
+        QTRY_VERIFY_WITH_TIMEOUT((session.store.refresh(), session.store.link().isUp && session.store.link().waiting == 0),
+                                 20000);
+        QCOMPARE(progressOf(address).stations.at(0).waiting, 0);
+    }
+    QVERIFY(progressOf(address).owed.empty());
+}
+
 /// A join that arrives late would take the place of the station's newer connection.
 void StaleSessionsTest::aCallThatWasGivenUpIsNotMade()
 {
@@ -353,6 +436,20 @@ void StaleSessionsTest::aNewParticipantIsNobodyElse()
     QVERIFY2(known.contains("was enrolled at another station in the meantime"), qPrintable(known));
     QCOMPARE(errorOf([&] { other.enrolNew(protocols::ParticipantId("P02"), database::ParticipantKind::Human); }), QString());
     ServerSession(left, "P01").playToEnd();  // the refused one does not hold the participant
+}
+
+void StaleSessionsTest::whoWithdrewIsNoNewParticipant()
+{
+    studyOnServer("gone");
+    const StudyFolder place = station("gone", "left");
+    {
+        ServerSession session(place, "P01");
+        session.playUntilAnswers(3);
+        session.send(WithdrawnEvent{"no time"});
+    }
+    StationStore store(place);
+    const QString refusal = errorOf([&] { store.enrolNew(firstPerson, database::ParticipantKind::Human); });
+    QVERIFY2(refusal.contains("participant P01 has withdrawn") && !refusal.contains("in the list"), qPrintable(refusal));
 }
 
 void StaleSessionsTest::aParticipantWhoseSessionWasLeftIsFree()

@@ -1,9 +1,13 @@
 // Sessions at the stations of a study on a server: the same rows as in a folder, through kills, cuts and restarts.
+#include <dlfcn.h>
+#include <pthread.h>
+
 #include <QElapsedTimer>
 #include <QRandomGenerator>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QThread>
+#include <cerrno>
 #include <functional>
 #include <mutex>
 #include <thread>
@@ -26,6 +30,8 @@ using database::StudyFolder;
 using database::StudyStore;
 
 namespace {
+
+thread_local bool startsNoThread = false;  ///< only this thread: the server and the network of the tests have others
 
 /// With VIS2HAP_LONG=1 some tests are as long as a study is.
 bool isLong() { return qEnvironmentVariableIntValue("VIS2HAP_LONG") > 0; }
@@ -79,6 +85,13 @@ std::vector<std::string> logOf(const StudyStore& store, const std::string& parti
 
 }  // namespace
 
+/// The linker prefers this definition to that of the C library.
+extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*run)(void*), void* of) noexcept
+{
+    static const auto original = reinterpret_cast<decltype(&pthread_create)>(::dlsym(RTLD_NEXT, "pthread_create"));
+    return startsNoThread ? EAGAIN : original(thread, attributes, run, of);
+}
+
 class StationsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
@@ -86,8 +99,12 @@ private Q_SLOTS:
     void aSessionStoresTheRowsOfAFolder();
     void aStationGoesOnWhereAnotherWasLost();
     void aCutNetworkLosesAndDoublesNothing();
+    void aCutAfterFactsOrADebriefingEndsNoSession();
+    void factsThatWaitedWithoutASessionAreSent();
+    void aLongAnswerInWordsIsStored();
     void aCutWhileWaitingEntriesAreSentLosesNothing();
     void aSilentNetworkStopsNobodyForLong();
+    void aStationWithoutAThreadTriesAgain();
     void aSilentNetworkIsNoticedWithoutAnAnswer();
     void theServersDeathLosesNothing();
     void aHundredClaimsTakeAHundredPlaces();
@@ -234,6 +251,113 @@ void StationsTest::aCutNetworkLosesAndDoublesNothing()
     }
 }
 
+/// Cuts the network, waits until the station has noticed it, and mends it.
+void cutAndMend(CutNetwork& network, ServerSession& session)
+{
+    network.cut();
+    QTRY_VERIFY_WITH_TIMEOUT((session.store.refresh(), !session.store.link().isUp), 20000);
+    network.mend();
+    waitForServer(session);
+}
+
+void requireSound(const ServerSession& session)
+{
+    QCOMPARE(session.store.link().stale, std::string());
+    QCOMPARE(session.store.link().setAside, std::string());
+}
+
+/// The payload of these events holds hashes of the facts, which the station must hold, too.
+void StationsTest::aCutAfterFactsOrADebriefingEndsNoSession()
+{
+    const StudyFolder owner = studyOnServer("facts", wholeStudy());
+    CutNetwork network(m_server->port());
+    ServerSession session(station("facts", "left", network.port()), "P01");
+    session.stepUntil("AskingFacts");
+    session.step();
+    cutAndMend(network, session);
+    requireSound(session);
+    session.stepUntil("Presenting");
+    network.cut();
+    (void)errorOf([&] { session.step(); });
+    QVERIFY(session.store.link().waiting > 0);
+    network.mend();
+    waitForServer(session);
+    requireSound(session);
+    session.stepUntil("Debriefing");
+    network.cut();
+    session.send(Debriefed{"the cloth was soft"});
+    QCOMPARE(session.store.link().waiting, std::size_t{1});
+    network.mend();
+    waitForServer(session);
+    requireSound(session);
+    cutAndMend(network, session);
+    requireSound(session);
+    const StudyStore stored = rowsOf(owner);
+    QCOMPARE(stored.answerCount(), static_cast<std::size_t>(answersOf({})));
+    QCOMPARE(stored.enrolments().front().state, database::SlotState::Finished);
+    QCOMPARE(stored.faults(), std::vector<std::string>());
+}
+
+/// As the queue of an earlier version holds them: nobody has the session open when they are sent.
+void StationsTest::factsThatWaitedWithoutASessionAreSent()
+{
+    const StudyFolder owner = studyOnServer("waited", wholeStudy());
+    CutNetwork network(m_server->port());
+    const StudyFolder place = station("waited", "left", network.port());
+    {
+        ServerSession session(place, "P01");
+        session.stepUntil("AskingFacts");
+        network.cut();
+        session.step();
+        QCOMPARE(session.store.link().waiting, std::size_t{1});
+    }
+    network.mend();
+    {
+        const StationStore store(place);
+        QCOMPARE(store.link().waiting, std::size_t{0});
+        QCOMPARE(store.link().setAside, std::string());
+    }
+    QVERIFY(!rowsOf(owner).personalFacts().empty());
+    ServerSession session(place, "P01");
+    cutAndMend(network, session);
+    requireSound(session);
+    session.playToEnd();
+    QCOMPARE(rowsOf(owner).faults(), std::vector<std::string>());
+}
+
+/// 334 characters of Chinese have more than 1,000 bytes.
+void StationsTest::aLongAnswerInWordsIsStored()
+{
+    const StudyFolder owner = studyOnServer("words", wholeStudy());
+    CutNetwork network(m_server->port());
+    ServerSession session(station("words", "left", network.port()), "P01");
+    const auto isAskedForWords = [&] {
+        const View view = session.driver->view();
+        return nameOf(view.state) == "Presenting" && std::holds_alternative<protocols::FreeText>(view.question->kind);
+    };
+    const std::string chinese = QString(400, QChar(0x8f6f)).toStdString(), longest(database::longestText, 'x');
+    while (!isAskedForWords()) session.step();
+    const auto refusal = session.driver->send(Answered{Words{longest + "x"}});
+    QVERIFY(refusal && refusal->reason.find("longer than 100,000 bytes") != std::string::npos);
+    session.send(Answered{Words{chinese}});
+    for (const std::string& waiting : {chinese, longest}) {
+        while (!isAskedForWords()) session.step();
+        network.cut();
+        (void)errorOf([&] { session.send(Answered{Words{waiting}}); });  // the answer waits; the next tray needs the server
+        QVERIFY(session.store.link().waiting > 0);
+        network.mend();
+        waitForServer(session);
+        requireSound(session);
+    }
+    session.playToEnd();
+    const StudyStore stored = rowsOf(owner);
+    const auto answers = stored.answers();
+    for (const auto& [text, times] : {std::pair(chinese, 2), std::pair(longest, 1)})
+        QCOMPARE(static_cast<int>(std::ranges::count_if(answers, [&](const auto& one) { return one.record.answer == text; })),
+                 times);
+    QCOMPARE(stored.faults(), std::vector<std::string>());
+}
+
 /// The network is cut again while many entries are on their way, and the operator goes on.
 void StationsTest::aCutWhileWaitingEntriesAreSentLosesNothing()
 {
@@ -298,6 +422,26 @@ void StationsTest::aSilentNetworkStopsNobodyForLong()
     session.playToEnd();
     QCOMPARE(session.store.link().waiting, std::size_t{0});
     QCOMPARE(rowsOf(owner).answerCount(), std::size_t{24});
+}
+
+/// The window looks after its station every two seconds, by a timer that nobody can catch a fault of.
+void StationsTest::aStationWithoutAThreadTriesAgain()
+{
+    const StudyFolder owner = studyOnServer("threads");
+    CutNetwork network(m_server->port());
+    ServerSession session(station("threads", "left", network.port()), "P01");
+    session.stepUntil("Presenting");
+    network.cut();
+    QTRY_VERIFY_WITH_TIMEOUT((session.store.refresh(), !session.store.link().isUp), 20000);
+    const auto fault = [&] { return QString::fromStdString(session.store.link().fault); };
+    startsNoThread = true;
+    QTRY_VERIFY_WITH_TIMEOUT((session.store.refresh(), fault().contains("close other programs")), 20000);
+    startsNoThread = false;
+    QVERIFY(!session.store.link().isRefused);
+    network.mend();
+    waitForServer(session);
+    session.playToEnd();
+    QCOMPARE(rowsOf(owner).faults(), std::vector<std::string>());
 }
 
 void StationsTest::aSilentNetworkIsNoticedWithoutAnAnswer()

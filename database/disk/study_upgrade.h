@@ -7,6 +7,7 @@
 // A program that is killed before step 3 leaves the older study, and the next opening begins anew. One that is killed after it
 // leaves step 4 to the next opening. A study that cannot be upgraded keeps its files, and no copy of it is left: that would lie
 // open, too.
+// The store calls these functions; database/upgrade, which reads and writes by the store's own rules, has them.
 #pragma once
 
 #include <functional>

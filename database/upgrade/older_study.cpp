@@ -1,4 +1,4 @@
-#include "database/older_study.h"
+#include "database/upgrade/older_study.h"
 
 #include <QSqlRecord>
 #include <algorithm>

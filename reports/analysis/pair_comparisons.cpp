@@ -1,6 +1,7 @@
 #include "reports/analysis/pair_comparisons.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "reports/data/design_limits.h"
 #include "stats/tests/multiplicity.h"
@@ -10,11 +11,15 @@ namespace {
 
 constexpr double significanceLevel = 0.05;
 
+/// Whether a - b is planned, with this sign.
+bool plansDifference(const StudyData& data, const std::string& a, const std::string& b)
+{
+    return std::ranges::find(data.planned, std::pair(a, b)) != data.planned.end();
+}
+
 bool isPlanned(const StudyData& data, const std::string& a, const std::string& b)
 {
-    return std::any_of(data.planned.begin(), data.planned.end(), [&](const auto& contrast) {
-        return (contrast.first == a && contrast.second == b) || (contrast.first == b && contrast.second == a);
-    });
+    return plansDifference(data, a, b) || plansDifference(data, b, a);
 }
 
 /// One of four verdicts. A difference counts as shown where the corrected t test rejects.
@@ -31,6 +36,23 @@ PairedMeansOf meansIn(const AnswerCells& cells, const std::string& question, Ans
 }
 
 }  // namespace
+
+std::pair<double, double> boundsOf(const StudyData& data, const std::string& a, const std::string& b)
+{
+    const auto& bounds = data.equivalenceBounds;
+    if (plansDifference(data, a, b) || !plansDifference(data, b, a)) return bounds;
+    return {0 - bounds.second, 0 - bounds.first};  // not -0, which would be printed
+}
+
+std::vector<ConditionPair> mirroredPairs(const StudyData& data)
+{
+    std::vector<ConditionPair> mirrored;
+    if (!comparesAllPairs(data)) return mirrored;
+    for (auto a = data.conditions.begin(); a != data.conditions.end(); ++a)
+        for (auto b = a + 1; b != data.conditions.end(); ++b)
+            if (boundsOf(data, *a, *b) != data.equivalenceBounds) mirrored.push_back({*a, *b, true});
+    return mirrored;
+}
 
 std::vector<PairComparison> comparePairs(const StudyData& data, const AnswerCells& cells, const std::string& question,
                                          AnswersOfMeans over)
@@ -66,9 +88,9 @@ std::vector<PairEquivalence> testEquivalence(const StudyData& data, const Paired
                                              const std::vector<PairComparison>& comparisons)
 {
     std::vector<PairEquivalence> equivalences;
-    const auto [low, high] = data.equivalenceBounds;
     for (const PairComparison& comparison : comparisons) {
         const ConditionPair& pair = comparison.pair;
+        const auto [low, high] = boundsOf(data, pair.a, pair.b);
         const AnswerCells::PairedMeans means = meansOf(pair.a, pair.b);
         const auto test = stats::equivalenceTest(stats::TKind::Paired, means.a, means.b,
                                                  {.low = low, .high = high, .alpha = significanceLevel});

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "reports/cells/answer_cells.h"
@@ -28,11 +29,18 @@ struct PairComparison {
 /// Two one-sided tests of the same means against the bounds of the study.
 struct PairEquivalence {
     ConditionPair pair;
-    double low = 0;  ///< bounds, scale points
+    double low = 0;  ///< boundsOf() the pair, scale points
     double high = 0;
     stats::EquivalenceTest test;
     std::string verdict;  ///< "different" counts after Holm's correction
 };
+
+/// Bounds of equivalence of a - b: those of the study, which belong to the planned differences with their sign. Where b - a is
+/// planned and a - b is not they are mirrored, so that both state the same.
+std::pair<double, double> boundsOf(const StudyData& data, const std::string& a, const std::string& b);
+
+/// The pairs, in the order of the study, whose bounds are other than the study's because they were mirrored.
+std::vector<ConditionPair> mirroredPairs(const StudyData& data);
 
 /// All pairs of the conditions, in their order; none where comparesAllPairs() is false.
 std::vector<PairComparison> comparePairs(const StudyData& data, const AnswerCells& cells, const std::string& question,

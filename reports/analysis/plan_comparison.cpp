@@ -121,6 +121,8 @@ PlanRow protocolRow(const StudyData& data)
     const PlannedDesign& design = *data.plannedDesign;
     std::string done = shortHash(data.protocolInUse);
     if (!data.protocolChanges.empty()) done += "; changed: " + listed(data.protocolChanges) + "; the plan is followed here";
+    if (!data.changedTexts.empty())
+        done += (data.protocolChanges.empty() ? "; changed: " : "; also changed: ") + listed(data.changedTexts);
     return {"protocol (SHA-256)", shortHash(design.protocolSha256), done, accordOf(design.protocolSha256 == data.protocolInUse)};
 }
 
@@ -130,6 +132,30 @@ PlanRow participantsRow(const StudyData& data, const Answered& answered)
     PlanRow row{"participants", std::to_string(planned), std::to_string(count) + (data.blinded ? " finished" : ""),
                 accordOf(count == planned)};
     if (!data.withdrawn.empty()) row.done += "; withdrew: " + std::to_string(data.withdrawn.size());
+    if (!data.erased.empty()) row.done += "; answers erased: " + std::to_string(data.erased.size());
+    return row;
+}
+
+/// Whether an answered question was asked in other words than planned. Only an amendment can change them.
+bool isReworded(const StudyData& data, const QuestionInfo& question, const Answered& answered)
+{
+    const auto& texts = data.plannedDesign->texts;
+    const auto planned = std::ranges::find(texts, wordingNameOf(question.id), &PlannedText::name);
+    if (data.protocolVersions.empty() || planned == texts.end() || !answered.questions.contains(question.id)) return false;
+    if (question.wordings.empty()) return question.text != planned->text;
+    return std::ranges::any_of(question.wordings, [&](const SentenceWording& one) { return one.text != planned->text; });
+}
+
+PlanRow questionsRow(const StudyData& data, const Answered& answered)
+{
+    const PlannedDesign& design = *data.plannedDesign;
+    PlanRow row = coverRow(data, "questions", design.questions.size(), design.questions, answered.questions);
+    std::vector<std::string> reworded;
+    for (const QuestionInfo& question : data.questions)
+        if (isReworded(data, question, answered)) reworded.push_back(question.id);
+    if (reworded.empty()) return row;
+    row.done += "; reworded: " + listed(reworded);
+    row.accord = Accord::Deviates;
     return row;
 }
 
@@ -259,7 +285,7 @@ PlanComparison comparePlan(const StudyAnalysis& analysis)
     plan.rows.push_back(participantsRow(data, answered));
     plan.rows.push_back(coverRow(data, "fabrics", design.fabrics, design.fabricIds, answered.fabrics));
     plan.rows.push_back(coverRow(data, "conditions", design.conditions, design.conditionIds, answered.conditions));
-    plan.rows.push_back(coverRow(data, "questions", design.questions.size(), design.questions, answered.questions));
+    plan.rows.push_back(questionsRow(data, answered));
     plan.rows.push_back(primaryRow(data, plan.contrasts));
     plan.rows.push_back(contrastsRow(data, plan.contrasts));
     plan.rows.push_back({"bounds of equivalence", boundsText(design.equivalenceBounds), boundsText(data.equivalenceBounds),

@@ -287,7 +287,7 @@ std::vector<QualityFlag> qualityFlags(const StudyData& data, const AnswerCells& 
     if (data.voided > 0)
         flags.push_back({std::nullopt, FlagKind::VoidedPresentations,
                          counted(data.voided, "presentation") + (data.voided == 1 ? " was" : " were") +
-                             " voided: kept in the data, not analysed, presented again"});
+                             " voided and presented again; answers to them are kept and not analysed"});
     return flags;
 }
 
@@ -321,7 +321,8 @@ std::vector<std::string> ruleSentences(const QualityRules& rules)
             protocols::shortest(rules.slotBiasP) +
             "). A participant may say \"same\" more readily than \"different\"; here only one who always gave the same of both "
             "words is flagged.",
-        "voided_presentations: these presentations were invalid. They are kept, not analysed, and were presented again.",
+        "voided_presentations: these presentations were invalid and were presented again. Answers to them are kept and not "
+        "analysed.",
         "A share is judged from " + std::to_string(rules.fewestAnswers) + " answers on. Flagged data stay in the main analysis.",
     };
 }

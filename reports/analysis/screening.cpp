@@ -60,7 +60,7 @@ StudyData withoutFlagged(StudyData data, const Screening& screening)
     for (auto* responses : {&data.responses, &data.catchResponses, &data.mismatchedResponses, &data.repeatedResponses})
         std::erase_if(*responses, isExcluded);
     std::erase_if(data.groupOf, [&](const auto& entry) { return excluded.contains(entry.first); });
-    data.expectedResponses = 0;  // unknown for a part of the study
+    data.expectedResponses = data.expectedOfEmptyPlaces = 0;  // unknown for a part of the study
     return data;
 }
 

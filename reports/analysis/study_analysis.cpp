@@ -67,6 +67,7 @@ Completeness completenessOf(const StudyData& data, const AnswerCells& cells)
     completeness.expected = data.expectedResponses != 0 ? data.expectedResponses
                                                         : data.answersPerCell * data.participants.size() * data.fabrics.size() *
                                                               data.conditions.size() * data.questions.size();
+    completeness.ofEmptyPlaces = std::min(data.expectedOfEmptyPlaces, completeness.missing());
     return completeness;
 }
 

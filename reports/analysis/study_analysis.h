@@ -38,6 +38,7 @@ struct QuestionAnalysis {
 struct Completeness {
     std::size_t expected = 0;
     std::size_t present = 0;
+    std::size_t ofEmptyPlaces = 0;  ///< missing ones of running orders that nobody has
     std::size_t missing() const { return expected > present ? expected - present : 0; }
 };
 

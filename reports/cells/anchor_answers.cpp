@@ -38,7 +38,8 @@ std::optional<stats::RatingReliability> ratingsTwice(const StudyData& data, cons
 /// Choices that came twice can lack what is compared: right and wrong alone do not say whether two wrong choices are the same.
 void compareChoices(const StudyData& data, const QuestionInfo& info, QuestionAnchors& anchors)
 {
-    const bool byOutcome = anchors.choicesByOutcome;
+    const bool byOutcome = anchors.compared == stats::ChoicesCompared::Outcomes;
+    std::optional<std::string> word;  // any of the two
     std::vector<stats::RepeatedChoices> participants;
     std::size_t twice = 0, compared = 0;
     for (const auto& [participant, pairs] : answersTwice(data, info.id)) {
@@ -51,12 +52,15 @@ void compareChoices(const StudyData& data, const QuestionInfo& info, QuestionAnc
             ++own.pairs;
             own.agreeing += byOutcome ? before->correct == after->correct : *before->answer == *after->answer;
             own.bothWrong += byOutcome && !before->correct && !after->correct;
+            if (anchors.compared != stats::ChoicesCompared::Words) continue;
+            if (!word) word = before->answer;
+            own.firstWord += before->answer == word;
+            own.secondWord += after->answer == word;
         }
         compared += own.pairs;
     }
     if (compared > 0)
-        anchors.choices = stats::choiceReliability(
-            participants, anchors.alternatives, byOutcome ? stats::ChoicesCompared::Outcomes : stats::ChoicesCompared::Answers);
+        anchors.choices = stats::choiceReliability(participants, anchors.alternatives, anchors.compared);
     else if (twice > 0)
         anchors.noChoices = counted(twice, "choice") +
                             " came twice, but of none both answers are known; right and wrong alone do not say whether two "
@@ -133,12 +137,20 @@ bool agreesByOutcome(const StudyData& data, const QuestionInfo& question)
     return data.choicesRepeatedAnew.contains(question.id) && choice != nullptr && !choice->isSameDifferent;
 }
 
+stats::ChoicesCompared comparedBy(const StudyData& data, const QuestionInfo& question)
+{
+    const Scoring scoring = scoringOf(question.kind);
+    const auto* choice = std::get_if<RightOrWrong>(&scoring);
+    if (choice != nullptr && choice->isSameDifferent) return stats::ChoicesCompared::Words;
+    return agreesByOutcome(data, question) ? stats::ChoicesCompared::Outcomes : stats::ChoicesCompared::Answers;
+}
+
 std::vector<QuestionAnchors> anchorsOf(const StudyData& data, const AnswerCells& cells)
 {
     std::vector<QuestionAnchors> all;
     if (data.mismatchedResponses.empty() && data.repeatedResponses.empty()) return all;
     for (const QuestionInfo& question : data.questions) {
-        QuestionAnchors anchors{.question = question.id, .choicesByOutcome = agreesByOutcome(data, question)};
+        QuestionAnchors anchors{.question = question.id, .compared = comparedBy(data, question)};
         std::visit(protocols::Overloaded{
                        [&](const RightOrWrong& choice) {
                            anchors.alternatives = choice.alternatives;

@@ -37,7 +37,7 @@ struct QuestionAnchors {
     std::optional<stats::RatingReliability> ratings = {};  ///< of a rating with repeated presentations
     std::optional<stats::ChoiceReliability> choices = {};  ///< of a choice with repeated presentations
     std::string noChoices = {};                            ///< why there are none, although choices came twice; else empty
-    bool choicesByOutcome = false;                         ///< agreesByOutcome()
+    stats::ChoicesCompared compared = {};                  ///< comparedBy()
     int alternatives = 0;                                  ///< of `choices`
 };
 
@@ -52,6 +52,9 @@ std::map<std::string, std::vector<AnswersTwice>> answersTwice(const StudyData& d
 /// so that the fabrics that were chosen cannot be compared. Elsewhere the same answer agrees, also where another question of the
 /// study has other foils.
 bool agreesByOutcome(const StudyData& data, const QuestionInfo& question);
+
+/// What the choices of this question that came twice are compared by.
+stats::ChoicesCompared comparedBy(const StudyData& data, const QuestionInfo& question);
 
 /// One entry for each question with answers to anchors, in the order of the study; also where they cannot be compared.
 std::vector<QuestionAnchors> anchorsOf(const StudyData& data, const AnswerCells& cells);

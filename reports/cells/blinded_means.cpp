@@ -47,22 +47,23 @@ std::optional<double> publishedNumber(const AnswerContent& content)
 }
 
 struct Sum {
-    std::size_t n = 0;
+    std::size_t n = 0;      ///< numbers
+    std::size_t words = 0;  ///< answers that are none
     double sum = 0;
     double mean() const { return sum / static_cast<double>(n); }
 };
 
-/// Adds those answers to the question that are numbers.
+/// Adds the answers to the question: those that are numbers to n and sum.
 void addAnswers(const std::vector<StudyResponse>& responses, const std::string& question, std::map<std::string, Sum>& sums,
                 const std::string* label)
 {
     for (const StudyResponse& response : responses)
-        if (response.question == question)
-            if (const auto number = publishedNumber(response.content)) {
-                Sum& sum = sums[label != nullptr ? *label : response.condition];
-                ++sum.n;
-                sum.sum += *number;
-            }
+        if (response.question == question) {
+            const auto number = publishedNumber(response.content);
+            Sum& sum = sums[label != nullptr ? *label : response.condition];
+            ++(number ? sum.n : sum.words);
+            sum.sum += number.value_or(0);
+        }
 }
 
 /// Mean of all ratings, also of catch trials and anchors: study.db shows it to everybody.
@@ -102,7 +103,7 @@ BlindedQuestion blindedQuestion(StudyData& data, const QuestionInfo& question, s
             return scale != nullptr ? roundedRating(sum.mean(), centre, blinded.step, *scale)
                                     : roundedShare(sum.mean(), blinded.step);
         };
-        blinded.conditions.push_back({condition, sum.n,
+        blinded.conditions.push_back({condition, hasNumbers(question) ? sum.n : sum.words,
                                       !hasNumbers(question)       ? stats::Value::undefined("words have no mean")
                                       : fewest < fewestUnderLabel ? stats::Value::undefined("fewer than 40 answers under a label")
                                                                   : stats::Value(rounded())});

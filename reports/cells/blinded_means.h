@@ -39,7 +39,7 @@ double meansStep(double width, const MeansDesign& design);
 /// Mean rating, or share of right answers, under one label.
 struct BlindedMean {
     std::string condition;
-    std::size_t n = 0;  ///< answers
+    std::size_t n = 0;  ///< answers; those in words, too, which everybody can count who knows the design
     stats::Value mean;  ///< rounded; undefined for words and few answers
 };
 

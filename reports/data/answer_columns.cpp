@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
 #include "protocols/question_ids.h"
 #include "reports/data/table_marks.h"
 #include "reports/text/plain_words.h"
@@ -26,6 +27,24 @@ std::optional<std::string> stem(const std::string& name, const std::string& suff
 {
     if (name.size() <= suffix.size() || !name.ends_with(suffix)) return std::nullopt;
     return name.substr(0, name.size() - suffix.size());
+}
+
+/// "0 to 10".
+std::string endsOf(const protocols::RatingScale& scale)
+{
+    return protocols::shortest(scale.min.inScaleUnits()) + " to " + protocols::shortest(scale.max.inScaleUnits());
+}
+
+/// What a protocol asks for, in the words of messages.
+std::string inWords(const protocols::AnswerKind& kind)
+{
+    return std::visit(
+        protocols::Overloaded{
+            [](const protocols::ForcedChoice& choice) { return "a choice among " + std::to_string(choice.alternatives); },
+            [](const protocols::Rating& rating) { return "a rating from " + endsOf(rating.scale); },
+            [](const protocols::SameDifferent&) { return std::string("same or different"); },
+            [](const protocols::FreeText&) { return std::string("answered in words"); }},
+        kind);
 }
 
 /// Columns that say where an answer belongs; the others are questions.
@@ -55,6 +74,7 @@ public:
                  "where a question has another name, give it by --map Q1_correct=COLUMN or --map Q2=COLUMN");
         std::stable_sort(m_columns.questions.begin(), m_columns.questions.end(),
                          [](const auto& a, const auto& b) { return a.value < b.value; });
+        requireUseOfScale();
         return std::move(m_columns);
     }
 
@@ -110,9 +130,9 @@ private:
     {
         using Part = MadeColumn::Part;
         if (made.part == Part::Value) {
-            const auto kind = m_rows.kinds.at(made.question);
-            const bool isScored = std::holds_alternative<RightOrWrong>(scoringOf(kind));
-            return setValueColumn(made.question, index, isScored ? choiceKind(made.question) : openKind(made.question));
+            const bool isChoice = isScored(m_rows.kinds.at(made.question));
+            return setValueColumn(made.question, index,
+                                  isChoice ? choiceKind(made.question, index) : openKind(made.question, index));
         }
         QuestionColumns& columns = question(made.question);
         const std::pair<Part, std::optional<std::size_t> QuestionColumns::*> parts[] = {
@@ -130,13 +150,13 @@ private:
         if (std::ranges::find(designColumns, name) != std::end(designColumns)) return;
         if ((inProtocol(name) == nullptr || !m_rows.made.empty()) && isPlaceColumn(name, index)) return;
         if (const auto id = stem(name, "_correct"))
-            setValueColumn(*id, index, choiceKind(*id));
+            setValueColumn(*id, index, choiceKind(*id, index));
         else if (const auto timed = stem(name, "_seconds"))
             question(*timed).time = index;
         else if (const auto answered = stem(name, "_answer"))
             question(*answered).answer = index;
         else if (isUsualName(name) || inProtocol(name) != nullptr)
-            setValueColumn(name, index, openKind(name));
+            setValueColumn(name, index, openKind(name, index));
         else if (const std::size_t end = name.find('_'); end != std::string::npos && isUsualName(name.substr(0, end)))
             fail("the column \"" + name + "\" is unknown", m_place,
                  "a question such as " + name.substr(0, end) + ", alone or with _correct, _seconds, _answer, _trial or _sitting");
@@ -188,29 +208,110 @@ private:
         return std::holds_alternative<protocols::ForcedChoice>(kind) && !m_options.alternatives && !isInProtocol && !isInFile;
     }
 
-    /// The protocol's kind, where its answers are right or wrong.
-    protocols::AnswerKind choiceKind(const std::string& id) const
+    /// Whether the column holds answers. In an own export empty words are answers, too.
+    bool holdsAnswers(const std::string& id, std::size_t index) const
     {
-        const protocols::Question* asked = inProtocol(id);
-        if (asked != nullptr && std::holds_alternative<RightOrWrong>(scoringOf(asked->kind))) return asked->kind;
-        if (m_rows.mixedChoices.contains(id))
-            fail("the choices of " + id + " have several numbers of alternatives", m_place, "the protocol of the study",
-                 "name it by --protocol FILE; it lies in the study's folder");
-        const auto found = m_rows.kinds.find(id);
-        const bool isScored = found != m_rows.kinds.end() && std::holds_alternative<RightOrWrong>(scoringOf(found->second));
-        return isScored ? found->second
-                        : protocols::AnswerKind(protocols::ForcedChoice{m_options.alternatives.value_or(usualAlternatives)});
+        return m_rows.given.contains(id) ||
+               std::ranges::any_of(m_table.rows, [&](const auto& row) { return !protocols::isMissing(row[index]); });
     }
 
-    /// The protocol's kind, where its answers are numbers or words.
-    protocols::AnswerKind openKind(const std::string& id) const
+    static bool isScored(const protocols::AnswerKind& kind) { return std::holds_alternative<RightOrWrong>(scoringOf(kind)); }
+
+    /// Of a column that holds answers of another kind than the protocol asks for.
+    [[noreturn]] void refuseKind(const protocols::Question& asked, std::size_t index, const std::string& held) const
     {
-        const protocols::Question* asked = inProtocol(id);
-        if (asked != nullptr && !std::holds_alternative<RightOrWrong>(scoringOf(asked->kind))) return asked->kind;
-        if (const auto found = m_rows.kinds.find(id);
-            found != m_rows.kinds.end() && !std::holds_alternative<protocols::Rating>(found->second))
-            return found->second;
+        const std::string& id = asked.id.value;
+        const bool isWide = !m_rows.made.contains(index), wantsScores = isScored(asked.kind);
+        const std::string column = wantsScores ? "correct" : "rating";
+        const std::string wanted = wantsScores ? (isWide ? id + "_correct" : column) : (isWide ? id : column);
+        fail("the column \"" + m_table.columns[index] + "\" holds " + held + ", but by the protocol " + id + " is " +
+                 inWords(asked.kind),
+             m_place, "answers that the protocol asks for",
+             m_table.column(wanted) || std::holds_alternative<protocols::FreeText>(asked.kind)
+                 ? "name the protocol of these answers by --protocol, or leave the column out"
+                 : "name the protocol of these answers by --protocol, or the right column by --map " + wanted + "=COLUMN");
+    }
+
+    /// The trays of an export tell the alternatives, so a protocol with others belongs to other answers.
+    void requireTraysOf(const protocols::Question& asked) const
+    {
+        const auto found = m_rows.trays.find(asked.id.value);
+        if (found == m_rows.trays.end()) return;
+        const int expected = protocols::piecesOnTray(asked.kind);
+        for (const auto& [pieces, row] : found->second)
+            if (pieces != 0 && pieces != expected)
+                fail("the tray of " + asked.id.value + " has " + counted(static_cast<std::size_t>(pieces), "piece") +
+                         ", but by the protocol " + asked.id.value + " is " + inWords(asked.kind),
+                     row + ", column alternatives", "a tray of " + counted(static_cast<std::size_t>(expected), "piece"),
+                     "name the protocol of these answers by --protocol, or leave it out: the trays tell the alternatives");
+    }
+
+    void requireOneNumberOfPieces(const std::string& id) const
+    {
+        const auto found = m_rows.trays.find(id);
+        if (found == m_rows.trays.end() || found->second.size() < 2) return;
+        const bool someAreUnknown = found->second.size() == 2 && found->second.contains(0);
+        fail("the choices of " + id + " have several numbers of alternatives", m_place,
+             someAreUnknown ? "a tray in each row, or the protocol of the study" : "the answers of one study",
+             someAreUnknown ? "name the protocol by --protocol FILE; it lies in the study's folder"
+                            : "report on each number of alternatives from a file of its own");
+    }
+
+    /// Of a column of right and wrong answers: the protocol's kind, or what the file tells.
+    protocols::AnswerKind choiceKind(const std::string& id, std::size_t index) const
+    {
+        if (const protocols::Question* asked = inProtocol(id)) {
+            if (!isScored(asked->kind) && holdsAnswers(id, index)) refuseKind(*asked, index, "answers that are right or wrong");
+            requireTraysOf(*asked);
+            return asked->kind;
+        }
+        requireOneNumberOfPieces(id);
+        const auto found = m_rows.kinds.find(id);
+        return found != m_rows.kinds.end() && isScored(found->second)
+                   ? found->second
+                   : protocols::AnswerKind(protocols::ForcedChoice{m_options.alternatives.value_or(usualAlternatives)});
+    }
+
+    /// Of a column of numbers or words: the protocol's kind, or what the file tells.
+    protocols::AnswerKind openKind(const std::string& id, std::size_t index) const
+    {
+        const auto found = m_rows.kinds.find(id);
+        const bool isLong = found != m_rows.kinds.end();
+        const bool isRated = isLong && std::holds_alternative<protocols::Rating>(found->second);
+        if (const protocols::Question* asked = inProtocol(id)) {
+            requireOpenKind(*asked, index, isRated ? "ratings" : isLong ? "words" : "ratings or words");
+            return asked->kind;
+        }
+        if (isLong && !isRated) return found->second;
         return m_options.scale ? protocols::Rating{*m_options.scale} : protocols::Rating{};
+    }
+
+    /// A wide column, and words of another lab's long table, may be ratings or words. An export tells which of them it has.
+    void requireOpenKind(const protocols::Question& asked, std::size_t index, const std::string& held) const
+    {
+        const bool wantsWords = std::holds_alternative<protocols::FreeText>(asked.kind);
+        const bool differs =
+            isScored(asked.kind) || (wantsWords && held == "ratings") || (!wantsWords && m_rows.given.contains(asked.id.value));
+        if (differs && holdsAnswers(asked.id.value, index)) refuseKind(asked, index, held);
+    }
+
+    /// Where the protocol describes all ratings, the scale that the caller names would be ignored in silence.
+    void requireUseOfScale() const
+    {
+        if (!m_options.scale) return;
+        const QuestionColumns* other = nullptr;  // rated on another scale
+        for (const QuestionColumns& columns : m_columns.questions) {
+            const auto* rating = std::get_if<protocols::Rating>(&columns.info.kind);
+            if (rating == nullptr) continue;
+            if (inProtocol(columns.info.id) == nullptr) return;
+            const bool isSame = rating->scale.min == m_options.scale->min && rating->scale.max == m_options.scale->max;
+            if (!isSame && other == nullptr) other = &columns;
+        }
+        if (other == nullptr) return;
+        fail("--scale names " + endsOf(*m_options.scale) + ", but by the protocol " + other->info.id + " is rated from " +
+                 endsOf(std::get<protocols::Rating>(other->info.kind).scale),
+             "--scale and --protocol", "ratings that the protocol does not describe, or its own scale",
+             "leave --scale out, or correct the scale in the protocol");
     }
 
     const AnswerRows& m_rows;
@@ -227,6 +328,18 @@ private:
 AnswerColumns answerColumnsOf(const AnswerRows& rows, const AnswersCsvOptions& options, const std::string& where)
 {
     return HeaderOfAnswers(rows, options, where).read();
+}
+
+bool isRatedOnScaleOf(const protocols::Protocol& protocol, const AnswerColumns& columns)
+{
+    if (memorisedScaleOf(protocol) == nullptr) return false;
+    bool hasOthers = false;
+    for (const QuestionColumns& one : columns.questions) {
+        if (!std::holds_alternative<NumberOnScale>(scoringOf(one.info.kind))) continue;
+        if (questionWith(protocol, protocols::QuestionId(one.info.id)) != nullptr) return true;
+        hasOthers = true;
+    }
+    return !hasOthers;
 }
 
 }  // namespace reports

@@ -29,4 +29,7 @@ struct AnswerColumns {
 /// Reads the header of the wide table. Throws badInput, naming the file by `where`, as readAnswersCsv() says.
 AnswerColumns answerColumnsOf(const AnswerRows& rows, const AnswersCsvOptions& options, const std::string& where);
 
+/// Whether the protocol has a scale that counts for these columns: it describes one of their ratings, or they have none.
+bool isRatedOnScaleOf(const protocols::Protocol& protocol, const AnswerColumns& columns);
+
 }  // namespace reports

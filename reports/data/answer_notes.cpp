@@ -6,7 +6,7 @@
 namespace reports {
 
 std::vector<std::string> answerNotes(const AnswerRows& rows, const AnswerColumns& columns, const StudyData& data,
-                                     bool hasOtherScale, const std::string& where)
+                                     const FoundInCells& found, const std::string& where)
 {
     std::vector<std::string> notes;
     const auto note = [&](const std::string& text) { notes.push_back(where + ": " + text); };
@@ -20,11 +20,15 @@ std::vector<std::string> answerNotes(const AnswerRows& rows, const AnswerColumns
     if (!assumed.empty())
         note("the choices of " + listed(assumed) + " are tested against 1/" + std::to_string(usualAlternatives) +
              ", the default of this program; name the number of alternatives by --alternatives or --protocol");
-    if (hasOtherScale) note("some ratings are outside 0 to 10; name their scale by --scale LOW,HIGH or by --protocol");
+    if (found.hasOtherScale) note("some ratings are outside 0 to 10; name their scale by --scale LOW,HIGH or by --protocol");
+    for (const auto& [question, scores] : found.scores)
+        if (const std::string contradictions = scores.note(); !contradictions.empty()) note(contradictions);
     if (rows.wordsAlone > 0)
         note(counted(rows.wordsAlone, "answer") + " without correct or rating left out, beside others of the same question");
     if (rows.voided > 0)
-        note(counted(rows.voided, rows.namesPresentations ? "voided presentation" : "voided answer") + " left out");
+        note(rows.namesPresentations ? counted(rows.voided, "voided presentation") +
+                                           " left out; a table of answers has no row of those that were voided without an answer"
+                                     : counted(rows.voided, "voided answer") + " left out");
     if (rows.ofWithdrawn > 0)
         note(counted(rows.ofWithdrawn, rows.kinds.empty() ? "row" : "answer") + " of participants who withdrew left out");
     return notes;

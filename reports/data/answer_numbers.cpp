@@ -1,6 +1,7 @@
 #include "reports/data/answer_numbers.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -8,6 +9,7 @@
 #include "protocols/files/number_text.h"
 #include "protocols/files/utf8.h"
 #include "reports/data/answer_rows.h"
+#include "reports/text/plain_words.h"
 
 namespace reports {
 
@@ -54,6 +56,19 @@ std::string placeOfCell(const protocols::CsvTable& table, std::size_t row, std::
     return protocols::rowName(table, row) + ", column " + table.columns[column];
 }
 
+/// Fewer contradictions than this may come by chance, where the answers are places that are called like fabrics.
+constexpr std::size_t fewestExchanged = 5;
+
+/// A name such as Q1_slot would be refused as a part of Q1.
+constexpr const char* whereNoFabrics = "where the answers name no fabrics, call their column otherwise, such as slot";
+
+std::string contradictionIn(const ScoredChoice& choice)
+{
+    const std::string other =
+        choice.chosen == choice.fabric ? "the fabric of the row" : "not the fabric of the row, " + choice.fabric;
+    return "the answer " + choice.chosen + " is " + other + ", but it counts as " + (choice.correct ? "right" : "wrong");
+}
+
 void requirePoint(const protocols::CsvTable& table, std::size_t row, std::size_t column)
 {
     const std::string& cell = table.rows[row][column];
@@ -87,6 +102,24 @@ std::optional<double> answerNumberOrMissing(const protocols::CsvTable& table, st
     return protocols::numberOrMissing(table, row, column);
 }
 
+std::optional<int> countIn(const protocols::CsvTable& table, std::size_t row, const std::optional<std::size_t>& column)
+{
+    const auto number = column ? answerNumberOrMissing(table, row, *column) : std::nullopt;
+    if (!number) return std::nullopt;
+    constexpr double largest = 1e9;
+    if (*number >= 1 && *number <= largest && *number == std::floor(*number)) return static_cast<int>(*number);
+    throw protocols::badInput({"\"" + table.rows[row][*column] + "\" is not a whole number", placeOfCell(table, row, *column),
+                               "a whole number from 1", ""});
+}
+
+std::optional<double> secondsIn(const protocols::CsvTable& table, std::size_t row, const std::optional<std::size_t>& column)
+{
+    const auto taken = column ? answerNumberOrMissing(table, row, *column) : std::nullopt;
+    if (!taken || *taken >= 0) return taken;
+    throw protocols::badInput({"the time " + table.rows[row][*column] + " is negative", placeOfCell(table, row, *column),
+                               "seconds from 0", "a time is not negative: leave the cells of missing times empty"});
+}
+
 std::optional<bool> markAt(const protocols::CsvTable& table, std::size_t row, std::size_t column, const MarkWords& words)
 {
     const std::string& cell = table.rows[row][column];
@@ -97,6 +130,50 @@ std::optional<bool> markAt(const protocols::CsvTable& table, std::size_t row, st
         {quotedCell(cell) + " is neither " + words.one + " nor " + words.zero, placeOfCell(table, row, column),
          "1 (" + std::string(words.one) + ") or 0 (" + words.zero + "); or one of the words " + wordsForScores(),
          "replace the words; an empty cell is a missing value"});
+}
+
+std::string sameOrDifferentAt(const protocols::CsvTable& table, std::size_t row, std::size_t column)
+{
+    const std::string& given = table.rows[row][column];
+    std::string word = lowerCase(std::string(nameWithoutBlanks(given)));
+    if (word == "same" || word == "different") return word;
+    throw protocols::badInput({quotedCell(given) + " is neither same nor different", placeOfCell(table, row, column),
+                               "same or different", "replace the words of the column, or leave its cells empty"});
+}
+
+void ScoresOfAnswers::add(const protocols::CsvTable& table, const ScoredChoice& choice)
+{
+    ++m_rows;
+    const bool isRight = choice.chosen == choice.fabric;
+    if (isRight == choice.correct) return;
+    if (choice.isOnTray)
+        throw protocols::badInput({contradictionIn(choice), placeOfCell(table, choice.row, choice.score),
+                                   isRight ? "1 (right)" : "0 (wrong)", "correct the score or the answer"});
+    ++(isRight ? m_ownAsWrong : m_otherAsRight);
+    if (!m_first) m_first = choice;
+}
+
+void ScoresOfAnswers::requireRightAsOne(const protocols::CsvTable& table) const
+{
+    if (m_rows < fewestExchanged || m_ownAsWrong + m_otherAsRight < m_rows) return;
+    throw protocols::badInput(
+        {"all " + std::to_string(m_rows) + " scores of " + m_question + " contradict their answers: " + contradictionIn(*m_first),
+         placeOfCell(table, m_first->row, m_first->score), "1 where the answer is the fabric of the row, else 0",
+         "exchange 0 and 1; or, " + std::string(whereNoFabrics)});
+}
+
+std::string ScoresOfAnswers::note() const
+{
+    if (!m_first) return {};
+    std::string text;
+    const auto addRows = [&](std::size_t rows, const char* contradiction) {
+        if (rows == 0) return;
+        text += (text.empty() ? "in " : "; in ") + std::to_string(rows) + " of " + std::to_string(m_rows) +
+                " rows the answer to " + m_question + " names " + contradiction;
+    };
+    addRows(m_ownAsWrong, "the fabric of the row, but the score says wrong");
+    addRows(m_otherAsRight, "another fabric, but the score says right");
+    return text + "; correct these rows, or, " + whereNoFabrics;
 }
 
 }  // namespace reports

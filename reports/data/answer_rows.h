@@ -32,20 +32,22 @@ struct AnswerRows {
     std::map<std::size_t, MadeColumn> made;              ///< columns of a long table's questions
     std::map<std::string, protocols::AnswerKind> kinds;  ///< of questions that a long table holds
     std::set<std::string> assumedChoices;                ///< questions of a long table that does not tell their alternatives
-    std::set<std::string> mixedChoices;                  ///< questions of an own export with several numbers of alternatives
-    std::map<std::string, std::vector<bool>> given;      ///< questions in words of an own export: rows that are answers
-    std::vector<std::string> unused;                     ///< columns of a long table that are not analysed
-    std::size_t voided = 0;                              ///< rows marked as void, or their presentations
-    bool namesPresentations = false;                     ///< an own export with the columns `trial` and `attempt`
-    std::size_t ofWithdrawn = 0;                         ///< rows by participants who withdrew
-    std::size_t wordsAlone = 0;                          ///< rows with words, of questions with choices or ratings
-    bool hasStates = false;                              ///< the column "state" tells who withdrew
-    std::set<std::string> answeredBy;                    ///< "human", "scripted", "simulated"; empty where no column tells
-    TimesTaken times = TimesTaken::AsRecorded;           ///< what the seconds are
-    std::string taken;                                   ///< what the file was taken for; empty for a usual one
-    bool isOwnExport = false;                            ///< answers.csv of this program, a public one, too
-    bool hasAnchors = false;                             ///< the column "anchor" names anchors, and nothing else
-    std::set<std::string> choicesRepeatedAnew;           ///< questions whose choices came again beside other foils
+    /// Of the choices of an own export: the pieces on their trays (0: unknown), and the first row with each number. Trays of
+    /// catch trials and anchors do not count.
+    std::map<std::string, std::map<int, std::string>> trays;
+    std::map<std::string, std::vector<bool>> given;  ///< questions in words of an own export: rows that are answers
+    std::vector<std::string> unused;                 ///< columns of a long table that are not analysed
+    std::size_t voided = 0;                          ///< rows marked as void, or their presentations
+    bool namesPresentations = false;                 ///< an own export with the columns `trial` and `attempt`
+    std::size_t ofWithdrawn = 0;                     ///< rows by participants who withdrew
+    std::size_t wordsAlone = 0;                      ///< rows with words, of questions with choices or ratings
+    bool hasStates = false;                          ///< the column "state" tells who withdrew
+    std::set<std::string> answeredBy;                ///< "human", "scripted", "simulated"; empty where no column tells
+    TimesTaken times = TimesTaken::AsRecorded;       ///< what the seconds are
+    std::string taken;                               ///< what the file was taken for; empty for a usual one
+    bool isOwnExport = false;                        ///< answers.csv of this program, a public one, too
+    bool hasAnchors = false;                         ///< the column "anchor" names anchors, and nothing else
+    std::set<std::string> choicesRepeatedAnew;       ///< questions whose choices came again beside other foils
 };
 
 /// Reads a wide or a long table. A long one has a column `question` and one row an answer, with `correct` (right or wrong),

@@ -1,7 +1,6 @@
 #include "reports/data/answers_csv.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 #include <string_view>
@@ -20,6 +19,8 @@
 namespace reports {
 namespace {
 
+using protocols::AnchorKind;
+
 /// Under this name JSON files give the reasons of missing numbers.
 constexpr const char* reservedName = "why";
 
@@ -33,16 +34,19 @@ public:
         m_data.name = file.stem().string();
         m_data.blinded = false;
         m_data.protocolSha256 = options.protocolSha256;
+        for (const auto& [a, b] : options.planned) m_planned.emplace_back(conditionOf(a), conditionOf(b));
     }
 
     StudyData read()
     {
+        m_columns = answerColumnsOf(m_rows, m_options, m_where);
         readProtocol();
         readStatedOptions();
-        m_columns = answerColumnsOf(m_rows, m_options, m_where);
+        rememberFabricsOfAnswers();
         for (const QuestionColumns& columns : m_columns.questions)
             for (const InstructionInfo& given : columns.info.instructions) m_instructions[columns.info.id].insert(given.id);
         for (std::size_t row = 0; row < m_table.rows.size(); ++row) readRow(row);
+        for (const auto& [question, scores] : m_found.scores) scores.requireRightAsOne(m_table);
         for (QuestionColumns& known : m_columns.questions) {
             if (!m_columns.instruction) known.info.instructions.clear();
             m_data.questions.push_back(known.info);
@@ -58,7 +62,7 @@ public:
         putInOrder();
         requireKnownContrasts();
         if (m_options.note)
-            for (const std::string& note : answerNotes(m_rows, m_columns, m_data, m_hasOtherScale, m_where)) m_options.note(note);
+            for (const std::string& note : answerNotes(m_rows, m_columns, m_data, m_found, m_where)) m_options.note(note);
         return std::move(m_data);
     }
 
@@ -78,8 +82,7 @@ private:
         const auto& protocol = m_options.protocol;
         if (protocol) m_data.equivalenceBounds = protocol->equivalenceBounds;
         if (protocol && !protocol->hasUsualBounds) m_data.boundsFrom = PlanOrigin::Protocol;
-        const bool hasScale = protocol && memorisedScaleOf(*protocol) != nullptr;
-        if (m_data.boundsFrom == PlanOrigin::Program && !hasScale && m_options.scale)
+        if (m_data.boundsFrom == PlanOrigin::Program && m_options.scale && !(protocol && isRatedOnScaleOf(*protocol, m_columns)))
             m_data.equivalenceBounds = protocols::usualBoundsOn(*m_options.scale);
     }
 
@@ -100,8 +103,8 @@ private:
             m_data.equivalenceBounds = *m_options.equivalenceBounds;
             m_data.boundsFrom = PlanOrigin::Option;
         }
-        if (m_options.planned.empty()) return;
-        m_data.planned = m_options.planned;
+        if (m_planned.empty()) return;
+        m_data.planned = m_planned;
         m_data.plannedFrom = PlanOrigin::Option;
     }
 
@@ -122,7 +125,7 @@ private:
 
     void requireKnownContrasts() const
     {
-        for (const auto& [a, b] : m_options.planned)
+        for (const auto& [a, b] : m_planned)
             for (const std::string& name : {a, b})
                 if (std::ranges::find(m_data.conditions, name) == m_data.conditions.end())
                     fail("the planned contrast names \"" + name + "\", which is no condition of the answers", m_where,
@@ -134,7 +137,7 @@ private:
     void requireDifferentContrasts() const
     {
         std::set<std::pair<std::string, std::string>> seen;
-        for (const auto& [a, b] : m_options.planned) {
+        for (const auto& [a, b] : m_planned) {
             const std::string named = "the planned contrast \"" + a + "," + b + "\" ";
             if (a == b) fail(named + "compares a condition with itself", m_where, "two conditions", "correct this --planned");
             if (!seen.insert(std::minmax(a, b)).second)
@@ -183,10 +186,16 @@ private:
         if (known.insert(name).second) names.push_back(name);
     }
 
+    /// An export names everything, and a participant or fabric of an earlier version may be called NA.
+    bool isNameMissing(const std::string& name) const
+    {
+        return m_rows.isOwnExport ? nameWithoutBlanks(name).empty() : protocols::isMissing(name);
+    }
+
     std::string named(std::size_t row, const char* column) const
     {
         const std::string& name = cell(row, *m_table.column(column));
-        if (protocols::isMissing(name)) fail("the " + std::string(column) + " is empty", nameOf(row), "a name");
+        if (isNameMissing(name)) fail("the " + std::string(column) + " is empty", nameOf(row), "a name");
         if (name == reservedName)
             fail("a " + std::string(column) + " is called \"" + name + "\", which has a meaning of its own in result files",
                  nameOf(row), "another name");
@@ -232,12 +241,18 @@ private:
                                                                                        : cell(row, *m_columns.anchor);
     }
 
+    /// None for a row of the list.
+    static std::optional<AnchorKind> kindOf(const std::string& anchor)
+    {
+        return protocols::anchorKindNamed(anchor.substr(0, anchor.find(' ')));
+    }
+
     /// Where the answers of such a row are kept.
     std::vector<StudyResponse>& responsesOf(const std::string& anchor, bool isCatch)
     {
-        const auto kind = protocols::anchorKindNamed(anchor.substr(0, anchor.find(' ')));
-        if (kind == protocols::AnchorKind::Mismatched) return m_data.mismatchedResponses;
-        if (kind == protocols::AnchorKind::Repeated) return m_data.repeatedResponses;
+        const auto kind = kindOf(anchor);
+        if (kind == AnchorKind::Mismatched) return m_data.mismatchedResponses;
+        if (kind == AnchorKind::Repeated) return m_data.repeatedResponses;
         return isCatch ? m_data.catchResponses : m_data.responses;
     }
 
@@ -255,16 +270,6 @@ private:
         const auto given = std::ranges::find(question.instructions, instruction, &InstructionInfo::id);
         if (given == question.instructions.end() || !given->deadlineSeconds || !taken) return std::nullopt;
         return *taken > *given->deadlineSeconds;
-    }
-
-    /// Seconds; none where the time is missing. Some programs write -999 for a missing one, which no mean may hold.
-    std::optional<double> timeIn(std::size_t row, const std::optional<std::size_t>& column) const
-    {
-        const auto taken = column ? answerNumberOrMissing(m_table, row, *column) : std::nullopt;
-        if (taken && *taken < 0)
-            fail("the time " + cell(row, *column) + " is negative", nameOf(row) + ", column " + m_table.columns[*column],
-                 "seconds from 0", "a time is not negative: leave the cells of missing times empty");
-        return taken;
     }
 
     void readGroup(std::size_t row, const std::string& participant)
@@ -300,23 +305,44 @@ private:
         }
         const std::optional<int> session = sessionIn(row, participant);
         const std::string instruction = instructionOf(row);
+        const bool isOfShownFabric = condition != protocols::catchTrialId().value && kindOf(anchor) != AnchorKind::Mismatched;
         for (QuestionColumns& columns : m_columns.questions)
             if (const auto content = contentIn(row, columns)) {
+                if (isOfShownFabric) compareScore(row, columns, *content, fabric);
                 StudyResponse response{participant, fabric, condition, columns.info.id, *content};
                 response.repetition = repetition;
-                const std::optional<double> taken = timeIn(row, columns.time);
+                const std::optional<double> taken = secondsIn(m_table, row, columns.time);
                 response.seconds = taken;
-                response.trial = countIn(row, columns.trial ? columns.trial : m_columns.trial);
+                response.trial = countIn(m_table, row, columns.trial ? columns.trial : m_columns.trial);
                 const auto sitting = columns.sitting ? columns.sitting : m_columns.sitting;
-                response.sitting = sitting ? countIn(row, sitting) : session;
+                response.sitting = sitting ? countIn(m_table, row, sitting) : session;
                 response.instruction = instruction;
                 learnInstruction(columns, instruction);
                 response.late = columns.late ? markAt(m_table, row, *columns.late, {"late", "in time"})
                                              : isLate(columns.info, instruction, taken);
                 if (columns.touchedBy) response.touchedBy = cell(row, *columns.touchedBy);
-                response.entries = countIn(row, columns.entries);
+                response.entries = countIn(m_table, row, columns.entries);
                 responsesOf(anchor, isCatch).push_back(std::move(response));
             }
+    }
+
+    void rememberFabricsOfAnswers()
+    {
+        if (std::ranges::none_of(m_columns.questions, [](const QuestionColumns& columns) { return columns.answer.has_value(); }))
+            return;
+        const std::size_t column = *m_table.column("fabric");
+        for (const auto& row : m_table.rows) m_answerable.insert(row[column]);
+    }
+
+    /// A score that the answer contradicts would count here, and the answer in the table of the fabrics chosen. An answer that is
+    /// no fabric of the table says nothing.
+    void compareScore(std::size_t row, const QuestionColumns& columns, const AnswerContent& content, const std::string& fabric)
+    {
+        const auto* choice = std::get_if<ChosenAnswer>(&content);
+        if (choice == nullptr || !choice->answer || !m_answerable.contains(*choice->answer)) return;
+        if (std::holds_alternative<protocols::SameDifferent>(columns.info.kind)) return;
+        ScoresOfAnswers& scores = m_found.scores.try_emplace(columns.info.id, columns.info.id).first->second;
+        scores.add(m_table, {row, *columns.value, choice->correct, *choice->answer, fabric, choice->slot.has_value()});
     }
 
     /// The number of the row's session in the order of the participant's rows, from 1.
@@ -326,18 +352,6 @@ private:
         if (!column || protocols::isMissing(cell(row, *column))) return std::nullopt;
         std::map<std::string, int>& sessions = m_sessions[participant];
         return sessions.emplace(cell(row, *column), static_cast<int>(sessions.size()) + 1).first->second;
-    }
-
-    /// A whole number from 1; none where there is no such column or the cell is missing.
-    std::optional<int> countIn(std::size_t row, const std::optional<std::size_t>& column) const
-    {
-        const auto number = column ? answerNumberOrMissing(m_table, row, *column) : std::nullopt;
-        if (!number) return std::nullopt;
-        constexpr double largest = 1e9;
-        if (!(*number >= 1 && *number <= largest) || *number != std::floor(*number))
-            fail("\"" + cell(row, *column) + "\" is not a whole number", nameOf(row) + ", column " + m_table.columns[*column],
-                 "a whole number from 1");
-        return static_cast<int>(*number);
     }
 
     /// Whether an own export has an answer in words here, which may be empty, or NA.
@@ -373,23 +387,13 @@ private:
                  "replace the words; where another column holds the right answers, name it by --map " +
                      (m_rows.made.contains(*columns.value) ? "correct" : m_table.columns[*columns.value]) + "=COLUMN");
         ChosenAnswer choice{number == 1.0, {}, {}};
-        if (const auto slot = countIn(row, columns.slot)) choice.slot = *slot - 1;
-        if (columns.answer && !protocols::isMissing(cell(row, *columns.answer)))
-            choice.answer = scoring.isSameDifferent ? sameOrDifferent(row, *columns.answer)
-                                                    : std::string(nameWithoutBlanks(cell(row, *columns.answer)));
+        if (const auto slot = countIn(m_table, row, columns.slot)) choice.slot = *slot - 1;
+        if (!columns.answer) return choice;
+        const std::string& given = cell(row, *columns.answer);
+        if (scoring.isSameDifferent ? protocols::isMissing(given) : isNameMissing(given)) return choice;
+        choice.answer =
+            scoring.isSameDifferent ? sameOrDifferentAt(m_table, row, *columns.answer) : std::string(nameWithoutBlanks(given));
         return choice;
-    }
-
-    /// Whether a pair was the same follows from this word, so no other word may pass for one of the two.
-    std::string sameOrDifferent(std::size_t row, std::size_t column) const
-    {
-        const std::string& given = cell(row, column);
-        const std::string word = lowerCase(std::string(nameWithoutBlanks(given)));
-        if (word != "same" && word != "different")
-            fail("\"" + protocols::inShort(given, 60) + "\" is neither same nor different",
-                 nameOf(row) + ", column " + m_table.columns[column], "same or different",
-                 "replace the words of the column, or leave its cells empty");
-        return word;
     }
 
     /// Whether the table comes from an export of this program, which was checked against its protocol. Those of the first
@@ -412,7 +416,7 @@ private:
                  isScaleNamed ? ""
                               : "correct the cell, or name the scale: --scale LOW,HIGH is one for all questions, --protocol has "
                                 "one for each");
-        m_hasOtherScale = true;
+        m_found.hasOtherScale = true;
         return {number};
     }
 
@@ -421,9 +425,11 @@ private:
     AnswerRows m_rows;
     const protocols::CsvTable& m_table = m_rows.table;
     StudyData m_data;
-    bool m_hasOtherScale = false;  ///< ratings of an export are outside the scale that nobody named
+    std::vector<std::pair<std::string, std::string>> m_planned;  ///< contrasts of the caller, in the usual spelling
+    FoundInCells m_found;
     AnswerColumns m_columns;
     std::set<std::string> m_participants, m_fabrics, m_conditions;  ///< names so far
+    std::set<std::string> m_answerable;                             ///< fabrics of all rows, where answers may name them
     std::map<std::string, std::set<std::string>> m_instructions;    ///< of each question, so far
     std::map<std::string, std::map<std::string, int>> m_sessions;   ///< of each participant, with their numbers from 1
     /// Cells with their repetitions and anchors.

@@ -36,13 +36,17 @@ struct AnswersCsvOptions {
 /// ratings, or words where the protocol asks for words. ID_seconds and ID_answer belong to ID. `trial` is the place of
 /// the row in the participant's running order, `sitting` its sitting, both from 1; ID_trial and ID_sitting hold for one question
 /// only. Without `sitting`, the sessions of a participant count as sittings in the order of their rows. Participants, fabrics and
-/// conditions keep the order of their first appearance; "h_g+f_g" reads as "h_g&f_g". Empty, NA and NaN cells are missing.
-/// Columns with other names are not analysed; options.note names them. It also names choices that are tested against the default
-/// of 1/3. The answers to a question of same or different are "same" and "different", in any case of letters.
+/// conditions keep the order of their first appearance; "h_g+f_g" reads as "h_g&f_g", also in options.planned. Empty, NA and NaN
+/// cells are missing. Columns with other names are not analysed; options.note names them. It also names choices that are tested
+/// against the default of 1/3. The answers to a question of same or different are "same" and "different", in any case of letters.
 /// Throws badInput naming row and column: a missing or malformed column, a column Q1_x with an unknown x, a doubled row, a value
 /// that is no number, a negative time, a participant in two groups, a rating outside the scale; a contrast of options.planned
-/// that repeats an earlier one, in either order, or names one condition twice or an unknown one. Where neither the protocol nor
-/// options.scale names a scale, it is 0 to 10; for an export of this program options.note then names ratings outside it instead.
+/// that repeats an earlier one, in either order, or names one condition twice or an unknown one; a score of an export that the
+/// fabric chosen contradicts; at least five choices, of which each score contradicts its answer; answers or trays of an export of
+/// another kind or number than the protocol's; an options.scale of other ends than a protocol that describes all ratings. In
+/// other tables options.note counts the scores that contradict, because answers may be places called like fabrics. Where neither
+/// the protocol nor options.scale names a scale, it is 0 to 10; for an export of this program options.note then names ratings
+/// outside it instead.
 StudyData readAnswersCsv(const std::filesystem::path& file, const AnswersCsvOptions& options = {});
 
 }  // namespace reports

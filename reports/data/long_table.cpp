@@ -127,7 +127,7 @@ private:
     {
         for (std::size_t row = 0; row < m_table.rows.size(); ++row) {
             const std::string id = cell(row, "question");
-            if (protocols::isMissing(id))
+            if (m_isOwn ? id.empty() : protocols::isMissing(id))
                 throw protocols::badInput(
                     {"the question is empty", protocols::rowName(m_table, row), "the name of a question", ""});
             if (!m_questions.contains(id)) addQuestion(id, row);
@@ -164,14 +164,21 @@ private:
         m_order.push_back(id);
     }
 
+    /// Catch trials and anchors may have other trays than the list.
+    bool isBesideTheList(std::size_t row) const
+    {
+        return (m_rows.hasAnchors && has(row, anchorColumn)) || cell(row, "condition") == protocols::catchTrialId().value;
+    }
+
     /// The tray of a choice holds its alternatives; that of same/different one piece.
     void countAlternatives()
     {
         for (std::size_t row = 0; row < m_table.rows.size(); ++row) {
             Columns& columns = m_questions.at(cell(row, "question"));
-            if (columns.kind() != Kind::Choice || !has(row, "correct")) continue;
+            if (columns.kind() != Kind::Choice || !has(row, "correct") || isBesideTheList(row)) continue;
             const auto pieces = static_cast<int>(piecesIn(cell(row, "alternatives")).size());
-            if (columns.pieces && *columns.pieces != pieces) m_rows.mixedChoices.insert(cell(row, "question"));
+            auto& trays = m_rows.trays[cell(row, "question")];
+            if (!trays.contains(pieces)) trays.emplace(pieces, protocols::rowName(m_table, row));
             columns.pieces = pieces;
         }
     }
@@ -308,7 +315,8 @@ private:
     /// The place of the answer among the alternatives, from 1; empty where it has none.
     std::string slotOf(std::size_t row, const protocols::AnswerKind& kind) const
     {
-        if (!has(row, "answer")) return "";
+        const bool isFabric = std::holds_alternative<protocols::ForcedChoice>(kind);  // which may be called NA
+        if (!isFabric && !has(row, "answer")) return "";
         std::vector<protocols::FabricId> tray;
         for (const std::string& piece : piecesIn(cell(row, "alternatives"))) tray.emplace_back(piece);
         const auto place = placeAmongAlternatives(kind, tray, cell(row, "answer"));

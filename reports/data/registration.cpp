@@ -21,6 +21,8 @@ std::string usualBoundsRule(const std::vector<protocols::AnswerKind>& questions)
     return std::string("a twentieth of the ") + (lengths.size() > 1 ? "shortest scale" : "scale") + " either way";
 }
 
+std::string wordingNameOf(const std::string& question) { return "wording of " + question; }
+
 bool isInTime(const Registration& registration) { return registration.answersBefore == 0 && !registration.afterUnblinding; }
 
 }  // namespace reports

@@ -42,6 +42,15 @@ enum class PlanOrigin {
 /// The rule of bounds that nobody states: "a twentieth of the scale either way", or of the shortest one of these questions.
 std::string usualBoundsRule(const std::vector<protocols::AnswerKind>& questions);
 
+/// What a plan lets participants be asked or told.
+struct PlannedText {
+    std::string name;  ///< "wording of Q2", "deadline of the instruction quick"
+    std::string text;
+};
+
+/// PlannedText::name of the sentence of a question.
+std::string wordingNameOf(const std::string& question);
+
 /// The numbers and names of a plan.
 struct PlannedDesign {
     std::size_t participants = 0;
@@ -55,6 +64,7 @@ struct PlannedDesign {
     std::pair<double, double> equivalenceBounds{-0.5, 0.5};
     bool hasUsualBounds = false;  ///< the protocol states no bounds
     std::string protocolSha256;
+    std::vector<PlannedText> texts;  ///< of questions and instructions; empty where they are unknown
     /// Of one participant to one fabric under one condition, over questions and instructions; 0: one to each question.
     std::size_t answersPerRendering = 0;
 

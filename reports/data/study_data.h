@@ -167,7 +167,8 @@ struct StudyData {
     std::vector<FollowedVersion> protocolVersions;  ///< empty where the protocol was never amended
     /// Version of an amended protocol that states the plan, because no registration is followed; 0: there is no need to say it.
     int planVersion = 0;
-    std::vector<std::string> protocolChanges;  ///< parts in which it differs from the plan: "equivalence bounds"
+    std::vector<std::string> protocolChanges;  ///< parts in which it differs from the plan, which counts: "equivalence bounds"
+    std::vector<std::string> changedTexts;     ///< those in which it was followed all the same: "wording of Q2"
     std::vector<StudyResponse> responses;
     std::vector<StudyResponse> catchResponses;  ///< to blank glass; only quality flags use them
     /// To the image of `fabric` with another fabric on the tray; `condition` is empty while the study is blinded.
@@ -175,13 +176,15 @@ struct StudyData {
     std::vector<StudyResponse> repeatedResponses;  ///< to presentations that came a second time
     std::set<std::string> choicesRepeatedAnew;     ///< questions whose choices had other foils the second time
     std::vector<std::string> withdrawn;            ///< participants who withdrew; their answers are not analysed
+    std::vector<std::string> erased;               ///< participants whose answers were erased; they are not in `withdrawn`
     std::string participantsSentence;              ///< who took part, by the facts they gave; empty: none were asked
     std::vector<TouchedPresentation> touches;      ///< analysed presentations with samples of the finger
     std::vector<OperatorTaps> operatorTaps;        ///< in the order of the log
     TimesTaken times = TimesTaken::AsRecorded;     ///< what `seconds` of the responses is
-    std::size_t voided = 0;                        ///< presentations that are kept but not analysed
+    std::size_t voided = 0;                        ///< presentations; a table of answers knows only those with answers
     /// Number in a complete study, while it is blinded with those to catch trials and anchors; 0: unknown.
     std::size_t expectedResponses = 0;
+    std::size_t expectedOfEmptyPlaces = 0;    ///< part of expectedResponses: of running orders that nobody has
     std::optional<SignalComparison> signals;  ///< none while blinded
     std::vector<RenderingPrice> prices;       ///< empty while blinded, and where no condition carries a quality
     std::vector<FrictionPicture> pictures;    ///< empty while blinded, and where the images are not at hand

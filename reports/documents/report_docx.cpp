@@ -5,7 +5,6 @@
 #include <QProcessEnvironment>
 #include <QStandardPaths>
 #include <algorithm>
-#include <cstring>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/markup_text.h"
@@ -15,6 +14,7 @@
 #include "protocols/secrets/secret_variables.h"
 #include "reports/documents/drawing_painter.h"
 #include "reports/documents/figure_files.h"
+#include "reports/documents/html_tiles.h"
 #include "reports/formats/table_parts.h"
 
 namespace reports {
@@ -68,20 +68,6 @@ std::string htmlOf(const ReportTable* one)
     return html;
 }
 
-/// The tiles of the page as one line: "10 participants; 63 renderings".
-std::string withoutTiles(std::string html)
-{
-    const std::pair<const char*, const char*> replacements[] = {{"<div class=\"tiles\">", "<p>"},
-                                                                {"<div class=\"tile\">", ""},
-                                                                {"</b><span>", "</b> "},
-                                                                {"</span></div></div>", "</p>"},
-                                                                {"</span></div>", "; "}};
-    for (const auto& [from, to] : replacements)
-        for (std::size_t at = html.find(from); at != std::string::npos; at = html.find(from, at))
-            html.replace(at, std::strlen(from), to);
-    return html;
-}
-
 double widthMm(const Figure& figure) { return figureMm * shareOfTextWidth(figure.svg); }
 
 /// Pandoc ignores widths in percent.
@@ -123,9 +109,7 @@ void writeReportDocx(const ReportDocument& document, const std::filesystem::path
                 writeFigurePng(**figure, inside / ((*figure)->name + ".png"), widthMm(**figure));
     protocols::writeWholeFile(inside / "report.html", plainHtml(document), protocols::Sync::Later);
     QProcess pandoc;
-    QProcessEnvironment surroundings = QProcessEnvironment::systemEnvironment();
-    for (const char* secret : protocols::secretVariables) surroundings.remove(QLatin1String(secret));
-    pandoc.setProcessEnvironment(surroundings);
+    pandoc.setProcessEnvironment(protocols::withoutSecrets(QProcessEnvironment::systemEnvironment()));
     pandoc.setWorkingDirectory(QString::fromStdString(inside.string()));
     const QString out = QString::fromStdString(std::filesystem::absolute(folder / "report.docx").string());
     pandoc.start("pandoc", {"--from=html", "--to=docx", "--output", out, "report.html"});

@@ -5,6 +5,7 @@
 #include "protocols/files/number_text.h"
 #include "reports/documents/drawing_painter.h"
 #include "reports/documents/html_entities.h"
+#include "reports/documents/html_tiles.h"
 #include "reports/text/tex_text.h"
 
 namespace reports {
@@ -28,7 +29,6 @@ constexpr ElementTex elements[] = {{u"p", "", "\n\n"},
                                    {u"ul", "\\begin{itemize}\n", "\\end{itemize}\n\n"},
                                    {u"li", "\\item ", "\n"},
                                    {u"summary", "\\paragraph{", "}\n"},
-                                   {u"div", "", "\n\n"},
                                    {u"h3", "\\paragraph{", "}\n"}};
 
 const ElementTex* elementNamed(QStringView name)
@@ -37,8 +37,6 @@ const ElementTex* elementNamed(QStringView name)
         if (name == one.name) return &one;
     return nullptr;
 }
-
-bool isTile(const QXmlStreamReader& xml) { return xml.attributes().value(QLatin1String("class")) == u"tile"; }
 
 std::string texOf(const ReportTable* table) { return "\\input{tables/" + table->table.name + ".tex}\n"; }
 
@@ -54,7 +52,7 @@ std::string texOf(const Figure* figure)
 
 std::string texOfHtml(const std::string& html)
 {
-    QXmlStreamReader xml(asXml(html));
+    QXmlStreamReader xml(asXml(withoutTiles(html)));
     std::string tex;
     int inCode = 0;
     while (!xml.atEnd()) {
@@ -62,8 +60,7 @@ std::string texOfHtml(const std::string& html)
         const ElementTex* element = elementNamed(xml.name());
         if (token == QXmlStreamReader::StartElement) {
             if (xml.name() == u"code") ++inCode;
-            // Tiles stand in one line: "10 participants; 63 renderings".
-            if (element != nullptr && !isTile(xml)) tex += element->before;
+            if (element != nullptr) tex += element->before;
         } else if (token == QXmlStreamReader::EndElement) {
             if (xml.name() == u"code") --inCode;
             if (element != nullptr) tex += element->after;

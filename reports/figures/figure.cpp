@@ -6,7 +6,7 @@ namespace reports {
 
 std::string stampedCaption(const StudyData& data, const std::string& caption)
 {
-    return caption + (data.simulated ? " SIMULATED participants." : "");
+    return caption + (data.simulated ? " SIMULATED participants." : "") + (data.scripted ? " SCRIPTED participants." : "");
 }
 
 std::string untestedText(const StudyData& data, const ChoiceAnalysis& choices)

@@ -19,7 +19,7 @@ struct Figure {
     std::string narrowSvg = {};  ///< drawn for one column and for phones
 };
 
-/// The caption, with a note on simulated participants.
+/// The caption, with a note on simulated and on scripted participants.
 std::string stampedCaption(const StudyData& data, const std::string& caption);
 
 /// For the caption of a figure that shows chance: the conditions that are not tested against it. Empty where all are.

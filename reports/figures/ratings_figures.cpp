@@ -134,13 +134,19 @@ void drawAnchors(PlotFrame& plot, const std::vector<RatingQuestion>& questions, 
     drawLineNames(plot, std::move(ends));
 }
 
-/// What the lines of the figure are; empty without any.
-std::string anchorsCaption(const StudyAnalysis& analysis)
+/// What the lines of a figure of these questions are; empty without any.
+std::string anchorsCaption(const std::vector<RatingQuestion>& questions, const StudyAnalysis& analysis)
 {
+    const auto hasSome = [&](const auto& isShown) {
+        return std::ranges::any_of(questions, [&](const RatingQuestion& question) {
+            const QuestionAnchors* anchors = anchorsOf(analysis.anchors, question.id());
+            return anchors != nullptr && isShown(*anchors);
+        });
+    };
     std::string text;
-    if (std::ranges::any_of(analysis.anchors, [](const QuestionAnchors& one) { return one.floor.has_value(); }))
+    if (hasSome([](const QuestionAnchors& one) { return one.floor.has_value(); }))
         text += " Dotted lines: floor, the mean rating with another fabric on the tray.";
-    if (std::ranges::any_of(analysis.anchors, [](const QuestionAnchors& one) { return one.ratings.has_value(); }))
+    if (hasSome([](const QuestionAnchors& one) { return one.ratings.has_value(); }))
         text += " Dashed lines: ceiling, the highest mean that the noise of repeated answers allows.";
     return text;
 }
@@ -179,7 +185,7 @@ std::vector<Figure> ratingsFigures(const StudyAnalysis& analysis, FigureWidth wi
                                                                    (groups.size() > 1 ? namesIn(questions) : std::string()) +
                                                                    ": means of the participants' means, with their 95 % "
                                                                    "interval." +
-                                                                   anchorsCaption(analysis)),
+                                                                   anchorsCaption(questions, analysis)),
                       .section = PageSection::Ratings};
         const NumberOnScale& scale = questions.front().findings.scale;
         PlotFrame plot(analysis.data.conditions, scale.min, scale.max, "Ratings by question and condition", figure.caption,

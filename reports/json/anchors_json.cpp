@@ -61,14 +61,27 @@ Json repeatedRow(const stats::RatingReliability& ratings, const std::pair<double
     return row;
 }
 
-Json repeatedRow(const stats::ChoiceReliability& choices, bool byOutcome, int alternatives)
+std::string comparedName(stats::ChoicesCompared compared)
+{
+    switch (compared) {
+        case stats::ChoicesCompared::Outcomes:
+            return "right and wrong";
+        case stats::ChoicesCompared::Words:
+            return "words";
+        case stats::ChoicesCompared::Answers:
+            break;
+    }
+    return "answers";
+}
+
+Json repeatedRow(const stats::ChoiceReliability& choices, stats::ChoicesCompared compared, int alternatives)
 {
     Json row{{"pairs", choices.pairs},
              {"participants", choices.participants},
              {"alternatives", alternatives},
-             {"compared", byOutcome ? "right and wrong" : "answers"},
+             {"compared", comparedName(compared)},
              {"agreeing", choices.agreeing}};
-    if (byOutcome) row["both_wrong"] = choices.bothWrong;
+    if (compared == stats::ChoicesCompared::Outcomes) row["both_wrong"] = choices.bothWrong;
     putEstimate(row, "agreement", choices.agreement);
     putEstimate(row, "kappa", choices.kappa);
     putEstimate(row, "ceiling_of_proportion", choices.shareCeiling);
@@ -87,7 +100,7 @@ nlohmann::ordered_json anchorsMember(const StudyAnalysis& analysis)
         Json row{{"question", anchors.question}};
         if (anchors.floor) row["mismatched"] = floorRow(*anchors.floor);
         if (anchors.ratings) row["repeated"] = repeatedRow(*anchors.ratings, analysis.data.equivalenceBounds);
-        if (anchors.choices) row["repeated"] = repeatedRow(*anchors.choices, anchors.choicesByOutcome, anchors.alternatives);
+        if (anchors.choices) row["repeated"] = repeatedRow(*anchors.choices, anchors.compared, anchors.alternatives);
         if (!anchors.noChoices.empty()) putNull(row, "repeated", anchors.noChoices);
         part["anchors"].push_back(std::move(row));
     }

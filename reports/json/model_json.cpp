@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "reports/analysis/pair_comparisons.h"
+
 namespace reports {
 namespace {
 
@@ -52,7 +54,7 @@ Json crossedChoiceModelJson(const stats::ChoiceModel& fitted)
     return part;
 }
 
-Json modelContrastsJson(const std::vector<ModelContrast>& contrasts, const std::pair<double, double>& bounds)
+Json modelContrastsJson(const StudyData& data, const std::vector<ModelContrast>& contrasts)
 {
     Json rows = Json::array();
     for (const ModelContrast& contrast : contrasts) {
@@ -65,11 +67,12 @@ Json modelContrastsJson(const std::vector<ModelContrast>& contrasts, const std::
         putP(row, "p", test.p, test.logP);
         put(row, "ci95", contrast.mean.ci95);
         put(row, "ci90", contrast.mean.ci90);
-        Json tost{{"bounds", {bounds.first, bounds.second}}};
+        const auto [low, high] = boundsOf(data, contrast.a, contrast.b);
+        Json tost{{"bounds", {low, high}}};
         const auto putTest = [&](const char* key, const stats::MeanTest& test) { putP(tost, key, test.p, test.logP); };
-        putTest("p_lower", stats::testOfMean(contrast.mean, bounds.first, stats::Tail::Greater));
-        putTest("p_upper", stats::testOfMean(contrast.mean, bounds.second, stats::Tail::Less));
-        putTest("p", stats::equivalenceOfMean(contrast.mean, bounds.first, bounds.second));
+        putTest("p_lower", stats::testOfMean(contrast.mean, low, stats::Tail::Greater));
+        putTest("p_upper", stats::testOfMean(contrast.mean, high, stats::Tail::Less));
+        putTest("p", stats::equivalenceOfMean(contrast.mean, low, high));
         putReasonsLast(tost);
         row["tost"] = std::move(tost);
         putReasonsLast(row);

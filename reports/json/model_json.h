@@ -16,8 +16,8 @@ Json choiceModelJson(const stats::ChoiceModel& fitted);
 /// The same for the model with the interactions of participant and fabric with condition.
 Json crossedChoiceModelJson(const stats::ChoiceModel& fitted);
 
-/// All pairs of conditions in the linear mixed model, with two one-sided tests at the bounds.
-Json modelContrastsJson(const std::vector<ModelContrast>& contrasts, const std::pair<double, double>& bounds);
+/// All pairs of conditions in the linear mixed model, with two one-sided tests at boundsOf() each.
+Json modelContrastsJson(const StudyData& data, const std::vector<ModelContrast>& contrasts);
 
 /// Variances and SDs of the linear mixed model.
 Json variancesJson(const stats::RatingModel& fitted);

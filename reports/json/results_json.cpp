@@ -31,10 +31,10 @@ Json studyPart(const StudyData& data, const ReportOrigin& origin)
     study["participants"] = answeringParticipants(data);
     study["fabrics"] = data.fabrics.size();
     study["blinded"] = data.blinded;
-    if (data.knowsKinds)
-        study["simulated"] = data.simulated;
-    else
-        putNull(study, "simulated", kindsUnknown);
+    study["simulated"] = data.simulated;
+    study["scripted"] = data.scripted;
+    if (!data.knowsKinds)
+        for (const char* kind : {"simulated", "scripted"}) putNull(study, kind, kindsUnknown);
     if (!origin.logHead.empty()) study["log_head"] = origin.logHead;
     if (Json made = protocols::storedOrderedJson(origin.madeWith); made.is_object()) study["made_with"] = std::move(made);
     putReasonsLast(study);

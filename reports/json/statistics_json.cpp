@@ -255,8 +255,8 @@ Json effectMembers(const StudyAnalysis& analysis)
 void addModelParts(JsonParts& parts, const StudyAnalysis& analysis)
 {
     using Rated = AnalysedQuestion<RatingAnalysis>;
-    addRatingPart(parts, analysis, "lmm_contrasts", [bounds = analysis.data.equivalenceBounds](const Rated& question) {
-        return modelContrastsJson(question.findings.modelContrasts, bounds);
+    addRatingPart(parts, analysis, "lmm_contrasts", [data = &analysis.data](const Rated& question) {
+        return modelContrastsJson(*data, question.findings.modelContrasts);
     });
     addRatingPart(parts, analysis, "lmm_variances", [](const Rated& question) { return variancesJson(question.findings.model); });
     addRatingPart(parts, analysis, "lmm_leave_one_fabric_out",

@@ -1,5 +1,7 @@
 #include "reports/page/anchor_text.h"
 
+#include <algorithm>
+
 #include "protocols/files/markup_text.h"
 #include "reports/page/html_parts.h"
 #include "reports/text/condition_label.h"
@@ -70,17 +72,31 @@ std::string choiceSentences(const std::string& question, const QuestionAnchors& 
     std::string text = question + " test&ndash;retest: ";
     if (!anchors.choices) return text + protocols::escapedMarkup(anchors.noChoices) + ".";
     const stats::ChoiceReliability& found = *anchors.choices;
-    if (anchors.choicesByOutcome)
+    if (anchors.compared == stats::ChoicesCompared::Outcomes)
         text += counted(found.pairs, "choice") + " came twice, the second time beside other foils; " +
                 std::to_string(found.agreeing - found.bothWrong) + " were right both times and " +
                 std::to_string(found.bothWrong) + " wrong both times";
     else
         text += std::to_string(found.agreeing) + " of " + counted(found.pairs, "choice") + " that came twice were the same";
-    if (!found.kappa.value.exists()) return text + ".";
-    return text + "; corrected for guessing (1/" + std::to_string(anchors.alternatives) + "), kappa is " +
-           valueWithInterval(found.kappa.value, found.kappa.ci95, 2) +
+    const bool areWords = anchors.compared == stats::ChoicesCompared::Words;
+    if (!found.kappa.value.exists())
+        return text + (areWords ? ". There is no kappa: " + protocols::escapedMarkup(found.kappa.value.why()) + "." : ".");
+    const std::string guessing =
+        areWords ? "each participant&rsquo;s habit for one word" : "guessing (1/" + std::to_string(anchors.alternatives) + ")";
+    return text + "; corrected for " + guessing + ", kappa is " + valueWithInterval(found.kappa.value, found.kappa.ci95, 2) +
            ". With this noise the share of right answers, over all conditions together, can reach at most " +
            valueWithInterval(found.shareCeiling.value, found.shareCeiling.ci95, 2) + ".";
+}
+
+/// Empty where no answers are words.
+std::string wordsMethod(const StudyAnalysis& analysis)
+{
+    const auto areWords = [](const QuestionAnchors& anchors) { return anchors.compared == stats::ChoicesCompared::Words; };
+    if (std::ranges::none_of(analysis.anchors, areWords)) return {};
+    return " Where the answers are the words same and different, chance comes from each participant&rsquo;s own words (Cohen "
+           "1960). It is how often the first answer to one presentation is the second answer to another. So a habit for one word "
+           "has a kappa of 0, too, and a kappa of few pairs can lie below &minus;1. The ceiling is then (1 + &radic;kappa)/2, if "
+           "each word is right equally often; both intervals come from the jackknife over participants.";
 }
 
 std::string listedAnchors(const std::vector<std::string>& items) { return items.empty() ? std::string() : bulletList(items); }
@@ -129,7 +145,8 @@ std::string anchorsMethod(const StudyAnalysis& analysis)
            "participants differ. The highest share of right answers is (1 + &radic;((k &minus; 1)(kA &minus; 1)))/k for an "
            "agreement of A: among all probabilities of k answers that give this agreement, it is the largest that one answer can "
            "have. k is m, or 2 where right and wrong are compared; then all wrong answers count as one, and the ceiling is high "
-           "where many are wrong. These ceilings suppose the noise of the repeated presentations.";
+           "where many are wrong. These ceilings suppose the noise of the repeated presentations." +
+           wordsMethod(analysis);
 }
 
 }  // namespace reports

@@ -32,6 +32,15 @@ std::string chanceText(const ChoiceQuestions& questions)
     return haveOneChance(questions) ? "1/" + std::to_string(questions.front().findings.alternatives) : "1/m";
 }
 
+/// "3 for Q1 and 2 for Q5"
+std::string alternativesOfEach(const ChoiceQuestions& questions)
+{
+    std::vector<std::string> each;
+    for (const auto& question : questions)
+        each.push_back(std::to_string(question.findings.alternatives) + " for " + protocols::escapedMarkup(question.id()));
+    return listed(each);
+}
+
 /// "Chance is 1/3", or the value of m for each question.
 std::string chanceSentence(const ChoiceQuestions& questions)
 {
@@ -44,10 +53,7 @@ std::string chanceSentence(const ChoiceQuestions& questions)
                                    : " For " + listed(assumed) + " this is the default of this program: no protocol " +
                                          "and no option stated the number of alternatives.";
     if (haveOneChance(questions)) return text + "." + origin;
-    std::vector<std::string> each;
-    for (const auto& question : questions)
-        each.push_back(std::to_string(question.findings.alternatives) + " for " + protocols::escapedMarkup(question.id()));
-    return text + ", where m is the number of answers to choose from: " + listed(each) + "." + origin;
+    return text + ", where m is the number of answers to choose from: " + alternativesOfEach(questions) + "." + origin;
 }
 
 bool anyPlanned(const StudyAnalysis& analysis)
@@ -124,11 +130,10 @@ std::string claimsParagraph(const StudyAnalysis& analysis, bool hasChoices)
 std::string unitParagraph()
 {
     return "<b>Unit of analysis.</b> The answers of one participant are not independent, and neither are the answers to one "
-           "fabric. "
-           "No test between conditions counts them one by one. Means and SDs of ratings describe the ratings. "
+           "fabric. No test between conditions counts them one by one. Means and SDs of ratings describe the ratings. "
            "95 % intervals (Student's t) are those of the participants' means. Where participants have unequal numbers of "
-           "ratings, "
-           "the mean of these means differs from that of all ratings. Figures show it with its interval, and tables have both.";
+           "ratings, the mean of these means differs from that of all ratings. Figures show it with its interval, and tables "
+           "have both.";
 }
 
 /// Shares of pairs that were the same, over the conditions.
@@ -219,10 +224,9 @@ std::string matchesParagraph(const StudyData& data, const ChoiceQuestions& quest
     return "<b>Matches.</b> &ldquo;Matches per rendering&rdquo; is the share correct times the number of participants (" +
            peopleText(data, questions) + "). " + chanceSentence(questions) +
            " &ldquo;Above chance&rdquo; is tested one-sided on the mean share, with participants and fabrics as samples, and "
-           "corrected "
-           "over the conditions. Its interval is drawn in the figure. The table of matches has it for both generalisations. The "
-           "exact binomial test and "
-           "Wilson's interval beside it count the trials as independent, which they are not; they describe." +
+           "corrected over the conditions. Its interval is drawn in the figure. The table of matches has it for both "
+           "generalisations. The exact binomial test and Wilson's interval beside it count the trials as independent, which they "
+           "are not; they describe." +
            shareSentences(questions) + " The CSV file also has the two-sided t test of the participants' shares against " +
            chanceText(questions) + ". Choices have no equivalence test, because the bounds are scale points." +
            hitsSentences(questions);
@@ -231,13 +235,11 @@ std::string matchesParagraph(const StudyData& data, const ChoiceQuestions& quest
 std::string pairsParagraph()
 {
     return "<b>All pairs of participants' means.</b> All pairs of conditions are also compared by two-sided paired t tests, on "
-           "the "
-           "participants who answered under both conditions. A participant's means are those over the fabrics answered under "
+           "the participants who answered under both conditions. A participant's means are those over the fabrics answered under "
            "both, with repetitions averaged first. Otherwise a missing answer would make a difference of fabrics look like one "
            "of conditions. Analyses of variance and rank tests take the fabrics answered under all conditions. "
            "Holm's correction covers all pairs of a question. These tests hold "
-           "for "
-           "these fabrics only. d<sub>z</sub> is the mean difference divided by the SD of the differences.";
+           "for these fabrics only. d<sub>z</sub> is the mean difference divided by the SD of the differences.";
 }
 
 std::string equivalenceParagraph(const StudyData& data)
@@ -280,8 +282,7 @@ std::string omnibusParagraph(bool hasChoices, bool hasRatings)
         text +=
             " The logistic models of choices have random intercepts of participant and fabric, and in the second their "
             "interactions with condition (Laplace approximation, likelihood-ratio test). The linear mixed model of the choices "
-            "as "
-            "0 and 1 decides, because its test keeps its level.";
+            "as 0 and 1 decides, because its test keeps its level.";
     return text +
            " The table notes where a random effect was estimated as zero (singular fit), and where a condition was always or "
            "never right (separation).";
@@ -291,18 +292,21 @@ std::string measuredSizesParagraph()
 {
     return "<b>Measured error rates.</b> The tables below show how often claims and tests reject when there is no true effect. "
            "The nulls have interactions of participants and fabrics with condition, because these make tests reject too often. "
-           "The "
-           "rates were measured for the paper's design (10 participants, 7 fabrics, 9 conditions). A test above 6 % is marked as "
+           "The rates were measured for the paper's design (10 participants, 7 fabrics, 9 conditions). A test above 6 % is "
+           "marked as "
            "anti-conservative. Tests that treat the fabrics as fixed say nothing about other fabrics.";
 }
 
 std::string speedParagraph(const ChoiceQuestions& questions, const StudyData& data)
 {
-    return "<b>Speed and accuracy</b> are those of " + protocols::escapedMarkup(questions.front().id()) + ". " +
-           responseTimeSentence(data.times) +
-           " Bits per second are the information of one choice "
-           "among m = " +
-           std::to_string(questions.front().findings.alternatives) +
+    std::vector<std::string> ids;
+    for (const auto& question : questions) ids.push_back(protocols::escapedMarkup(question.id()));
+    const bool hasInstructions = std::ranges::any_of(questions, [&](const auto& one) { return isInstructed(data, one.id()); });
+    return "<b>Speed and accuracy</b> are those of " + listed(ids) +
+           (ids.size() > 1 ? ". The table by condition is about " + ids.front() + ". " : ". ") +
+           responseTimeSentence(data.times) + " Bits per second are the information of one choice among m" +
+           (haveOneChance(questions) ? " = " + std::to_string(questions.front().findings.alternatives)
+                                     : " answers (" + alternativesOfEach(questions) + ")") +
            " divided by the mean time. That information is log<sub>2</sub> m + p log<sub>2</sub> p + (1 &minus; p) "
            "log<sub>2</sub>((1 &minus; p)/(m &minus; 1)) for a share correct p, and 0 at or below chance. The balanced "
            "integration score is the z score of the share correct minus the z score of the mean time. Both are taken over all "
@@ -315,7 +319,7 @@ std::string speedParagraph(const ChoiceQuestions& questions, const StudyData& da
            "timed under both. Holm's correction covers the contrasts of a measure. These results "
            "hold for new participants and these fabrics. The share correct by response time uses quarters of each participant's "
            "own times. Slow conditions may also be hard ones, so its trend is that at equal " +
-           heldEqual(isInstructed(data, questions.front().id())) + ".";
+           heldEqual(hasInstructions) + ".";
 }
 
 bool haveInstructions(const ChoiceQuestions& questions)
@@ -333,8 +337,7 @@ std::string instructedAnswersSentence(const ChoiceQuestions& questions)
     if (areComplete) return ": everybody answered every condition and fabric under each of them. ";
     return ". Not everybody answered every condition and fabric under each of them. Where a fabric was answered under several "
            "instructions, two conditions are compared under those that both have. Two instructions are compared on the "
-           "conditions "
-           "and fabrics answered under both, where there are any. ";
+           "conditions and fabrics answered under both, where there are any. ";
 }
 
 std::string instructionParagraph(const ChoiceQuestions& questions)
@@ -379,8 +382,7 @@ std::string orderParagraph(const StudyData& data)
            "sittings against the first. The mean of the participants' slopes is tested by Student's t, for these fabrics. "
            "Where the running orders balance the conditions over the trials, a change over trials adds noise and no bias. "
            "As a check, one contrast of each question is also shown without each participant's own trend: the primary one, or "
-           "the "
-           "largest. p and interval of the largest have Bonferroni's correction for the contrasts that it was picked from.";
+           "the largest. p and interval of the largest have Bonferroni's correction for the contrasts that it was picked from.";
 }
 
 std::string participantsParagraph(const StudyData& data)
@@ -395,6 +397,9 @@ std::string participantsParagraph(const StudyData& data)
         text += " In addition, " + counted(data.withdrawn.size(), "participant") +
                 " withdrew. Answers given before are kept and not analysed, and the " + pluralOf(data.withdrawn.size(), "place") +
                 " became free again.";
+    if (!data.erased.empty())
+        text += " The answers of " + counted(data.erased.size(), "participant") + " were erased, and the " +
+                pluralOf(data.erased.size(), "place") + " became free again.";
     if (!data.catchResponses.empty())
         text += " No analysis uses the " + counted(data.catchResponses.size(), "answer") + " to catch trials with blank glass.";
     return text;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "protocols/files/markup_text.h"
+#include "protocols/files/number_text.h"
 #include "protocols/usual_texts.h"
 #include "reports/page/anchor_text.h"
 #include "reports/page/findings.h"
@@ -68,13 +69,26 @@ std::string questionTexts(const StudyAnalysis& analysis)
     return text.empty() ? text : paragraph(text);
 }
 
-std::string claimsLead(const StudyData& data)
+std::string claimsLead(const StudyAnalysis& analysis)
 {
+    const bool hasRatings = !questionsWith<RatingAnalysis>(analysis).empty();  // only their claims have bounds of equivalence
     return paragraph(
         "Each contrast has two rows. &ldquo;These fabrics&rdquo; asks what other participants would show on the same fabrics. "
         "&ldquo;Fabrics like these&rdquo; asks what other participants would show on other fabrics of this kind; it is the "
-        "verdict of the summary. &ldquo;Not decided&rdquo; means that these data cannot tell. " +
-        boundsLead(data));
+        "verdict of the summary. &ldquo;Not decided&rdquo; means that these data cannot tell." +
+        (hasRatings ? " " + boundsLead(analysis.data) : ""));
+}
+
+/// Empty where no pair has mirrored bounds.
+std::string mirroredSentence(const StudyData& data)
+{
+    std::string pairs;
+    for (const ConditionPair& pair : mirroredPairs(data))
+        pairs += (pairs.empty() ? "" : ", ") + protocols::escapedMarkup(pair.a) + " \u2212 " + protocols::escapedMarkup(pair.b);
+    if (pairs.empty()) return {};
+    const auto [low, high] = data.equivalenceBounds;
+    return " The bounds belong to the planned differences. Here these stand the other way round, with the bounds " +
+           typeset(protocols::shortest(0 - high)) + " and " + typeset(protocols::shortest(0 - low)) + ": " + pairs + ".";
 }
 
 /// What the numbers are, then one sentence a question on other fabrics.
@@ -105,12 +119,13 @@ std::string qualityLead(const StudyAnalysis& analysis)
 {
     const Completeness& completeness = analysis.completeness;
     const std::vector<std::string> order = orderSentences(analysis);
-    const std::size_t missing = completeness.missing(), voided = analysis.data.voided;
+    const std::size_t missing = completeness.missing(), empty = completeness.ofEmptyPlaces, voided = analysis.data.voided;
     const std::string counts = std::to_string(completeness.present) + " of " + counted(completeness.expected, "expected answer") +
                                (completeness.present == 1 ? " is" : " are") +
                                (analysis.data.blinded ? " stored, " : " analysed, ") + std::to_string(missing) +
-                               (missing == 1 ? " is" : " are") + " missing. " + counted(voided, "presentation") +
-                               (voided == 1 ? " was" : " were") + " voided.";
+                               (missing == 1 ? " is" : " are") + " missing" +
+                               (empty > 0 ? ", " + std::to_string(empty) + " of them of places that nobody has. " : ". ") +
+                               counted(voided, "presentation") + (voided == 1 ? " was" : " were") + " voided.";
     return paragraph(counts) + stampsText(analysis.data) +
            (analysis.flags.empty() ? paragraph("Nothing is flagged.") : std::string()) +
            (order.empty() ? std::string() : bulletList(order));
@@ -211,7 +226,7 @@ std::string sectionLead(PageSection section, const StudyAnalysis& analysis)
         case PageSection::Words:
             return questionTexts<WordedAnalysis>(analysis);
         case PageSection::Claims:
-            return claimsLead(analysis.data);
+            return claimsLead(analysis);
         case PageSection::Sentences:
             return sentencesLead(analysis);
         case PageSection::Comparisons:
@@ -221,7 +236,8 @@ std::string sectionLead(PageSection section, const StudyAnalysis& analysis)
         case PageSection::Equivalence:
             return paragraph(
                 "Two one-sided tests on participant means, for these fabrics only. Two conditions are equivalent when the 90 % "
-                "interval lies inside the bounds. These p values are not corrected.");
+                "interval lies inside the bounds. These p values are not corrected." +
+                mirroredSentence(analysis.data));
         case PageSection::Effects:
             return effectsLead(analysis);
         case PageSection::Groups:

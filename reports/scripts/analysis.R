@@ -213,6 +213,28 @@ anchorChoices <- function(question, m, k) {
        kappa = kappa[1], kappa_ci95_low = kappa[2], kappa_ci95_high = kappa[3],
        ceiling_of_proportion = (1 + sqrt((k - 1) * max(0, k * share[1] - 1))) / k)
 }
+# Kappa of words: by chance, the first word of one pair is the second word of another pair of the participant. `x`: what agrees
+# beyond chance, `y`: what can, both of a participant.
+kappaOfWords <- function(x, y) if (sum(y) > 0) sum(x) / sum(y) else NA_real_
+anchorWords <- function(question) {
+  own <- anchorsOf(question, "repeated")
+  share <- shareOfPairs(as.numeric(own$first == own$second), own$participant)
+  beyondChance <- function(rows) {
+    n <- nrow(rows)
+    agreeing <- sum(rows$first == rows$second)
+    chance <- (sum(outer(rows$first, rows$second, "==")) - agreeing) / (n - 1)
+    data.frame(participant = rows$participant[1], x = agreeing - chance, y = n - chance)
+  }
+  enough <- Filter(function(rows) nrow(rows) > 1, split(own, own$participant))
+  words <- do.call(rbind, c(list(data.frame(participant = character(), x = numeric(), y = numeric())),
+                            lapply(enough, beyondChance)))
+  kappa <- kappaOfWords(words$x, words$y)
+  ends <- jackknife(words, kappaOfWords, atanh, tanh)
+  if (!isTRUE(diff(ends) > 1e-9)) ends <- c(NA_real_, NA_real_)  # all participants show the same
+  list(pairs = nrow(own), agreement = share[1], agreement_ci95_low = share[2], agreement_ci95_high = share[3],
+       kappa = kappa, kappa_ci95_low = ends[1], kappa_ci95_high = ends[2],
+       ceiling_of_proportion = (1 + sqrt(max(0, kappa))) / 2)
+}
 
 # ---- linear mixed models ----------------------------------------------------------------------------------------------------
 
@@ -566,6 +588,7 @@ computed <- function(g) {
     anchor_floor = orNothing(anchorFloor(g$question)),
     anchor_ratings = orNothing(quietly(anchorRatings(g$question, g$high))),
     anchor_choices = orNothing(quietly(anchorChoices(g$question, g$low, g$high))),
+    anchor_words = orNothing(quietly(anchorWords(g$question))),
     stop("expected.csv has an unknown section: ", g$section))
 }
 

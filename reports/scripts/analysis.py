@@ -262,6 +262,29 @@ def anchor_choices(question, m, k):
             "ceiling_of_proportion": (1 + math.sqrt((k - 1) * at_least_0(k * share - 1))) / k}
 
 
+def kappa_of_words(own):
+    """Of participants with two pairs and more: by chance the first word of one pair is the second word of another."""
+    pairs = agreeing = by_chance = 0.0
+    for of_one in own:
+        n, same = len(of_one), sum(first == second for first, second in of_one)
+        crossed = sum(first == second for first, _ in of_one for _, second in of_one)
+        pairs, agreeing, by_chance = pairs + n, agreeing + same, by_chance + (crossed - same) / (n - 1)
+    return (agreeing - by_chance) / (pairs - by_chance) if by_chance < pairs else math.nan
+
+
+def anchor_words(question):
+    own = twice(question)
+    share, low, high = share_of_pairs([[float(first == second) for first, second in pairs] for pairs in own])
+    enough = [pairs for pairs in own if len(pairs) > 1]
+    kappa = kappa_of_words(enough)
+    ends = jackknife([[pairs] for pairs in enough], kappa_of_words, math.atanh, math.tanh)
+    if not ends[1] - ends[0] > 1e-9:  # all participants show the same
+        ends = math.nan, math.nan
+    return {"pairs": sum(map(len, own)), "agreement": share, "agreement_ci95_low": low, "agreement_ci95_high": high,
+            "kappa": kappa, "kappa_ci95_low": ends[0], "kappa_ci95_high": ends[1],
+            "ceiling_of_proportion": (1 + math.sqrt(at_least_0(kappa))) / 2}
+
+
 def holm(found):
     """Adds Holm's correction over all comparisons of a question."""
     questions = {key[1] for key in found}
@@ -289,7 +312,8 @@ compute = {"matches": lambda r: matches(r["question"], r["a"], float(r["low"]) i
            "equivalence": lambda r: equivalence(r["question"], r["a"], r["b"], float(r["low"]), float(r["high"])),
            "anchor_floor": lambda r: anchor_floor(r["question"]),
            "anchor_ratings": lambda r: anchor_ratings(r["question"], float(r["high"])),
-           "anchor_choices": lambda r: anchor_choices(r["question"], float(r["low"]), float(r["high"]))}
+           "anchor_choices": lambda r: anchor_choices(r["question"], float(r["low"]), float(r["high"])),
+           "anchor_words": lambda r: anchor_words(r["question"])}
 left_out = [row for row in expected if row["section"] not in compute]
 expected = [row for row in expected if row["section"] in compute]
 found = {}

@@ -229,8 +229,10 @@ void addAnchorNumbers(std::string& text, const StudyAnalysis& analysis, const Qu
             .put("sd", anchors.floor->sd)
             .ends("ci95", anchors.floor->ci95);
     if (anchors.choices)
-        NumberRows(text, "anchor_choices", anchors.question, "", "")
-            .within(anchors.alternatives, std::to_string(anchors.choicesByOutcome ? 2 : anchors.alternatives))
+        NumberRows(text, anchors.compared == stats::ChoicesCompared::Words ? "anchor_words" : "anchor_choices", anchors.question,
+                   "", "")
+            .within(anchors.alternatives,
+                    std::to_string(anchors.compared == stats::ChoicesCompared::Outcomes ? 2 : anchors.alternatives))
             .count("pairs", anchors.choices->pairs)
             .put("agreement", anchors.choices->agreement.value)
             .ends("agreement_ci95", anchors.choices->agreement.ci95)
@@ -286,7 +288,8 @@ const std::vector<std::string> sections{"matches",
                                         "ordinal_model",
                                         "anchor_floor",
                                         "anchor_ratings",
-                                        "anchor_choices"};
+                                        "anchor_choices",
+                                        "anchor_words"};
 
 std::string codebookCsv(const StudyData& data)
 {

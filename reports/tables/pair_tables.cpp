@@ -77,8 +77,9 @@ void addRow(Table& table, const std::string& question, const PairEquivalence& eq
 
 std::string boundsText(const StudyData& data)
 {
-    return typeset(protocols::shortest(data.equivalenceBounds.first)) + " and " +
-           typeset(protocols::shortest(data.equivalenceBounds.second)) + " scale points";
+    const auto [low, high] = data.equivalenceBounds;
+    const std::string text = typeset(protocols::shortest(low)) + " and " + typeset(protocols::shortest(high)) + " scale points";
+    return mirroredPairs(data).empty() ? text : text + ", which are mirrored where b\u2212a is planned";
 }
 
 /// The rows of the planned pairs of all questions.

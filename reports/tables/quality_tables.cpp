@@ -37,9 +37,17 @@ Table screeningTable(const StudyAnalysis& analysis)
     return table;
 }
 
+/// "6 participants analysed", as the table of missing answers counts them.
+std::string analysedParticipants(const StudyData& data)
+{
+    const std::size_t silent = data.participants.size() - answeringParticipants(data);
+    return counted(data.participants.size(), "participant") + " analysed" +
+           (silent > 0 ? " (" + std::to_string(silent) + " of them without an answer)" : "");
+}
+
 Table missingTable(const StudyAnalysis& analysis)
 {
-    Table table{"missing", "Missing answers by condition", {"condition"}, {}};
+    Table table{"missing", "Missing answers by condition, of the " + analysedParticipants(analysis.data), {"condition"}, {}};
     for (const QuestionAnalysis& question : analysis.questions) table.columns.emplace_back(questionColumn(question.question.id));
     for (std::size_t i = 0; i < analysis.data.conditions.size(); ++i) {
         std::vector<TableCell> row{conditionCell(analysis.data.conditions[i])};

@@ -49,22 +49,27 @@ stats::SpeedDifference asRatio(stats::SpeedDifference difference)
     return difference;
 }
 
+std::vector<TableColumn> speedContrastColumns()
+{
+    return {"a",
+            "b",
+            "measure",
+            "n",
+            "a\u2212b, or a/b",
+            {"95 % CI low", ColumnUse::InCsv},
+            {"95 % CI high", ColumnUse::InCsv},
+            {"95 % CI", ColumnUse::InDocuments},
+            "df",
+            {"p uncorrected", ColumnUse::InCsv},
+            "p"};
+}
+
 Table speedContrastTable(const std::string& id, const SpeedAnalysis& speed)
 {
     Table table{"speed_contrasts_" + lowerCase(id),
                 id + ": differences of conditions in speed and accuracy, over participants, for these fabrics. Response time: "
                      "ratio a/b. p after Holm's correction over the contrasts of one measure",
-                {"a",
-                 "b",
-                 "measure",
-                 "n",
-                 "a\u2212b, or a/b",
-                 {"95 % CI low", ColumnUse::InCsv},
-                 {"95 % CI high", ColumnUse::InCsv},
-                 {"95 % CI", ColumnUse::InDocuments},
-                 "df",
-                 {"p uncorrected", ColumnUse::InCsv},
-                 "p"},
+                speedContrastColumns(),
                 {}};
     const auto add = [&](const SpeedContrast& contrast, const std::string& measure, const stats::SpeedDifference& difference,
                          int decimals) {
@@ -201,17 +206,7 @@ Table instructionContrastTable(const std::string& id, const InstructionAnalysis&
                 id +
                     ": differences between instructions, over participants, for these fabrics. Response time: ratio a/b. p after "
                     "Holm's correction over the contrasts of one measure",
-                {"a",
-                 "b",
-                 "measure",
-                 "n",
-                 "a\u2212b, or a/b",
-                 {"95 % CI low", ColumnUse::InCsv},
-                 {"95 % CI high", ColumnUse::InCsv},
-                 {"95 % CI", ColumnUse::InDocuments},
-                 "df",
-                 {"p uncorrected", ColumnUse::InCsv},
-                 "p"},
+                speedContrastColumns(),
                 {}};
     const auto add = [&](const InstructionContrast& contrast, const char* measure, const stats::SpeedDifference& difference,
                          const stats::Value& estimate, const stats::Interval& ci, int decimals) {

@@ -21,6 +21,7 @@
 #include "reports/documents/report_docx.h"
 #include "reports/documents/report_tex.h"
 #include "reports/figures/report_figures.h"
+#include "reports/page/html_parts.h"
 #include "reports/page/sentences.h"
 #include "reports/tables/report_tables.h"
 #include "reports/write_report.h"
@@ -275,6 +276,16 @@ private Q_SLOTS:
         }
         QCOMPARE(compared, 16);
         QVERIFY(m_page.contains("Sentences for a paper"));
+    }
+
+    /// "10 participants; 63 renderings", as the other documents have it.
+    void tilesStandInOneLineOfTheLatex()
+    {
+        const std::string tiles = reports::tiles({{"7", "participants"}, {"63", "renderings"}, {"5 %", "of the <mean>"}});
+        QCOMPARE(QString::fromStdString(reports::texOfHtml("<p>before</p>" + tiles + "<p>behind</p>")).simplified(),
+                 QString("before \\textbf{7} participants; \\textbf{63} renderings; \\textbf{5 \\%} of the $<$mean$>$ behind"));
+        const std::string people = std::to_string(m_data.participants.size());
+        QVERIFY(textOf(report() / "report.tex").contains(QString::fromStdString("\\textbf{" + people + "} participants; ")));
     }
 
     /// Letters of a narrow drawing are as large as those of a wide one.

@@ -158,7 +158,47 @@ private Q_SLOTS:
         const auto anchors = anchorsOf(data, AnswerCells(data));
         QCOMPARE(anchors.at(0).choices->agreeing, 1u);
         QCOMPARE(anchors.at(1).choices->agreeing, 2u);
-        QVERIFY(!anchors[0].choicesByOutcome && anchors[1].choicesByOutcome);
+        QCOMPARE(anchors[0].compared, stats::ChoicesCompared::Answers);
+        QCOMPARE(anchors[1].compared, stats::ChoicesCompared::Outcomes);
+    }
+
+    /// Who always says "same" repeats themselves without feeling anything: 67 of 75 answers agree, and nothing is reliable.
+    void aHabitForSameIsNoReliability()
+    {
+        StudyData data = builders::emptyStudy(25, 3, {"h"}, {{"Q1", "Same?", protocols::SameDifferent{}}});
+        const auto said = [](const std::string& participant, const std::string& fabric, const std::string& word) {
+            return StudyResponse{participant, fabric, "h", "Q1", ChosenAnswer{word == "same", word, {}}, {}};
+        };
+        for (std::size_t p = 0; p < data.participants.size(); ++p)
+            for (const std::string& fabric : data.fabrics) {
+                const bool isOther = p < 8 && fabric == "F01";
+                data.responses.push_back(said(data.participants[p], fabric, isOther && p < 4 ? "different" : "same"));
+                data.repeatedResponses.push_back(said(data.participants[p], fabric, isOther && p >= 4 ? "different" : "same"));
+            }
+        const StudyAnalysis analysis = analyse(data, {.depth = Depth::Quick});
+        const auto json = resultsJson(analysis, {})["anchors"][0]["repeated"];
+        QCOMPARE(json["compared"].get<std::string>(), std::string("words"));
+        QCOMPARE(json["agreeing"].get<int>(), 67);
+        QCOMPARE(json["kappa"].get<double>(), 0.0);
+        QCOMPARE(json["ceiling_of_proportion"].get<double>(), 0.5);
+        QVERIFY(json["kappa_ci95"].is_null());  // 0 for each participant alone, which says nothing of its exactness
+        const QString words = QString::fromStdString(choiceAnchorsText(analysis));
+        QVERIFY2(
+            words.contains("67 of 75 choices that came twice were the same; corrected for each participant&rsquo;s habit for "
+                           "one word, kappa is 0.00"),
+            qPrintable(words));
+        for (const char* part :
+             {"words (Cohen 1960). It is how often the first answer", "a kappa of few pairs can lie below &minus;1"})
+            QVERIFY2(anchorsMethod(analysis).find(part) != std::string::npos, part);
+
+        for (auto* responses : {&data.responses, &data.repeatedResponses})
+            for (StudyResponse& response : *responses) response.content = ChosenAnswer{true, "same", {}};
+        const StudyAnalysis constant = analyse(data, {.depth = Depth::Quick});
+        const auto none = resultsJson(constant, {})["anchors"][0]["repeated"];
+        QVERIFY(none["kappa"].is_null() && none["ceiling_of_proportion"].is_null());
+        QVERIFY(none["why"]["kappa"].get<std::string>().starts_with("every participant used one word only"));
+        QVERIFY(choiceAnchorsText(constant).find("There is no kappa: every participant used one word only") != std::string::npos);
+        QVERIFY(anchorsMethod(analyse(noisyStudy(6, 1, 1, 0), {.depth = Depth::Quick})).find("Cohen 1960") == std::string::npos);
     }
 
     /// Two wrong choices may be two different ones, so that right and wrong alone say nothing about agreement.
@@ -232,6 +272,29 @@ private Q_SLOTS:
         QCOMPARE(json["anchors"][0]["question"].get<std::string>(), std::string("Q2"));
         QVERIFY(json["anchors"][0]["repeated"]["icc_ci95"].is_array());
         QCOMPARE(json["anchors"][0]["repeated"]["bias"]["bounds"].dump(), std::string("[-0.5,0.5]"));
+    }
+
+    /// Ratings of another scale stand in another figure, and only the anchors of a figure have lines in it.
+    void aFigureWithoutAnchorsNamesNoLines()
+    {
+        StudyData data = noisyStudy(8, 1, 2.5, 1);
+        protocols::Rating percent;
+        percent.scale.max = protocols::Tenths{1000};
+        data.questions.push_back({"Q3", "How much?", percent});
+        for (const std::string& participant : data.participants)
+            for (const std::string& condition : data.conditions)
+                for (const std::string& fabric : data.fabrics)
+                    data.responses.push_back(builders::rated(participant, fabric, condition, "Q3", 50));
+        int seen = 0;
+        for (const Figure& figure : reportFigures(analyse(data, {.depth = Depth::Quick})))
+            if (figure.name == "ratings" || figure.name == "ratings_2") {
+                const bool hasLines = figure.caption.find("Dotted lines") != std::string::npos;
+                QCOMPARE(hasLines, figure.name == "ratings");
+                QCOMPARE(figure.svg.find(">floor<") != std::string::npos, hasLines);
+                QCOMPARE(figure.caption.find("Dashed lines") != std::string::npos, hasLines);
+                ++seen;
+            }
+        QCOMPARE(seen, 2);
     }
 
     void aBlindedStudyShowsNoAnchors()

@@ -7,6 +7,9 @@
 #include <fstream>
 
 #include "protocols/files/errors.h"
+#include "tests/support/error_text.h"
+
+using tests::support::errorOf;
 
 namespace {
 
@@ -33,6 +36,14 @@ std::string exportedRow(int trial, const std::string& question, const std::strin
            R"(,"[""F02"",""F01"",""F03""]",)" +
            (isRating ? ",," + answer : answer + "," + (isChoice ? (answer == "F01" ? "1," : "0,") : ",")) + ",3," + response +
            ",display," + (response.empty() ? "" : "5") + ",9,0,0," + sitting + ",finished,human,\n";
+}
+
+/// A protocol of one question.
+protocols::Protocol protocolAsking(const std::string& question, const protocols::AnswerKind& kind)
+{
+    protocols::Protocol protocol;
+    protocol.phases = {{{{protocols::QuestionId(question), "Which?", kind}}, kind}};
+    return protocol;
 }
 
 /// The notes on this table, one a line.
@@ -401,6 +412,25 @@ private Q_SLOTS:
         QCOMPARE(other.responses.size(), std::size_t{1});
     }
 
+    /// Earlier versions enrolled a participant NA. An export names everything, so only an empty cell names nothing.
+    void aNameInAnExportMayMeanMissingElsewhere()
+    {
+        QTemporaryDir folder;
+        const QString rows = QString::fromStdString(exported + exportedRow(1, "Q1", "F01") + exportedRow(2, "Q2", "7"));
+        const auto table = [&](const char* participant, const char* fabric) {
+            return written(
+                folder, QString(rows).replace("\nP1,", QString("\n%1,").arg(participant)).replace("F01", fabric).toStdString());
+        };
+        const auto data = reports::readAnswersCsv(table("NA", "nan"));
+        QCOMPARE(data.participants, std::vector<std::string>{"NA"});
+        QCOMPARE(data.fabrics, std::vector<std::string>{"nan"});
+        const auto& choice = std::get<reports::ChosenAnswer>(data.responses[0].content);
+        QVERIFY(choice.answer == "nan" && choice.slot == 1);
+        QVERIFY_THROWS_EXCEPTION(protocols::Error, reports::readAnswersCsv(table("", "nan")));
+        QVERIFY_THROWS_EXCEPTION(protocols::Error,
+                                 reports::readAnswersCsv(written(folder, "participant,fabric,condition,Q2\nNA,F1,a,5\n")));
+    }
+
     /// The export need not be whole: its column `state` alone tells who withdrew.
     void whoWithdrewIsLeftOutOfEveryTable()
     {
@@ -522,6 +552,224 @@ private Q_SLOTS:
         QVERIFY(called.boundsFrom == PlanOrigin::Option && called.plannedFrom == PlanOrigin::Option);
         QCOMPARE(called.equivalenceBounds, std::pair(-0.2, 0.2));
         QCOMPARE(called.plannedDesign->equivalenceBounds, std::pair(-0.05, 0.05));
+    }
+
+    /// Chance is that of the trays. A protocol of other answers would make guessers better than chance.
+    void aProtocolThatContradictsTheFileIsRefused_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("question");
+        QTest::addColumn<int>("kind");  // above 0: alternatives; 0: rating; -1: same or different; -2: words
+        QTest::addColumn<QStringList>("parts");
+        const QString trays = QString::fromStdString(exported + exportedRow(1, "Q1", "F01") + exportedRow(2, "Q1", "F02"));
+        const QString word = QString::fromStdString(exported + exportedRow(1, "Why", "soft"));
+        const QString start = "participant,fabric,condition,", row = "P1,F1,a,";
+        QTest::newRow("fewer alternatives") << trays << "Q1" << 2
+                                            << QStringList{"line 2", "column alternatives: the tray of Q1 has 3 pieces",
+                                                           "by the protocol Q1 is a choice among 2", "a tray of 2 pieces"};
+        QTest::newRow("more alternatives") << trays << "Q1" << 5 << QStringList{"3 pieces", "a choice among 5"};
+        QTest::newRow("a pair") << trays << "Q1" << -1 << QStringList{"3 pieces", "Q1 is same or different", "1 piece"};
+        QTest::newRow("a choice that is rated")
+            << trays << "Q1" << 0
+            << QStringList{"\"correct of Q1\" holds answers that are right or wrong", "Q1 is a rating from 0 to 10"};
+        QTest::newRow("0 and 1 under the plain name")
+            << start + "Q1\n" + row + "1\nP1,F1,b,0\n"
+            << "Q1" << 3
+            << QStringList{"the column \"Q1\" holds ratings or words", "Q1 is a choice among 3", "--map Q1_correct=COLUMN"};
+        QTest::newRow("scores of a rating") << start + "Q2_correct\n" + row + "1\n"
+                                            << "Q2" << 0
+                                            << QStringList{"\"Q2_correct\" holds answers that are right or wrong", "--map Q2="};
+        QTest::newRow("words of a choice") << start + "question,answer\n" + row + "Q1,F1\n"
+                                           << "Q1" << 3 << QStringList{"\"answer of Q1\" holds words", "--map correct=COLUMN"};
+        QTest::newRow("ratings of a question in words")
+            << start + "question,rating\n" + row + "Why,3\n"
+            << "Why" << -2 << QStringList{"\"rating of Why\" holds ratings", "Why is answered in words"};
+        QTest::newRow("words of an export that are rated")
+            << word << "Why" << 0 << QStringList{"\"answer of Why\" holds words", "a rating from 0 to 10"};
+    }
+    void aProtocolThatContradictsTheFileIsRefused()
+    {
+        QFETCH(QString, text);
+        QFETCH(QString, question);
+        QFETCH(int, kind);
+        QFETCH(QStringList, parts);
+        const protocols::AnswerKind asked = kind > 0     ? protocols::AnswerKind(protocols::ForcedChoice{kind})
+                                            : kind == 0  ? protocols::AnswerKind(protocols::Rating{})
+                                            : kind == -1 ? protocols::AnswerKind(protocols::SameDifferent{})
+                                                         : protocols::AnswerKind(protocols::FreeText{});
+        QTemporaryDir folder;
+        const QString fault = errorOf([&] {
+            reports::readAnswersCsv(written(folder, text.toStdString()), {protocolAsking(question.toStdString(), asked), "ab"});
+        });
+        QVERIFY2(fault.startsWith("2: "), qPrintable(fault));
+        for (const QString& part : parts) QVERIFY2(fault.contains(part), qPrintable(fault));
+    }
+
+    /// Numbers in `answer` are ratings where the protocol says so, and a column without answers says nothing.
+    void aProtocolTellsWhatTheFileLeavesOpen()
+    {
+        QTemporaryDir folder;
+        const auto rated =
+            reports::readAnswersCsv(written(folder, "participant,fabric,condition,question,answer\nP1,F1,a,Q2,5\n"),
+                                    {protocolAsking("Q2", protocols::Rating{}), "ab"});
+        QCOMPARE(std::get<reports::RatedAnswer>(rated.responses[0].content).rating, 5.0);
+        const auto empty = reports::readAnswersCsv(written(folder, "participant,fabric,condition,Q1,Q2\nP1,F1,a,,5\n"),
+                                                   {protocolAsking("Q1", protocols::ForcedChoice{3}), "ab"});
+        QCOMPARE(empty.responses.size(), std::size_t{1});
+    }
+
+    void traysOfCatchTrialsAndAnchorsMayDiffer()
+    {
+        const auto row = [](const char* fabric, const char* condition, const char* tray, const char* answer) {
+            return std::string("P1,Q1,") + fabric + "," + condition + ",\"" + tray + "\"," + answer + ",finished\n";
+        };
+        QTemporaryDir folder;
+        const auto file = written(folder, "participant,question,fabric,condition,alternatives,answer,correct,anchor,state\n" +
+                                              row("F1", "f", R"([""F1"",""F2"",""F3""])", "F1,1,") +
+                                              row("F2", "catch", R"([""F1"",""F2""])", "F1,0,") +
+                                              row("F1", "f", R"([""F1"",""F2"",""F3"",""F4""])", "F2,0,repeated"));
+        const protocols::AnswerKind choice = protocols::ForcedChoice{3};
+        QVERIFY(reports::readAnswersCsv(file).questions[0].kind == choice);
+        const auto data = reports::readAnswersCsv(file, {protocolAsking("Q1", choice), "ab"});
+        QVERIFY(data.questions[0].kind == choice && !data.questions[0].alternativesAssumed);
+        QCOMPARE(data.responses.size() + data.catchResponses.size() + data.repeatedResponses.size(), std::size_t{3});
+    }
+
+    /// The protocol gives each of its questions a scale, and the caller names that of the others. Each refuses what lies outside.
+    void aNamedScaleIsThatOfRatingsBesideTheProtocol()
+    {
+        QTemporaryDir folder;
+        const std::string head = "participant,fabric,condition,Q2,Q3\n";
+        const auto file = written(folder, head + "P1,F1,a,5,62\nP1,F1,b,6,100\n");
+        reports::AnswersCsvOptions options;
+        options.protocol = protocolAsking("Q2", protocols::Rating{});
+        options.scale.emplace().max = protocols::Tenths{1000};
+        const auto data = reports::readAnswersCsv(file, options);
+        QVERIFY(data.questions[0].kind == protocols::AnswerKind(protocols::Rating{}));
+        QVERIFY(data.questions[1].kind == protocols::AnswerKind(protocols::Rating{*options.scale}));
+        QCOMPARE(data.equivalenceBounds, options.protocol->equivalenceBounds);
+        const auto faultOf = [&](const std::string& row) {
+            return errorOf([&] { reports::readAnswersCsv(written(folder, head + row), options); });
+        };
+        QVERIFY2(faultOf("P1,F1,a,50,62\n").contains("column Q2: the rating 50 is outside the scale; expected 0 to 10"),
+                 qPrintable(faultOf("P1,F1,a,50,62\n")));
+        QVERIFY2(faultOf("P1,F1,a,5,620\n").contains("column Q3: the rating 620 is outside the scale; expected 0 to 100"),
+                 qPrintable(faultOf("P1,F1,a,5,620\n")));
+    }
+
+    /// Where the protocol describes all ratings, it would decide in silence.
+    void aProtocolWithAnotherScaleIsRefused()
+    {
+        QTemporaryDir folder;
+        const auto file = written(folder, "participant,fabric,condition,Q2\nP1,F1,a,5\nP1,F1,b,6\n");
+        reports::AnswersCsvOptions options;
+        options.protocol = protocolAsking("Q2", protocols::Rating{});
+        options.scale.emplace();
+        QCOMPARE(reports::readAnswersCsv(file, options).equivalenceBounds, std::pair(-0.5, 0.5));
+        options.scale->max = protocols::Tenths{1000};
+        const QString fault = errorOf([&] { reports::readAnswersCsv(file, options); });
+        QVERIFY2(fault.contains("--scale names 0 to 100, but by the protocol Q2 is rated from 0 to 10") &&
+                     fault.contains("leave --scale out"),
+                 qPrintable(fault));
+        // A protocol that does not describe the ratings of the file leaves their scale, and its bounds, to the caller.
+        options.protocol = protocolAsking("Q3", protocols::Rating{});
+        options.protocol->hasUsualBounds = true;
+        const auto other = reports::readAnswersCsv(file, options);
+        QCOMPARE(other.equivalenceBounds, std::pair(-5.0, 5.0));
+        QVERIFY(other.questions[0].kind == protocols::AnswerKind(protocols::Rating{*options.scale}));
+    }
+
+    /// A shell splits at &, so both spellings name one condition, in the file and in the call.
+    void plannedContrastsHaveEitherSpelling()
+    {
+        QTemporaryDir folder;
+        const auto file =
+            written(folder, "participant,fabric,condition,Q2\nP1,F1,h_g+f_g,5\nP1,F1,h_g&f_g@fast,6\nP1,F1,x+y,4\n");
+        reports::AnswersCsvOptions options;
+        options.planned = {{"h_g+f_g", "h_g+f_g@fast"}, {"x+y", "h_g&f_g"}};
+        const auto data = reports::readAnswersCsv(file, options);
+        QVERIFY(data.planned[0] == std::pair(std::string("h_g&f_g"), std::string("h_g&f_g@fast")));
+        QVERIFY(data.planned[1] == std::pair(std::string("x+y"), std::string("h_g&f_g")));
+        options.planned = {{"h_g+f_g", "x+y"}, {"x+y", "h_g&f_g"}};
+        QVERIFY(errorOf([&] { reports::readAnswersCsv(file, options); }).contains("repeats an earlier one"));
+    }
+
+    /// The counts would follow the score, and the table of the fabrics chosen the answer. The lists of pieces in an export make
+    /// it certain that the answers are fabrics; elsewhere, that every score contradicts.
+    void aScoreThatTheAnswerContradictsIsRefused_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("fault");
+        const QString own = "participant,question,fabric,condition,alternatives,answer,correct,anchor,state\n";
+        const auto ownRow = [](const std::string& fabric, const std::string& condition, const std::string& answer,
+                               const std::string& scoreAndAnchor) {
+            return QString::fromStdString("P1,Q1," + fabric + "," + condition + R"(,"[""F1"",""F2""]",)" + answer + "," +
+                                          scoreAndAnchor + ",finished\n");
+        };
+        const QString right = ownRow("F1", "f", "F1", "1,");
+        QTest::newRow("right, but wrong in an export")
+            << own + right + ownRow("F2", "f", "F2", "0,")
+            << "line 3), column correct of Q1: the answer F2 is the fabric of the row, but it counts as wrong";
+        QTest::newRow("wrong, but right in an export")
+            << own + right + ownRow("F2", "f", "F1", "1,")
+            << "line 3), column correct of Q1: the answer F1 is not the fabric of the row, F2, but it counts as right";
+        QTest::newRow("blank glass") << own + right + ownRow("F2", "catch", "F1", "1,") << "";
+        QTest::newRow("a mismatch") << own + right + ownRow("F2", "f", "F1", "1,mismatched") << "";
+
+        const QString wide = "participant,fabric,condition,Q1_answer,Q1_correct\n",
+                      rows = "participant,fabric,condition,answer,correct\n",
+                      four = "P1,F1,a,F1,0\nP1,F2,a,F2,0\nP1,F1,b,F2,1\nP1,F2,b,F1,1\n", five = four + "P2,F1,a,F1,0\n";
+        QTest::newRow("1 for wrong")
+            << wide + five
+            << "line 2), column Q1_correct: all 5 scores of Q1 contradict their answers: the answer F1 is "
+               "the fabric of the row, but it counts as wrong; expected 1 where the answer is the fabric "
+               "of the row, else 0; exchange 0 and 1; or, where the answers name no fabrics, call their "
+               "column otherwise, such as slot";
+        QTest::newRow("1 for wrong in one row an answer")
+            << rows + five << "line 2), column correct of Q1: all 5 scores of Q1 contradict";
+        QTest::newRow("few rows") << wide + four << "";
+        QTest::newRow("one row agrees") << wide + five + "P2,F2,a,F2,1\n"
+                                        << "";
+        QTest::newRow("the column slot") << QString(wide).replace("Q1_answer", "slot") + five << "";
+        QTest::newRow("the column slot in one row an answer") << QString(rows).replace("answer", "slot") + five << "";
+        QTest::newRow("other names") << wide + "P1,F1,a,F1,1\nP1,F2,a,A,0\nP1,F2,b,B,1\nP1,F2,c,,1\n"
+                                     << "";
+    }
+    void aScoreThatTheAnswerContradictsIsRefused()
+    {
+        QFETCH(QString, text);
+        QFETCH(QString, fault);
+        QTemporaryDir folder;
+        const QString found = errorOf([&] { reports::readAnswersCsv(written(folder, text.toStdString())); });
+        QVERIFY2(fault.isEmpty() ? found.isEmpty() : found.contains(fault), qPrintable(found));
+    }
+
+    /// Fabrics A to D, and answers that are the places A to C on the tray: some agree with the score by chance, others do not.
+    void placesCalledLikeFabricsAreRead()
+    {
+        QTemporaryDir folder;
+        const std::string places =
+            "P1,A,a,1,A\nP1,B,a,0,B\nP1,C,a,1,A\nP1,D,a,1,C\nP1,A,b,0,B\nP1,B,b,1,C\nP1,C,b,1,B\nP1,D,b,0,A\n";
+        const auto file = written(folder, "participant,fabric,condition,Q1_correct,Q1_answer\n" + places);
+        QCOMPARE(reports::readAnswersCsv(file).responses.size(), std::size_t{8});
+        QVERIFY2(notesOn(file).endsWith("answers.csv: in 1 of 8 rows the answer to Q1 names the fabric of the row, but the score "
+                                        "says wrong; in 4 of 8 rows the answer to Q1 names another fabric, but the score says "
+                                        "right; correct these rows, or, where the answers name no fabrics, call their column "
+                                        "otherwise, such as slot\n"),
+                 qPrintable(notesOn(file)));
+        const auto named = written(folder, "participant,fabric,condition,Q1_correct,slot\n" + places);
+        QVERIFY2(!notesOn(named).contains("the score says") && notesOn(named).contains("not analysed: slot"),
+                 qPrintable(notesOn(named)));
+    }
+
+    /// A fabric may be called as the answer to a pair.
+    void wordsOfPairsAreNoFabrics()
+    {
+        QTemporaryDir folder;
+        const auto data = reports::readAnswersCsv(
+            written(folder, "participant,fabric,condition,Q1_correct,Q1_answer\nP1,same,a,1,different\nP1,different,a,1,same\n"),
+            {protocolAsking("Q1", protocols::SameDifferent{}), "ab"});
+        QCOMPARE(data.responses.size(), std::size_t{2});
     }
 
     /// As in a protocol, each pair of conditions comes once. Twice it would count twice in Holm's correction.

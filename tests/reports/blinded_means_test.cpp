@@ -1,6 +1,7 @@
 // What a blinded report may say by condition, and what a sampler finds in it.
 #include "reports/cells/blinded_means.h"
 
+#include <QRegularExpression>
 #include <QTest>
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,7 @@
 #include "protocols/random.h"
 #include "reports/json/results_json.h"
 #include "reports/json/statistics_json.h"
+#include "reports/tables/overview_tables.h"
 #include "tests/reports/study_builder.h"
 
 using namespace reports;
@@ -223,6 +225,32 @@ private Q_SLOTS:
             shown.insert(blinded["Q3"][condition]["mean"].get<double>());
         }
         QVERIFY(shown.size() > 1);  // a difference of more than a step shows
+    }
+
+    /// Every presentation asks for words once: their number under a label is that of the ratings beside them.
+    void answersInWordsAreCountedUnderEachLabel()
+    {
+        StudyData data = builders::paperSized();
+        data.blinded = true;
+        data.questions.push_back({"Why", "Why?", protocols::FreeText{}});
+        const std::vector<StudyResponse> ratings = data.responses;
+        for (const StudyResponse& one : ratings)
+            if (one.question == "Q2")
+                data.responses.push_back(builders::worded(one.participant, one.fabric, one.condition, "Why", "soft"));
+        const StudyAnalysis analysis = analyse(data);
+        const auto questions = resultsJson(analysis, {})["questions"];
+        for (const std::string& condition : data.conditions) {
+            QCOMPARE(questions["Why"][condition]["answers"], 70);
+            QCOMPARE(questions["Q2"][condition]["n"], 70);
+        }
+        for (const BlindedMean& one : analysis.blindedMeans.questions.back().conditions) {
+            QCOMPARE(one.n, std::size_t{70});
+            QVERIFY(!one.mean.exists());
+        }
+        QVERIFY(!QRegularExpression("(^|\\s)0(\\s|$)").match(QString::fromStdString(overviewText(analysis))).hasMatch());
+        StudyData open = data;
+        open.blinded = false;
+        QCOMPARE(resultsJson(analyse(open), {})["questions"]["Why"]["f"]["answers"], 70);
     }
 
     void meansWaitForEveryPlaceAndFortyAnswers()

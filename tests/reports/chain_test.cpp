@@ -107,6 +107,15 @@ private Q_SLOTS:
         QVERIFY(!svg.contains("nan") && !svg.contains("inf\""));
     }
 
+    void everyFigureSaysThatParticipantsAreScripted()
+    {
+        StudyData data = studyOfQualities();
+        data.scripted = true;
+        const auto figures = reports::reportFigures(reports::analyse(std::move(data)));
+        QVERIFY(figures.size() > 3);
+        for (const auto& figure : figures) QVERIFY2(figure.caption.ends_with(" SCRIPTED participants."), figure.caption.c_str());
+    }
+
     /// The interval of a share is Wilson's over the trials, those of ratings and bits are over participants.
     void captionsSayWhatTheIntervalsHoldFor()
     {

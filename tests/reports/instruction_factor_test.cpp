@@ -11,6 +11,7 @@
 #include "reports/figures/report_figures.h"
 #include "reports/json/results_json.h"
 #include "reports/json/statistics_json.h"
+#include "reports/page/page.h"
 #include "reports/tables/report_tables.h"
 
 namespace {
@@ -108,6 +109,27 @@ private Q_SLOTS:
         const Json results = reports::resultsJson(analysis);
         const Json& speed = results.at("speed_accuracy").at("h&f");
         QVERIFY(speed.at("median_seconds_ci95").at(0) < speed.at("median_seconds"));
+    }
+
+    void speedIsThatOfEveryChoiceQuestion()
+    {
+        const QTemporaryDir folder;
+        const auto pageOf = [](const reports::StudyData& data) {
+            const auto analysis = reports::analyse(data, {.depth = reports::Depth::Quick});
+            return QString::fromStdString(reports::reportPage(analysis, {}, {}));
+        };
+        auto data = reports::readAnswersCsv(written(folder,
+                                                    "participant,fabric,condition,Q1_correct,Q1_seconds,S1_correct,S1_seconds\n"
+                                                    "P1,F1,f,1,3,0,4\nP1,F2,f,0,4,1,5\nP2,F1,f,1,5,1,3\nP2,F2,f,1,4,0,3\n"));
+        const QString same = pageOf(data);
+        QVERIFY(same.contains("</b> are those of Q1 and S1. The table by condition is about Q1. "));
+        QVERIFY(same.contains("the information of one choice among m = 3 divided by the mean time."));
+        data.questions[1].kind = protocols::ForcedChoice{2};
+        QVERIFY(pageOf(data).contains("of one choice among m answers (3 for Q1 and 2 for S1) divided by the mean time."));
+        data.questions.pop_back();
+        std::erase_if(data.responses, [](const auto& response) { return response.question == "S1"; });
+        const QString one = pageOf(data);
+        QVERIFY(one.contains("</b> are those of Q1. ") && !one.contains("The table by condition is about"));
     }
 
     void withoutInstructionsNothingIsAdded()

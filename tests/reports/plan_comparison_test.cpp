@@ -137,6 +137,39 @@ private Q_SLOTS:
         QVERIFY(page.contains("Haptic rendering study: 3 participants"));
     }
 
+    /// Nothing is kept of who was erased.
+    void erasedParticipantsAreNotAmongTheWithdrawn()
+    {
+        StudyData data = plannedStudy();
+        data.withdrawn = {"P08"};
+        data.erased = {"P09"};
+        QVERIFY2(rowsOf(data).contains("participants: 3 | 3; withdrew: 1; answers erased: 1 (yes)"),
+                 qPrintable(rowsOf(data).join("\n")));
+        const QString page = pageOf(data);
+        QVERIFY(page.contains("In addition, 1 participant withdrew. Answers given before are kept and not analysed"));
+        QVERIFY(page.contains("The answers of 1 participant were erased, and the place became free again."));
+        data.withdrawn.clear();
+        QVERIFY(!pageOf(data).contains("withdrew"));
+    }
+
+    /// The table of missing answers is that of the participants; whole sessions are missing beside it.
+    void answersOfEmptyPlacesAreToldApart()
+    {
+        StudyData data = plannedStudy();
+        data.responses.pop_back();
+        data.expectedResponses = 4 * 36;
+        data.expectedOfEmptyPlaces = 36;
+        const QString page = pageOf(data);
+        QVERIFY(
+            page.contains("107 of 144 expected answers are analysed, 37 are missing, 36 of them of places that nobody has. "));
+        QVERIFY(page.contains("Missing answers by condition, of the 3 participants analysed"));
+        QVERIFY(pageOf(blinded(data)).contains("are stored, 37 are missing, 36 of them of places that nobody has. "));
+        data.participants.emplace_back("P04");
+        data.expectedOfEmptyPlaces = 0;
+        QVERIFY(pageOf(data).contains("37 are missing. "));
+        QVERIFY(pageOf(data).contains("of the 4 participants analysed (1 of them without an answer)"));
+    }
+
     void aContrastIsPartlyTestedWhereAQuestionLacksAnswers()
     {
         StudyData data = plannedStudy();
@@ -222,6 +255,30 @@ private Q_SLOTS:
                  qPrintable(rows.join("\n")));
         QVERIFY(rows.contains("protocol (SHA-256): 00aa | 00bb; changed: equivalence bounds; the plan is followed here (no)"));
         QVERIFY(pageOf(data).contains("This report follows registration 1."));
+    }
+
+    /// The bounds of the plan count, but participants were asked as the later version words it.
+    void theReportFollowsNoPlannedWording()
+    {
+        StudyData data = plannedStudy();
+        data.plannedDesign->texts = {{"wording of Q2", "How close?"}, {"wording of Q3", "How rough?"}};
+        for (auto& question : data.questions) question.text = question.id == "Q3" ? "How rough?" : "How near?";
+        QVERIFY(rowsOf(data).contains("questions: 4 | 4 (yes)"));  // without an amendment there is one wording
+        data.protocolVersions = {{1, "00aa", 0}, {2, "00bb", 3}};
+        data.protocolInUse = "00bb";
+        data.protocolChanges = {"equivalence bounds"};
+        data.changedTexts = {"wording of Q2"};
+        QStringList rows = rowsOf(data);
+        QVERIFY2(rows.contains("protocol (SHA-256): 00aa | 00bb; changed: equivalence bounds; the plan is followed here; also "
+                               "changed: wording of Q2 (no)"),
+                 qPrintable(rows.join("\n")));
+        QVERIFY2(rows.contains("questions: 4 | 4; reworded: Q2 (no)"), qPrintable(rows.join("\n")));
+        data.protocolChanges.clear();
+        QVERIFY(rowsOf(data).contains("protocol (SHA-256): 00aa | 00bb; changed: wording of Q2 (no)"));
+        for (auto& question : data.questions)
+            if (question.id == "Q3") question.wordings = {{"How rough?", {1}, {"P01"}}, {"Rough?", {2}, {"P02", "P03"}}};
+        rows = rowsOf(data);
+        QVERIFY2(rows.contains("questions: 4 | 4; reworded: Q2 and Q3 (no)"), qPrintable(rows.join("\n")));
     }
 
     void aStudyWithoutRegistrationSaysSo()

@@ -384,10 +384,10 @@ private Q_SLOTS:
         StudyData data = ratingsOf(different(12));
         data.voided = 1;
         QCOMPARE(flagged(data),
-                 (QStringList{"all voided_presentations: 1 presentation was voided: kept in the data, not analysed, "
-                              "presented again"}));
+                 (QStringList{"all voided_presentations: 1 presentation was voided and presented again; answers to them are kept "
+                              "and not analysed"}));
         data.voided = 2;
-        QVERIFY(flagged(data).front().startsWith("all voided_presentations: 2 presentations were voided"));
+        QVERIFY(flagged(data).front().startsWith("all voided_presentations: 2 presentations were voided and presented again"));
     }
 
     void printedRulesCarryTheLimits()

@@ -12,6 +12,7 @@
 #include "reports/json/results_json.h"
 #include "reports/json/statistics_json.h"
 #include "reports/page/page.h"
+#include "reports/scripts/reproduction.h"
 #include "reports/tables/report_tables.h"
 #include "tests/reports/study_builder.h"
 
@@ -49,6 +50,15 @@ Json rowOf(const Json& claims, const std::string& question, const std::string& a
     return {};
 }
 
+/// The row of this pair of conditions, and of Q2 where the rows are of several questions.
+const Json& rowWith(const Json& rows, const std::string& a, const std::string& b)
+{
+    for (const Json& row : rows)
+        if (row["a"] == a && row["b"] == b && row.value("question", "Q2") == "Q2") return row;
+    static const Json none;
+    return none;
+}
+
 QString pageOf(const StudyData& data)
 {
     const StudyAnalysis analysis = reports::analyse(data);
@@ -79,6 +89,36 @@ private Q_SLOTS:
         const Json backward = rowOf(claimsOf(data), "Q2", "b", "a", "these_fabrics");
         QVERIFY(std::abs(forward["estimate"].get<double>() + backward["estimate"].get<double>()) < 1e-12);
         QCOMPARE(backward["p_adjusted"], backward["p"]);  // a family of one
+    }
+
+    /// b - a against -0.1 and 0.6 is a - b against -0.6 and 0.1. The same holds in every place that tests a pair.
+    void boundsStayThoseOfThePlannedDifferenceWhereItsPairStandsReversed()
+    {
+        StudyData data = studyOfOneOddFabric();
+        data.planned = {{"b", "a"}, {"b", "c"}};
+        data.equivalenceBounds = {-0.1, 0.6};
+        StudyData ordered = data;  // the same, with the pair of the plan in the order of the conditions
+        ordered.planned = {{"a", "b"}, {"b", "c"}};
+        ordered.equivalenceBounds = {-0.6, 0.1};
+        const StudyAnalysis reversed = reports::analyse(data), same = reports::analyse(ordered);
+        const Json results = reports::resultsJson(reversed), expected = reports::resultsJson(same);
+        const Json &row = rowWith(results["equivalence"], "a", "b"), &own = rowWith(expected["equivalence"], "a", "b");
+        QCOMPARE(row["bounds"], (Json{-0.6, 0.1}));
+        QCOMPARE(row, own);
+        QCOMPARE(rowWith(results["equivalence"], "b", "c")["bounds"], (Json{-0.1, 0.6}));
+        QCOMPARE(rowWith(results["equivalence"], "a", "c")["bounds"], (Json{-0.1, 0.6}));  // planned in neither order
+        const Json statistics = reports::statisticsJson(reversed), statisticsOfSame = reports::statisticsJson(same);
+        QCOMPARE(rowWith(statistics["lmm_contrasts"]["Q2"], "a", "b")["tost"],
+                 rowWith(statisticsOfSame["lmm_contrasts"]["Q2"], "a", "b")["tost"]);
+        QCOMPARE(statistics["Q2"]["tost_a_vs_b_participant"], statisticsOfSame["Q2"]["tost_a_vs_b_participant"]);
+        QVERIFY(reports::expectedNumbersCsv(reversed).find("\nequivalence,Q2,a,b,-0.6,0.1,") != std::string::npos);
+        const QString words = "with the bounds \u22120.6 and 0.1: a \u2212 b.";
+        QVERIFY(pageOf(data).contains(words) && !pageOf(ordered).contains("stand the other way round"));
+        data.equivalenceBounds = {0, 0.6};
+        QCOMPARE(reports::boundsOf(data, "a", "b"), std::pair(-0.6, 0.0));
+        QVERIFY(!std::signbit(reports::boundsOf(data, "a", "b").second));
+        data.equivalenceBounds = {-0.5, 0.5};
+        QVERIFY(reports::mirroredPairs(data).empty());
     }
 
     /// A CSV of another laboratory may name its conditions otherwise than the protocol.
@@ -249,6 +289,12 @@ private Q_SLOTS:
         const Json row = rowOf(claimsOf(studyOfOneOddFabric()), "Q1", "a", "b", "fabrics_like_these");
         QVERIFY(row["bounds"].is_null() && row["p_equivalence"].is_null());
         QVERIFY(row["why"].contains("bounds") && row["why"].contains("p_equivalence"));
+        StudyData choices = studyOfOneOddFabric();
+        QVERIFY(pageOf(choices).contains("bounds of equivalence"));
+        std::erase_if(choices.questions, [](const auto& one) { return std::holds_alternative<protocols::Rating>(one.kind); });
+        std::erase_if(choices.responses,
+                      [](const auto& one) { return std::holds_alternative<reports::RatedAnswer>(one.content); });
+        QVERIFY(!pageOf(choices).contains("bounds of equivalence"));
     }
 
     void everyConditionIsComparedWithChanceTwice()

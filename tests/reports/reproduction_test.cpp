@@ -85,12 +85,25 @@ std::string anchoredCsv()
                     const int answer = again && mixed % 3 == 0 ? 2 : mixed % 4 == 0 ? 3 : (f + mixed / 8) % 3;
                     add(row("Q1"), again ? R"("[""F1"",""F2"",""F5""]")" : R"("[""F1"",""F2"",""F3""]")", answer, anchor);
                     add(row("Five"), R"("[""F1"",""F2"",""F3"",""F4"",""F5""]")", answer, anchor);
+                    // One piece, the true one or the other, which stays on the tray.
+                    const bool isOwn = (p + c) % 2 == 0, isSame = (mixed + (again ? 5 : 0)) % 4 != 0;
+                    csv += row("Same") + R"(,"[""F)" + std::to_string(isOwn ? f + 1 : 2 - f) + R"(""]",)" +
+                           (isSame ? "same," : "different,") + (isOwn == isSame ? "1,," : "0,,") + anchor + "\n";
                     const int shift = again ? 5 + (p * p + 3 * c) % 7 : 0;  // differences that are all equal have no test in R
                     const int tenths = (mixed * 7 + 11 * c * (p + 2) + shift) % 100;
                     csv += row("Q2") + ",[],,," + std::to_string(tenths / 10.0) + "," + anchor + "\n";
                 }
             }
     return csv;
+}
+
+/// Answers of anchoredCsv(), where a table of others does not tell that two words are the answers.
+reports::StudyData readAnchored(const fs::path& answers)
+{
+    reports::StudyData data = reports::readAnswersCsv(answers);
+    for (reports::QuestionInfo& question : data.questions)
+        if (question.id == "Same") question.kind = protocols::SameDifferent{};
+    return data;
 }
 
 /// Ten participants as in studyCsv(). One presentation came twice, and its answers cannot be compared: choices of which only
@@ -193,10 +206,12 @@ private Q_SLOTS:
         QTemporaryDir place;
         const fs::path answers = fs::path(place.path().toStdString()) / "study.csv";
         protocols::writeWholeFile(answers, anchoredCsv());
-        const auto analysis = reports::analyse(reports::readAnswersCsv(answers), {.depth = reports::Depth::Quick});
+        const auto analysis = reports::analyse(readAnchored(answers), {.depth = reports::Depth::Quick});
         const QString numbers = QString::fromStdString(reports::expectedNumbersCsv(analysis));
         QCOMPARE(numbers.count("anchor_choices,Q1,,,3,2,"), 8);
         QCOMPARE(numbers.count("anchor_choices,Five,,,3,3,"), 8);
+        QCOMPARE(numbers.count("anchor_words,Same,,,2,2,"), 8);
+        QCOMPARE(numbers.count("anchor_choices,"), 16);
     }
 
     /// Right and wrong alone do not say whether two wrong choices are the same: there is no number to compute.
@@ -282,11 +297,13 @@ private Q_SLOTS:
                                                : isRepeated       ? repeatedCsv(study == "sessions")
                                                                   : studyCsv(study == "degenerate"));
         }
-        reports::writeReproduction(reports::analyse(reports::readAnswersCsv(answers), {.depth = reports::Depth::Quick}), folder);
+        const reports::StudyData data = study == "anchors" ? readAnchored(answers) : reports::readAnswersCsv(answers);
+        reports::writeReproduction(reports::analyse(data, {.depth = reports::Depth::Quick}), folder);
         const auto [code, said] = ran(program, script, folder);
         QVERIFY2(code == 0, qPrintable(said));
         QVERIFY2(isReproduced(said), qPrintable(said));
         QCOMPARE(said.contains("anchor_choices: 16 of 16"), study == "anchors");
+        QCOMPARE(said.contains("anchor_words: 8 of 8"), study == "anchors");
         // One number of the report is made wrong.
         QVERIFY(setNumber(folder, "ratings,Q2,f,,,,mean,", "99") || setNumber(folder, "ratings,Q2,v_grey,,,,mean,", "99"));
         const auto [wrong, words] = ran(program, script, folder);

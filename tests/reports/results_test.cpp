@@ -155,7 +155,8 @@ private Q_SLOTS:
                                         "above_chance", "claims", "speed_accuracy", "chain", "signals", "quality",
                                         "preregistration", "without_flagged", "design", "touch", "operator_latency", "why"}));
         QCOMPARE(results["schema"], "vis2hap.results/2");
-        QCOMPARE(keysOf(results["study"]), (Keys{"name", "protocol_sha256", "participants", "fabrics", "blinded", "simulated"}));
+        QCOMPARE(keysOf(results["study"]),
+                 (Keys{"name", "protocol_sha256", "participants", "fabrics", "blinded", "simulated", "scripted"}));
         QCOMPARE(results["conditions"].get<Keys>(), nineConditions);
         QCOMPARE(keysOf(results["questions"]), (Keys{"Q1", "Q2", "Q3", "Q4"}));
         for (const char* id : {"Q1", "Q2", "Q3", "Q4"}) QCOMPARE(keysOf(results["questions"][id]), nineConditions);
@@ -176,9 +177,13 @@ private Q_SLOTS:
     {
         StudyData data = builders::paperSized();
         QCOMPARE(resultsOf(data)["study"]["simulated"], false);
+        QCOMPARE(resultsOf(data)["study"]["scripted"], false);
+        data.scripted = true;
+        QCOMPARE(resultsOf(data)["study"]["scripted"], true);
         data.knowsKinds = false;
         const Json study = resultsOf(data)["study"], described = statisticsOf(data)["data"];
         QVERIFY(study["simulated"].is_null() && study["why"].contains("simulated"));
+        QVERIFY(study["scripted"].is_null() && study["why"].contains("scripted"));
         QVERIFY(described["scripted"].is_null() && described["why"].contains("scripted"));
     }
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "protocols/condition.h"
 #include "protocols/files/number_text.h"
 #include "study/analyse/analyse_recipe.h"
 
@@ -52,6 +53,18 @@ double numberOfText(const std::string& text, const std::string& where)
     } catch (const RequestFault&) {
         throw RequestFault(where + " is \"" + text + "\"; expected a number");
     }
+}
+
+/// "h_g+f_g" as "h_g&f_g"; names that are no ids of this program as they are.
+std::string usualSpelling(const std::string& condition)
+{
+    return protocols::faultOf(condition) ? condition : protocols::conditionIdFrom(condition).value;
+}
+
+std::optional<std::size_t> placeOfName(const std::vector<std::string>& names, const std::string& name)
+{
+    const auto found = std::find(names.begin(), names.end(), name);
+    return found == names.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - names.begin()));
 }
 
 const json& fieldOf(const json& object, const std::string& field)
@@ -210,6 +223,8 @@ std::vector<std::pair<std::size_t, std::size_t>> contrastsOf(const json& options
             for (std::size_t b = a + 1; b < conditions.size(); ++b) pairs.emplace_back(a, b);
         return pairs;
     }
+    std::vector<std::string> usual;
+    for (const std::string& condition : conditions) usual.push_back(usualSpelling(condition));
     const json& list = options.at("contrasts");
     if (!list.is_array() || list.empty()) throw RequestFault("contrasts must be an array of pairs [a, b] of conditions");
     checkSize("contrasts", static_cast<double>(list.size()), mostContrasts);
@@ -218,10 +233,10 @@ std::vector<std::pair<std::size_t, std::size_t>> contrastsOf(const json& options
         std::array<std::size_t, 2> places{};
         for (std::size_t i = 0; i < 2; ++i) {
             const std::string name = pair[i].is_string() ? pair[i].get<std::string>() : pair[i].dump();
-            const auto found = std::find(conditions.begin(), conditions.end(), name);
-            if (found == conditions.end())
-                throw RequestFault("contrasts name \"" + name + "\", which is no condition of the rows");
-            places[i] = static_cast<std::size_t>(found - conditions.begin());
+            auto place = placeOfName(conditions, name);
+            if (!place) place = placeOfName(usual, usualSpelling(name));
+            if (!place) throw RequestFault("contrasts name \"" + name + "\", which is no condition of the rows");
+            places[i] = *place;
         }
         if (places[0] == places[1]) throw RequestFault("a contrast compares \"" + conditions[places[0]] + "\" with itself");
         pairs.emplace_back(places[0], places[1]);

@@ -65,7 +65,7 @@ stats::CrossedStudy crossedRowsAt(const nlohmann::json& inputs, const std::strin
 std::optional<std::pair<double, double>> boundsOf(const nlohmann::json& options);
 
 /// The pairs of the option "contrasts", [["a", "b"], ...], as places in `conditions`; all pairs where it is absent. At most
-/// mostContrasts.
+/// mostContrasts. "h_g+f_g" names the condition "h_g&f_g", and the other way round.
 std::vector<std::pair<std::size_t, std::size_t>> contrastsOf(const nlohmann::json& options,
                                                              const std::vector<std::string>& conditions);
 

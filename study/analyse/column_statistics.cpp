@@ -48,6 +48,16 @@ stats::Value log10Of(const stats::Value& logarithm)
     return logarithm.exists() ? stats::Value(*logarithm / std::log(10.0)) : logarithm;
 }
 
+/// The t interval of a mean difference. One-sided, it ends on one side only.
+void putInterval(ordered_json& json, const stats::Interval& interval, stats::Tail tail)
+{
+    put(json, "ci95", interval);
+    if (tail == stats::Tail::TwoSided || json["ci95"].is_null()) return;
+    const bool isLess = tail == stats::Tail::Less;
+    json["ci95"][isLess ? 0 : 1] = nullptr;
+    json["why"]["ci95"] = isLess ? "one-sided: no lower bound" : "one-sided: no upper bound";
+}
+
 void putTTest(ordered_json& json, const ColumnComparison& comparison, const std::vector<double>& a, const std::vector<double>& b)
 {
     stats::TOptions options;
@@ -62,7 +72,7 @@ void putTTest(ordered_json& json, const ColumnComparison& comparison, const std:
     put(json, "p", test.p);
     put(json, "log10_p", test.log10P());
     put(json, "mean_difference", test.estimate);
-    put(json, "ci95", test.ci);
+    putInterval(json, test.ci, comparison.tail);
     putEffect(json, isPaired ? "d_z" : "g", isPaired ? test.dZ : test.hedgesGs);
 }
 
@@ -103,7 +113,9 @@ void putWilcoxon(ordered_json& json, const ColumnComparison& comparison, const s
     stats::WilcoxonOptions options;
     options.tail = comparison.tail;
     const auto test = stats::wilcoxonSignedRank(a, b, options);
-    const auto difference = stats::pairedTTest(a, b);
+    stats::TOptions ofMeans;
+    ofMeans.tail = comparison.tail;
+    const auto difference = stats::pairedTTest(a, b, ofMeans);
     json["n"] = test.nUsed + test.nZero;
     put(json, "statistic", test.v);
     json["df"] = nullptr;
@@ -113,7 +125,7 @@ void putWilcoxon(ordered_json& json, const ColumnComparison& comparison, const s
     json["p_is"] = isExact ? "exact" : "normal approximation with continuity correction";
     put(json, "log10_p", log10OfP(test));
     put(json, "mean_difference", difference.estimate);
-    put(json, "ci95", difference.ci);
+    putInterval(json, difference.ci, comparison.tail);
     putEffect(json, "rank_biserial", test.rankBiserial);
 }
 

@@ -75,6 +75,26 @@ std::vector<std::filesystem::path> picturesOf(const std::string& place)
     return files;
 }
 
+/// Shows the stages of a piece of work, and takes their times.
+template <class Work>
+auto withStages(StageTimes& times, const Work& work)
+{
+    StagesShown stages;
+    return work([&](const std::string& stage, int done, int total) {
+        times.begin(stage);
+        stages.show(stage, done, total);
+    });
+}
+
+/// Prints the text; false where JSON stays alone on standard output.
+template <class Text>
+bool printText(const EvaluateCall& call, const Text& text)
+{
+    if (call.json && call.json->empty()) return false;
+    std::fputs(protocols::printableLines(text()).c_str(), stdout);
+    return true;
+}
+
 /// Whether pictures show cloth; a file that cannot be read is named and left out.
 int checkPictures(const EvaluateCall& call)
 {
@@ -96,7 +116,7 @@ int checkPictures(const EvaluateCall& call)
     }
     for (const auto& [likeness, count] : counts) lines += likeness + ": " + std::to_string(count) + "\n";
     if (call.json) writeJson(call.json, {{"schema", "vis2hap.cloth_likeness/1"}, {"pictures", pictures}});
-    if (!call.json || !call.json->empty()) std::fputs(protocols::printableLines(lines).c_str(), stdout);
+    printText(call, [&] { return lines; });
     return 0;
 }
 
@@ -116,61 +136,35 @@ int evaluate(const EvaluateCall& call, StageTimes times)
     request.boundsFraction = call.bounds;
     request.threads = std::min(stats::threadCount(0), mostThreads);
     if (call.changes) {
-        StagesShown stages;
-        const auto show = [&](const std::string& stage, int done, int total) {
-            times.begin(stage);
-            stages.show(stage, done, total);
-        };
-        const auto changes = evaluation::evaluateChanges(dataset, request, show);
+        const auto changes =
+            withStages(times, [&](const auto& show) { return evaluation::evaluateChanges(dataset, request, show); });
         if (call.json) writeJson(call.json, evaluation::changesJson(changes));
-        if (!call.json || !call.json->empty())
-            std::fputs(protocols::printableLines(evaluation::changesText(changes)).c_str(), stdout);
+        printText(call, [&] { return evaluation::changesText(changes); });
         return 0;
     }
     std::optional<evaluation::SurfaceReport> surfaces;
     if (evaluation::hasSurfaces(dataset)) {
-        StagesShown stages;
-        const auto show = [&](const std::string& stage, int done, int total) {
-            times.begin(stage);
-            stages.show(stage, done, total);
-        };
-        surfaces = evaluation::evaluateSurfaces(dataset, request, show);
+        surfaces = withStages(times, [&](const auto& show) { return evaluation::evaluateSurfaces(dataset, request, show); });
         const bool isAll = !hasMeasurements(dataset);
         if (call.json && isAll) writeJson(call.json, evaluation::surfacesJson(*surfaces));
-        if (!call.json || !call.json->empty())
-            std::fputs(protocols::printableLines(evaluation::surfacesText(*surfaces)).c_str(), stdout);
+        printText(call, [&] { return evaluation::surfacesText(*surfaces); });
         if (isAll) return 0;
     }
     if (!hasMeasurements(dataset)) {
-        StagesShown stages;
-        const auto show = [&](const std::string& stage, int done, int total) {
-            times.begin(stage);
-            stages.show(stage, done, total);
-        };
-        const auto weaves = evaluation::evaluateWeaves(dataset, request, show);
+        const auto weaves =
+            withStages(times, [&](const auto& show) { return evaluation::evaluateWeaves(dataset, request, show); });
         if (call.json) writeJson(call.json, evaluation::weavesJson(weaves));
-        if (!call.json || !call.json->empty())
-            std::fputs(protocols::printableLines(evaluation::weavesText(weaves)).c_str(), stdout);
+        printText(call, [&] { return evaluation::weavesText(weaves); });
         return 0;
     }
-    evaluation::Evaluation result;
-    {
-        StagesShown stages;
-        const auto show = [&](const std::string& stage, int done, int total) {
-            times.begin(stage);
-            stages.show(stage, done, total);
-        };
-        result = evaluation::evaluate(dataset, request, show);
-    }
+    const evaluation::Evaluation result =
+        withStages(times, [&](const auto& show) { return evaluation::evaluate(dataset, request, show); });
     if (call.json) {
         auto json = evaluation::evaluationJson(result);
         if (surfaces) json["surfaces"] = evaluation::surfacesJson(*surfaces).at("surfaces");
         writeJson(call.json, json);
     }
-    if (!call.json || !call.json->empty()) {
-        std::fputs(protocols::printableLines(evaluation::evaluationText(result)).c_str(), stdout);
-        times.end();  // JSON on standard output stays alone
-    }
+    if (printText(call, [&] { return evaluation::evaluationText(result); })) times.end();
     return 0;
 }
 

@@ -22,6 +22,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/open_files.h"
 #include "protocols/files/safe_text.h"
+#include "protocols/files/temporary_folder.h"
 #include "protocols/process/kept_memory.h"
 #include "protocols/process/owner_only.h"
 #include "protocols/process/whole_number_options.h"
@@ -233,6 +234,7 @@ int main(int argc, char** argv)
     std::signal(SIGCHLD, SIG_DFL);  // a parent that ignores it would hide the ends of other programs
     std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is an error of the write
     const int code = exitCodeOf(argc, argv);
+    protocols::removeLivingFolders();
     if (!QCoreApplication::instance() && database::haveLinksEnded(std::chrono::seconds(0))) return code;
     std::cout.flush();
     std::fflush(nullptr);

@@ -42,8 +42,10 @@ void output(const JsonTarget& target, const ordered_json& json)
     if (json.contains("effect"))
         std::printf("%-22s %s\n", json["effect"]["name"].get<std::string>().c_str(), json["effect"]["value"].dump().c_str());
     if (json.contains("why"))
-        for (const auto& [field, reason] : json["why"].items())
-            std::printf("%s does not exist: %s\n", field.c_str(), reason.get<std::string>().c_str());
+        for (const auto& [field, reason] : json["why"].items()) {
+            const bool existsInPart = json.contains(field) && json[field].is_array();
+            std::printf("%s%s: %s\n", field.c_str(), existsInPart ? "" : " does not exist", reason.get<std::string>().c_str());
+        }
 }
 
 /// Standard output is for the numbers.

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <QString>
-#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -15,13 +14,13 @@
 #include "protocols/files/foreign/text_encoding.h"
 #include "protocols/files/utf8.h"
 #include "protocols/files/whole_file.h"
+#include "protocols/secrets/new_passphrase.h"
 
 namespace study::commands {
 
 namespace {
 
 constexpr const char* variable = "VIS2HAP_PASSPHRASE";
-constexpr std::size_t shortestPassphrase = 8;
 
 constexpr int endingSignals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 
@@ -85,14 +84,6 @@ std::optional<std::string> asked(const std::string& question)
     return isThere ? std::optional(inOneForm(line, "terminal")) : std::nullopt;
 }
 
-/// A shell takes the line feed off what it puts into a variable, and leaves the carriage return of a Windows file.
-std::string withoutLineEnd(std::string text)
-{
-    for (const char end : {'\n', '\r'})
-        if (text.ends_with(end)) text.pop_back();
-    return text;
-}
-
 constexpr std::uint64_t largestPassphraseFile = std::uint64_t{1} << 20;  // a larger one was named by mistake
 
 /// The first line of the file, without its end. Windows writes such files in UTF-16, too.
@@ -105,8 +96,26 @@ std::string firstLineOf(const std::string& file)
 std::optional<std::string> givenBeforehand(const PassphraseOption& option)
 {
     if (!option.file.empty()) return inOneForm(firstLineOf(option.file), option.file);
-    if (const char* value = std::getenv(variable)) return inOneForm(withoutLineEnd(value), variable);
+    // A shell takes the line feed off what it puts into a variable, and leaves the carriage return of a Windows file.
+    if (const char* value = std::getenv(variable)) return inOneForm(protocols::withoutLineEnd(value), variable);
     return std::nullopt;
+}
+
+protocols::Error unusable(protocols::PassphraseFault fault)
+{
+    switch (fault) {
+        case protocols::PassphraseFault::OnlyBlanks:
+            return protocols::badInput(
+                {"the passphrase holds only blanks", "", "letters, digits and signs", "choose another one"});
+        case protocols::PassphraseFault::ControlCharacter:
+            return protocols::badInput({"the passphrase holds a control character, which nobody can type", "",
+                                        "letters, digits, signs and blanks", "choose another one"});
+        case protocols::PassphraseFault::TooShort:
+            break;
+    }
+    return protocols::badInput({"the passphrase is too short", "",
+                                std::to_string(protocols::shortestPassphrase) + " characters or more",
+                                "choose a longer one, such as four words"});
 }
 
 }  // namespace
@@ -144,14 +153,7 @@ std::string newPassphrase(const PassphraseOption& option, const std::string& key
         throw protocols::badInput({"a passphrase is needed, which seals " + key, "",
                                    "a terminal to ask on, --passphrase-file FILE or " + std::string(variable),
                                    "give one; --no-passphrase leaves the key open, for simulated studies and tests"});
-    if (std::ranges::all_of(*given, [](char c) { return static_cast<unsigned char>(c) <= ' '; }))
-        throw protocols::badInput({"the passphrase holds only blanks", "", "letters, digits and signs", "choose another one"});
-    if (std::ranges::any_of(*given, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }))
-        throw protocols::badInput({"the passphrase holds a control character, which nobody can type", "",
-                                   "letters, digits, signs and blanks", "choose another one"});
-    if (given->size() < shortestPassphrase)
-        throw protocols::badInput({"the passphrase is too short", "", std::to_string(shortestPassphrase) + " characters or more",
-                                   "choose a longer one, such as four words"});
+    if (const auto fault = protocols::faultOfNewPassphrase(*given)) throw unusable(*fault);
     return *given;
 }
 

@@ -22,8 +22,8 @@ database::Passphrase passphraseFrom(const PassphraseOption& option, const std::s
 /// The same without asking on the terminal.
 database::Passphrase givenPassphrase(const PassphraseOption& option);
 
-/// A new passphrase for this key: a terminal asks twice. Throws badInput where there is none, or where it has less than 8
-/// characters, or a control character.
+/// A new passphrase for this key: a terminal asks twice. Throws badInput where there is none, and where
+/// protocols::faultOfNewPassphrase() finds a fault.
 std::string newPassphrase(const PassphraseOption& option, const std::string& key = "the allocation key of this study");
 
 }  // namespace study::commands

@@ -163,7 +163,7 @@ int render(const RenderCall& call, StageTimes stages)
         std::fprintf(stderr, "warning: %s\n", protocols::printable(warning).c_str());
     for (const auto& warnings :
          {rendering::strangePhotographs(rendering), rendering::uncertainFriction(rendering), rendering::cutPhotographs(rendering),
-          rendering::describe(rendering::imageFaults(rendering), rendering)})
+          rendering::mixedQuantities(rendering), rendering::describe(rendering::imageFaults(rendering), rendering)})
         for (const auto& warning : warnings) std::fprintf(stderr, "warning: %s\n", protocols::printable(warning).c_str());
     for (const auto& line : rendering::describeMaps(rendering)) std::printf("%s\n", protocols::printable(line).c_str());
     std::printf(

@@ -173,7 +173,8 @@ void addReport(CLI::App& app, Action& action)
     command->add_option("--planned", call->planned, "with --from: a planned contrast A,B; the first is the primary one")
         ->allow_extra_args(false);
     command->add_option("--scale", call->scale,
-                        "with --from: ends of the rating scale, LOW,HIGH (default: 0,10); ratings outside are refused");
+                        "with --from: ends of the rating scale, LOW,HIGH (default: the protocol's, or 0,10); ratings outside are "
+                        "refused, and so is a protocol with other ends");
     command->add_option("--encoding", call->encoding, "with --from: encoding of the file (default: found in the file)");
     command->add_flag("--pairs", call->everyPair, "compare all pairs of conditions, also where there are more than 1000");
     command->add_flag("--resimulate", call->resimulate,

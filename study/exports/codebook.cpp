@@ -69,7 +69,7 @@ constexpr ColumnMeaning answerMeanings[] = {
     {"answer_begun_by", "text", "", oneOf("entry; spoken; script"), "what stamped the beginning"},
     {"entries", "whole number", "", from(2), "entries until two agreed; empty where one is enough"},
     {"response_seconds", "number", "s", any, "from the first touch to the beginning of the answer; the time that reports use"},
-    {"place", "whole number", "", from(1), "place of the presentation in the order of time; voided ones count"},
+    {"place", "whole number", "", from(1), "place of the presentation in the order of time; those voided after an answer count"},
     {"attempt", "whole number", "", from(1), "number of this presentation of the trial; a void starts the next"},
     {"sitting", "whole number", "", from(1), "times that the session had been opened"},
     {"state", "text", "", oneOf("started; finished; withdrawn"), meaningOfState},

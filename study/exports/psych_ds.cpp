@@ -10,6 +10,7 @@
 #include "protocols/files/safe_text.h"
 #include "protocols/files/sha256.h"
 #include "reports/text/plain_words.h"
+#include "study/records/display_response_record.h"
 #include "study/records/log_heads.h"
 #include "study/records/stored_study.h"
 
@@ -90,16 +91,25 @@ std::string markdown(const std::string& text)
     return safe;
 }
 
-/// "3 participants (2 human, 1 simulated)"; a public data set holds no answers of those who withdrew.
-std::string participantsOf(const database::StudyStore& store, bool isPublic)
+/// "3 participants (2 human, 1 simulated)"
+std::string participantsText(const std::vector<database::Enrolment>& enrolments)
 {
     std::map<std::string, std::size_t> kinds;
-    auto enrolments = store.enrolments();
-    std::erase_if(enrolments, [&](const auto& one) { return isPublic && one.state == database::SlotState::Withdrawn; });
     for (const auto& enrolment : enrolments) ++kinds[nameOf(enrolment.kind)];
     std::string text;
     for (const auto& [kind, count] : kinds) text += (text.empty() ? " (" : ", ") + std::to_string(count) + " " + kind;
     return reports::counted(enrolments.size(), "participant") + (text.empty() ? "" : text + ")");
+}
+
+/// Those whose answers the data set may hold: nobody whose answers were erased, in public nobody who withdrew.
+std::vector<database::Enrolment> answeringIn(const database::StudyStore& store, bool isPublic)
+{
+    auto enrolments = store.enrolments();
+    const auto erased = records::erasedParticipants(store);
+    std::erase_if(enrolments, [&](const database::Enrolment& one) {
+        return one.state == database::SlotState::Withdrawn && (isPublic || erased.contains(one.participant));
+    });
+    return enrolments;
 }
 
 std::string questionsOf(const protocols::Protocol& protocol)
@@ -113,7 +123,7 @@ std::string questionsOf(const protocols::Protocol& protocol)
 
 std::string describedAnswers(const database::StudyStore& store, const database::StudyFacts& facts, bool isPublic)
 {
-    return "Answers in the study \"" + facts.name + "\" by " + participantsOf(store, isPublic) +
+    return "Answers in the study \"" + facts.name + "\" by " + participantsText(answeringIn(store, isPublic)) +
            ". In each presentation a participant feels a rendering of a fabric on a haptic display. The participant then "
            "answers " +
            questionsOf(records::protocolOf(facts)) + ". Only human participants are evidence about people.";
@@ -121,7 +131,7 @@ std::string describedAnswers(const database::StudyStore& store, const database::
 
 std::string describedProgress(const database::StudyStore& store, const database::StudyFacts& facts, bool hasMeans)
 {
-    return "Progress of the study \"" + facts.name + "\" with " + participantsOf(store, false) +
+    return "Progress of the study \"" + facts.name + "\" with " + participantsText(store.enrolments()) +
            ". The study is blinded, so these tables hold no single answer, no fabric and no condition." +
            (hasMeans ? " Rounded means stand under labels that hide the conditions. They are over all places of the "
                        "study, which are finished."
@@ -205,6 +215,8 @@ PsychDsDataset psychDsDataset(const database::StudyStore& store, const database:
             "leave out voided rows, and rows whose `state` is withdrawn.";
     dataset.limits =
         records::stampsOf(store, facts, form.isPublic ? records::ProgramFiles::LeftOut : records::ProgramFiles::Named);
+    dataset.limits.push_back(form.isPublic ? records::publicDisplayResponseSentence(facts)
+                                           : records::displayResponseSentence(facts));
     dataset.changes = changesOf(store, hasAnswers && !form.isPublic);
     dataset.logHead = records::headTextOf(store);
     dataset.hasMaterials = hasAnswers;

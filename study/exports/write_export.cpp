@@ -22,6 +22,7 @@
 #include "study/exports/public_files.h"
 #include "study/players/session_script.h"
 #include "study/records/blinded_report.h"
+#include "study/records/display_response_record.h"
 #include "study/records/evidence/exported_log.h"
 #include "study/records/evidence/exported_samples.h"
 #include "study/records/log_heads.h"
@@ -154,11 +155,13 @@ ordered_json madeWithOf(const Export& job)
 
 ordered_json headOf(const Export& job)
 {
+    auto stamps = records::stampsOf(job.store, job.facts);
+    stamps.push_back(records::displayResponseSentence(job.facts));
     ordered_json head{{"schema", "vis2hap.export/1"},
                       {"study", job.facts.name},
                       {"protocol_sha256", job.facts.protocolSha256},
                       {"blinded", job.answers == nullptr},
-                      {"stamps", records::stampsOf(job.store, job.facts)},
+                      {"stamps", stamps},
                       {"participants", participantRows(job)},
                       {"preregistrations", registrationRows(job)},
                       {"acts", actRows(job)},

@@ -163,7 +163,7 @@ ordered_json studyJson(const StudyPlan& plan)
 ordered_json plannedPart(const StudyPlan& plan)
 {
     const protocols::Protocol& protocol = plan.protocol;
-    const ExclusionRules rules = exclusionRules();
+    const ExclusionRules rules = exclusionRules(protocol);
     ordered_json part{{"participants", protocol.participants}, {"stopping_rule", "number_of_participants"}};
     part["answers_per_participant"] = protocol.answersPerParticipant();
     part["fabrics"] = fabricsJson(plan);

@@ -297,9 +297,9 @@ std::string analyses(const StudyPlan& plan)
     return text + "Every other analysis of the report is exploratory.\n";
 }
 
-std::string exclusions()
+std::string exclusions(const StudyPlan& plan)
 {
-    const ExclusionRules rules = exclusionRules();
+    const ExclusionRules rules = exclusionRules(plan.protocol);
     std::string text = "The main analysis excludes no participant and no valid answer. No outlier is removed or changed.\n";
     text += "The program flags data by these rules:\n";
     for (const auto& sentence : rules.sentences) text += item(sentence);
@@ -434,8 +434,9 @@ std::string planText(const StudyPlan& plan, const RegistrationStamp& stamp)
 {
     return headOf(plan, stamp) + section(1, "Data so far", dataSoFar(stamp)) + section(2, "Hypotheses", hypotheses(plan)) +
            section(3, "Measures", measures(plan)) + section(4, "Design", design(plan)) + section(5, "Analyses", analyses(plan)) +
-           section(6, "Exclusions, missing and voided answers", exclusions()) + section(7, "Number of participants", size(plan)) +
-           section(8, "Power", power(plan)) + section(9, "Identity", identity(plan));
+           section(6, "Exclusions, missing and voided answers", exclusions(plan)) +
+           section(7, "Number of participants", size(plan)) + section(8, "Power", power(plan)) +
+           section(9, "Identity", identity(plan));
 }
 
 }  // namespace study::making

@@ -65,6 +65,17 @@ std::vector<std::string> changesBetween(const ordered_json& before, const ordere
     return changes;
 }
 
+/// Whether the plan is the same but for the sentences of the flags: another version of this program wrote them.
+bool onlyRulesDiffer(const ordered_json& before, const ordered_json& now, const std::vector<std::string>& changes)
+{
+    const char* part = "exclusions";
+    if (changes != std::vector<std::string>{part} || !before.contains(part) || !before[part].is_object()) return false;
+    ordered_json earlier = before[part], later = now[part];
+    earlier.erase("rules");
+    later.erase("rules");
+    return earlier == later;
+}
+
 /// The registered JSON, with the object "plan". Throws workFailed where somebody altered it.
 ordered_json registeredJson(const database::StudyStore& store, const PreregistrationRecord& record)
 {
@@ -95,6 +106,12 @@ void keepRegisteredBounds(const database::StudyStore& store, const ordered_json&
     if (!registered.contains(high) || !registered.at(low).is_number() || !registered.at(high).is_number()) return;
     plan.protocol.equivalenceBounds = {registered.at(low), registered.at(high)};
     plan.power = analyse::questionPowers(plan.protocol);
+}
+
+/// By the log: an erasure takes answers away, but not that they were given.
+bool isAnythingKnown(const database::StudyStore& store)
+{
+    return store.firstEventOfKind("answered").has_value() || store.unblinding().has_value();
 }
 
 RegistrationStamp stampFor(const database::StudyStore& store, const PreregistrationCall& call,
@@ -163,7 +180,10 @@ Preregistered preregister(database::StudyStore& store, const PreregistrationCall
     if (!records.empty()) {
         const ordered_json before = registeredJson(store, records.back());
         keepRegisteredBounds(store, before, plan);
-        done.changes = changesBetween(before["plan"], plannedPart(plan));
+        const ordered_json now = plannedPart(plan);
+        done.changes = changesBetween(before["plan"], now);
+        // Known answers make a late amendment, which nobody has asked for.
+        if (isAnythingKnown(store) && onlyRulesDiffer(before["plan"], now, done.changes)) done.changes.clear();
     }
     done.isNew = records.empty() || !done.changes.empty();
     makeOut(call);

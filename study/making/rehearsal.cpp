@@ -6,8 +6,10 @@
 #include <numbers>
 #include <set>
 
+#include "database/disk/server_note.h"
 #include "database/disk/station_key.h"
 #include "database/study_store.h"
+#include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/strict_json.h"
@@ -122,6 +124,9 @@ void requireImages(const StudyStore& store)
 
 std::shared_ptr<const fs::path> makeRehearsal(const fs::path& study)
 {
+    if (database::readServerNote(study))
+        throw protocols::badInput({"a rehearsal needs the images of the study, which lie on the server", study.string(),
+                                   "the folder of a study on no server", "rehearse before the study moves there"});
     const StudyStore store({study}, StudyStore::Access::Read);
     requireImages(store);
     const auto secret = protocols::SecretKey::drawn();

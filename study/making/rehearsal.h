@@ -10,8 +10,8 @@ namespace study::making {
 
 /// The folder of the rehearsal's study. Running order, codes and station key are drawn anew by a secret of their own. The images
 /// are drawn patterns. Protocol, fabrics and codes on the pieces are those of `study`. Breaks come after two presentations.
-/// Throws the errors of database::StudyStore, and workFailed where the station key or a stimulus of `study` is missing or
-/// altered.
+/// Throws the errors of database::StudyStore, badInput for a study on a server, and workFailed where the station key or a
+/// stimulus of `study` is missing or altered.
 std::shared_ptr<const std::filesystem::path> makeRehearsal(const std::filesystem::path& study);
 
 }  // namespace study::making

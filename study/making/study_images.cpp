@@ -133,6 +133,7 @@ StudyImages rendered(const NewStudy& request, const StudyMaterial& material, con
     images.signalsJson = json.dump();
     for (const auto& line : strangePhotographs(rendering)) images.stamps.push_back(sentence(line));
     for (const auto& line : uncertainFriction(rendering)) images.stamps.push_back(sentence(line));
+    for (const auto& line : mixedQuantities(rendering)) images.stamps.push_back(sentence(line));
     images.warnings = warningsIn(json);
     for (const auto& line : shadingWarnings(rendering)) images.warnings.push_back(line);
     for (const auto& line : cutPhotographs(rendering)) images.warnings.push_back(line);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/id_rule.h"
 #include "protocols/files/strict_json.h"
 #include "protocols/files/utf8.h"
 #include "protocols/files/whole_file.h"
@@ -37,7 +38,7 @@ void readProtocol(const NewStudy& request, StudyMaterial& material)
 }
 
 /// The fabrics that the protocol names, or as many as it asks for, drawn by seed.
-std::vector<protocols::FabricId> fabricsFor(const protocols::Protocol& protocol, const Dataset& dataset, std::uint64_t seed)
+std::vector<protocols::FabricId> chosenFabrics(const protocols::Protocol& protocol, const Dataset& dataset, std::uint64_t seed)
 {
     if (!protocol.fabrics.empty()) {
         for (const auto& fabric : protocol.fabrics) (void)dataset.fabric(fabric);  // throws for an unknown one
@@ -53,6 +54,14 @@ std::vector<protocols::FabricId> fabricsFor(const protocols::Protocol& protocol,
     protocols::Random::stream(seed, "fabrics of the study").shuffle(fabrics);
     fabrics.resize(protocol.fabricCount);
     std::sort(fabrics.begin(), fabrics.end());
+    return fabrics;
+}
+
+/// Throws badInput for an id that the tables of a new study cannot hold. Data sets of earlier versions may have one.
+std::vector<protocols::FabricId> fabricsFor(const protocols::Protocol& protocol, const Dataset& dataset, std::uint64_t seed)
+{
+    std::vector<protocols::FabricId> fabrics = chosenFabrics(protocol, dataset, seed);
+    for (const auto& fabric : fabrics) protocols::requireGoodNewId(fabric.value, "a fabric", dataset.folder.string());
     return fabrics;
 }
 

@@ -1,5 +1,7 @@
 #include "study/making/study_plan.h"
 
+#include <algorithm>
+
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
@@ -28,9 +30,11 @@ StudyPlan planOf(const database::StudyStore& store, const std::string& program)
     return plan;
 }
 
-ExclusionRules exclusionRules()
+ExclusionRules exclusionRules(const protocols::Protocol& protocol)
 {
     ExclusionRules rules{reports::ruleSentences(), {}};
+    const auto hasMismatches = [](const protocols::Phase& phase) { return phase.anchors.mismatched > 0; };
+    if (std::ranges::any_of(protocol.phases, hasMismatches)) rules.sentences.push_back(reports::mismatchRule());
     for (const reports::FlagKind kind : reports::reasonsToExclude()) rules.flags.push_back(nameOf(kind));
     return rules;
 }

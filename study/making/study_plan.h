@@ -38,11 +38,12 @@ struct StudyPlan {
 /// Throws badInput where protocol.json differs from the protocol that the study stores.
 StudyPlan planOf(const database::StudyStore& store, const std::string& program);
 
-/// The rules by which the report flags data, each a sentence, and the names of the flags that set a participant apart.
+/// The rules by which the report of this protocol flags data, each a sentence, and the names of the flags that set a participant
+/// apart.
 struct ExclusionRules {
     std::vector<std::string> sentences;
     std::vector<std::string> flags;
 };
-ExclusionRules exclusionRules();
+ExclusionRules exclusionRules(const protocols::Protocol& protocol);
 
 }  // namespace study::making

@@ -150,32 +150,6 @@ const std::string& nameOfFabric(const database::StudyFacts& facts, const protoco
     return found->second;
 }
 
-Markup preparationPage(const database::StudyFacts& facts, const std::vector<LabelSet>& sets, const PrintedHead& printed)
-{
-    std::string body =
-        paragraph(SheetText::tr("For the person who labels the pieces. The operator of a session only needs the codes."));
-    for (const auto& set : sets) {
-        body += "<div class=\"sheet\">\n<table>" +
-                tableHead(set.title,
-                          {{SheetText::tr("code"), "18%"}, {SheetText::tr("id"), "20%"}, {SheetText::tr("fabric"), "auto"}});
-        for (const auto& [fabric, code] : set.codes)
-            body += "<tr><td><b>" + protocols::escapedMarkup(code) + "</b></td><td>" + protocols::escapedMarkup(fabric.value) +
-                    "</td><td>" + protocols::escapedMarkup(nameOfFabric(facts, fabric)) + "</td></tr>\n";
-        body +=
-            "</table>\n" + paragraph(SheetText::tr("You also need sandpaper, silk and a second piece of one fabric, for the two "
-                                                   "ends of the scale."));
-        if (!facts.familiarisation.empty()) {
-            QStringList names;
-            for (const auto& item : facts.familiarisation) names << QString::fromStdString(item.name);
-            body += paragraph(SheetText::tr("Fabrics for familiarisation with the display: %1.")
-                                  .arg(names.join(SheetText::tr(", ", "between the names of a list"))));
-        }
-        body += "</div>\n";
-    }
-    return page(SheetText::tr("%1: preparation of the fabric pieces").arg(QString::fromStdString(facts.name)).toStdString(), body,
-                printed);
-}
-
 /// A scale of the protocol, and the questions that are rated on it.
 struct CardScale {
     protocols::RatingScale scale;
@@ -195,6 +169,45 @@ std::vector<CardScale> cardScalesOf(const protocols::Protocol& protocol)
             card->questions.push_back(question.text);
         }
     return cards;
+}
+
+/// Whether participants learn a scale without words whose ends are the usual ones: sandpaper against silk, and two pieces of one
+/// fabric. An end with a text of the study has materials of its own, or none.
+bool needsUsualEnds(const protocols::Protocol& protocol, const std::vector<CardScale>& cards)
+{
+    const bool isNumbersOnly = std::ranges::any_of(cards, [](const CardScale& card) { return card.scale.labels.empty(); });
+    const auto isOwn = [&](const char* onCard, const char* atLine) {
+        return protocol.participantTexts.contains(onCard) || protocol.participantTexts.contains(atLine);
+    };
+    return isNumbersOnly && !(isOwn("card_low", "scale_low") && isOwn("card_high", "scale_high"));
+}
+
+Markup preparationPage(const database::StudyFacts& facts, const std::vector<LabelSet>& sets, bool hasUsualEnds,
+                       const PrintedHead& printed)
+{
+    std::string body =
+        paragraph(SheetText::tr("For the person who labels the pieces. The operator of a session only needs the codes."));
+    for (const auto& set : sets) {
+        body += "<div class=\"sheet\">\n<table>" +
+                tableHead(set.title,
+                          {{SheetText::tr("code"), "18%"}, {SheetText::tr("id"), "20%"}, {SheetText::tr("fabric"), "auto"}});
+        for (const auto& [fabric, code] : set.codes)
+            body += "<tr><td><b>" + protocols::escapedMarkup(code) + "</b></td><td>" + protocols::escapedMarkup(fabric.value) +
+                    "</td><td>" + protocols::escapedMarkup(nameOfFabric(facts, fabric)) + "</td></tr>\n";
+        body += "</table>\n";
+        if (hasUsualEnds)
+            body += paragraph(
+                SheetText::tr("You also need sandpaper, silk and a second piece of one fabric, for the two ends of the scale."));
+        if (!facts.familiarisation.empty()) {
+            QStringList names;
+            for (const auto& item : facts.familiarisation) names << QString::fromStdString(item.name);
+            body += paragraph(SheetText::tr("Fabrics for familiarisation with the display: %1.")
+                                  .arg(names.join(SheetText::tr(", ", "between the names of a list"))));
+        }
+        body += "</div>\n";
+    }
+    return page(SheetText::tr("%1: preparation of the fabric pieces").arg(QString::fromStdString(facts.name)).toStdString(), body,
+                printed);
 }
 
 /// Words stand at the ends of the sections, one a step.
@@ -340,7 +353,7 @@ void writeSheets(const database::StudyStore& store, const std::filesystem::path&
     const std::pair<const char*, Markup> sheets[] = {
         {"labels.html", labelsPage(facts, sets, printed)},
         {"session.html", sessionPage(facts, printed)},
-        {"preparation.html", preparationPage(facts, sets, printed)},
+        {"preparation.html", preparationPage(facts, sets, needsUsualEnds(protocol, cards), printed)},
         {"scale-card.html", cards.empty() ? "" : scaleCards(facts, protocol, cards, printed)},
         {"instructions.html", hasInstructions(protocol) ? instructionsPage(store, protocol, facts.name, printed) : ""}};
     protocols::FolderDraft draft(out, protocols::Earlier::FilesJoined);

@@ -78,6 +78,7 @@ private:
     EventBody bodyOf(const ScriptedEvent& event) const;
     Corrected correctionOf(const ScriptedEvent& event) const;
     std::string placeOfEvent() const;
+    std::string presentPlace() const;
     void moveOn();
     void answer(const Presenting& presenting);
     GivenAnswer answerFor(const ScriptedResponse& scripted, int index, const protocols::Question& question) const;
@@ -123,6 +124,17 @@ std::string Player::placeOfEvent() const
     return m_script.where + ", after " + std::to_string(m_hands.state().answersStored) + " answers";
 }
 
+/// The script, with the trial and the question at hand if there are any.
+std::string Player::presentPlace() const
+{
+    const auto* presenting = std::get_if<Presenting>(&m_hands.state().stage);
+    if (presenting == nullptr) return m_script.where;
+    const auto& phase = m_trials.protocol.phases[m_trials.trials[presenting->index].phase];
+    const auto question = static_cast<std::size_t>(presenting->question);
+    if (question >= phase.questions.size()) return m_script.where;
+    return m_script.where + ": " + placeName(presenting->index, phase.questions[question].id);
+}
+
 void Player::actInVain(const EventBody& event, const std::string& refusalText)
 {
     const auto refusal = m_hands.perform(event);
@@ -158,7 +170,7 @@ void Player::act(const EventBody& event)
     if (const auto refusal = m_hands.perform(event))
         throw protocols::badInput({"the session refuses \"" + kindOf(event) + "\" after " +
                                        std::to_string(m_hands.state().answersStored) + " answers: " + refusal->reason,
-                                   m_script.where, "a script that the session can follow",
+                                   presentPlace(), "a script that the session can follow",
                                    "correct the script; earlier answers are stored"});
 }
 

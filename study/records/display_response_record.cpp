@@ -21,6 +21,9 @@ nlohmann::json keptResponse(const database::StudyFacts& facts)
     return made.is_object() && made.contains(displayResponseField) ? made.at(displayResponseField) : nlohmann::json();
 }
 
+constexpr const char* notMeasured = "The response of the display was not measured: grey levels stand for friction.";
+constexpr const char* mapped = "The images are mapped through this response.";
+
 /// Zero where the field is missing or no number.
 std::string sizeIn(const nlohmann::json& response, const char* field)
 {
@@ -39,11 +42,16 @@ bool isThisDisplay(const std::string& used, const std::string& measured)
 std::string displayResponseSentence(const database::StudyFacts& facts)
 {
     const auto response = keptResponse(facts);
-    if (!response.is_object()) return "The response of the display was not measured: grey levels stand for friction.";
+    if (!response.is_object()) return notMeasured;
     return "Friction of the display's glass was measured on " + textIn(response, "date") + " on " + textIn(response, "display") +
            " at " + sizeIn(response, "load_n") + " N and " + sizeIn(response, "speed_mm_per_s") + " mm/s with " +
-           textIn(response, "finger") + " (SHA-256 " + textIn(response, "sha256").substr(0, 16) +
-           "). The images are mapped through this response.";
+           textIn(response, "finger") + " (SHA-256 " + textIn(response, "sha256").substr(0, 16) + "). " + mapped;
+}
+
+std::string publicDisplayResponseSentence(const database::StudyFacts& facts)
+{
+    if (!keptResponse(facts).is_object()) return notMeasured;
+    return std::string("Friction of the display's glass was measured. ") + mapped;
 }
 
 std::string otherDisplaySentence(const database::StudyStore& store, const database::StudyFacts& facts, bool namesThem)

@@ -15,6 +15,9 @@ inline constexpr const char* displayResponseField = "display_response";
 /// A sentence for reports and data sheets: how the response was measured, or that it was not.
 std::string displayResponseSentence(const database::StudyFacts& facts);
 
+/// The same for data that are published: without the day, the display and the finger.
+std::string publicDisplayResponseSentence(const database::StudyFacts& facts);
+
 /// A sentence where sittings of people used a display of another name than the one that was measured; empty otherwise.
 std::string otherDisplaySentence(const database::StudyStore& store, const database::StudyFacts& facts, bool namesThem);
 

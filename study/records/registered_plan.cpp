@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
@@ -18,6 +19,30 @@ namespace study::records {
 namespace {
 
 using nlohmann::json;
+
+/// Two phases may have an instruction of one name, and two sentences for it.
+void addText(std::vector<reports::PlannedText>& texts, const std::string& name, const std::string& text)
+{
+    const auto known = std::ranges::find(texts, name, &reports::PlannedText::name);
+    if (known == texts.end())
+        texts.push_back({name, text});
+    else
+        known->text += "\n" + text;
+}
+
+std::vector<reports::PlannedText> textsOf(const protocols::Protocol& protocol)
+{
+    std::vector<reports::PlannedText> texts;
+    for (const auto& phase : protocol.phases) {
+        for (const auto& question : phase.questions) addText(texts, reports::wordingNameOf(question.id.value), question.text);
+        for (const auto& one : phase.instructions) {
+            const std::string name = "the instruction " + one.id.value;
+            addText(texts, "wording of " + name, one.text);
+            addText(texts, "deadline of " + name, one.deadlineSeconds ? protocols::shortest(*one.deadlineSeconds) : "none");
+        }
+    }
+    return texts;
+}
 
 reports::PlannedDesign designOf(const protocols::Protocol& protocol, const database::StudyStore& store,
                                 const std::string& protocolSha256)
@@ -36,6 +61,7 @@ reports::PlannedDesign designOf(const protocols::Protocol& protocol, const datab
     design.hasUsualBounds = protocol.hasUsualBounds;
     design.answersPerRendering = static_cast<std::size_t>(protocol.answersPerRendering());
     design.protocolSha256 = protocolSha256;
+    design.texts = textsOf(protocol);
     return design;
 }
 
@@ -63,7 +89,10 @@ reports::PlannedDesign designIn(const json& registered)
     design.fabrics = design.fabricIds.size();
     design.conditionIds = plan.at("conditions").get<std::vector<std::string>>();
     design.conditions = design.conditionIds.size();
-    for (const json& question : plan.at("questions")) design.questions.push_back(question.at("id"));
+    for (const json& question : plan.at("questions")) {
+        design.questions.push_back(question.at("id"));
+        addText(design.texts, reports::wordingNameOf(design.questions.back()), question.value("text", ""));
+    }
     for (const json& contrast : plan.at("planned")) design.contrastPairs.emplace_back(contrast.at("a"), contrast.at("b"));
     design.contrasts = design.contrastPairs.size();
     design.equivalenceBounds = {plan.at("equivalence_bounds").at(0), plan.at("equivalence_bounds").at(1)};
@@ -80,6 +109,7 @@ void addFromProtocol(reports::PlannedDesign& design, const database::StudyStore&
     const reports::PlannedDesign stated = designOf(*named, store);
     design.hasUsualBounds = stated.hasUsualBounds;
     design.answersPerRendering = stated.answersPerRendering;
+    design.texts = stated.texts;  // as this version reads them, which is how it reads the latest protocol
 }
 
 /// Runs `read` on the registered JSON.
@@ -139,10 +169,16 @@ std::vector<std::string> changesOfPlan(const reports::PlannedDesign& planned, co
     return changes;
 }
 
-std::vector<std::string> changesBetween(const reports::PlannedDesign& planned, const reports::PlannedDesign& used)
+/// What `used` lets participants be asked or told otherwise. The plan states no other texts and times.
+std::vector<std::string> textsChangedBetween(const reports::PlannedDesign& planned, const reports::PlannedDesign& used)
 {
-    std::vector<std::string> changes = changesOfPlan(planned, used);
-    if (changes.empty() && planned.protocolSha256 != used.protocolSha256) changes.emplace_back("texts or times only");
+    std::vector<std::string> changes;
+    if (planned.protocolSha256 == used.protocolSha256) return changes;
+    for (const reports::PlannedText& one : used.texts) {
+        const auto before = std::ranges::find(planned.texts, one.name, &reports::PlannedText::name);
+        if (before != planned.texts.end() && before->text != one.text) changes.push_back(one.name);
+    }
+    if (changes.empty() && changesOfPlan(planned, used).empty()) changes.emplace_back("texts or times only");
     return changes;
 }
 
@@ -193,7 +229,8 @@ void describePlan(const database::StudyStore& store, reports::StudyData& data)
     data.registrations = registrationsOf(store, records, plan.followed);
     data.planVersion = versions.size() > 1 && plan.followed == nullptr ? versionBeforeAnswers(store).version : 0;
     data.protocolInUse = latest.sha256;
-    data.protocolChanges = changesBetween(design, used);
+    data.protocolChanges = changesOfPlan(design, used);
+    data.changedTexts = textsChangedBetween(design, used);
     describeOrigins(plan, used, data);
     data.equivalenceBounds = design.equivalenceBounds;
     if (data.blinded) {

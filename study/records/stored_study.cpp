@@ -55,14 +55,26 @@ void describeProtocol(const protocols::Protocol& protocol, reports::StudyData& d
                  static_cast<std::size_t>((protocol.presentationsPerPhase() + phase.extraPresentations()) * phase.runs())});
 }
 
+/// Voided presentations of these participants, answered or not.
+std::size_t voidedOf(const std::set<std::string>& participants, const database::StudyStore& store)
+{
+    std::size_t voided = 0;
+    for (const auto& [participant, presentations] : store.voidedPresentations())
+        if (participants.contains(participant.value)) voided += static_cast<std::size_t>(presentations);
+    return voided;
+}
+
 void describeParticipants(const database::StudyStore& store, reports::StudyData& data)
 {
+    const auto erased = erasedParticipants(store);
     for (const auto& enrolment : store.enrolments()) {
         const bool hasWithdrawn = enrolment.state == database::SlotState::Withdrawn;
-        (hasWithdrawn ? data.withdrawn : data.participants).push_back(enrolment.participant.value);
+        auto& those = !hasWithdrawn ? data.participants : erased.contains(enrolment.participant) ? data.erased : data.withdrawn;
+        those.push_back(enrolment.participant.value);
         data.simulated = data.simulated || enrolment.kind == database::ParticipantKind::Simulated;
         data.scripted = data.scripted || enrolment.kind == database::ParticipantKind::Scripted;
     }
+    data.voided = voidedOf({data.participants.begin(), data.participants.end()}, store);
     data.participantsSentence = participantsSentence(store);
 }
 
@@ -193,12 +205,11 @@ private:
     std::map<Presentation, std::set<std::vector<protocols::FabricId>>> m_trays;
 };
 
-/// Sorts the current answers into analysed answers, answers to blank glass and to anchors, and a count of voided presentations.
+/// Sorts the current answers into analysed answers, and answers to blank glass and to anchors.
 void readAnswers(const std::vector<database::CurrentAnswer>& answers, const protocols::Protocol& protocol, const Naming& naming,
                  reports::StudyData& data)
 {
     const std::set<std::string> analysed(data.participants.begin(), data.participants.end());
-    std::set<PresentationKey> voided;
     data.times = timesOf(answers, protocol, analysed);
     PlacesInTime inTime;
     for (const auto& answer : answers) inTime.add(answer);
@@ -210,15 +221,12 @@ void readAnswers(const std::vector<database::CurrentAnswer>& answers, const prot
         if (named == naming.entries.end()) continue;  // in an altered study, a trial of no list
         const auto& entry = named->second;
         const auto* question = questionWith(protocol, answer.record.question);
-        if (answer.voided)
-            voided.insert(presentationOf(answer));
-        else if (question != nullptr)
+        if (!answer.voided && question != nullptr)
             responsesTo(entry, data)
                 .push_back(responseOf(answer, entry, question->kind, places.at(presentationOf(answer)), data.times));
         if (hasAnchors(protocol)) trays.add(answer, entry);
     }
     data.choicesRepeatedAnew = trays.questionsAnew();
-    data.voided = voided.size();
 }
 
 /// The samples of each analysed presentation, as speed and force. Damaged ones are told in a stamp.
@@ -282,7 +290,9 @@ reports::StudyData describedStudy(const database::StudyStore& store, const datab
     describeParticipants(store, data);
     // Only the key tells answers to catch trials and anchors from the others.
     const auto answers = data.blinded ? static_cast<std::size_t>(protocol.answersPerParticipant()) : answersOf(protocol);
-    data.expectedResponses = store.slots().size() * answers;
+    const auto slots = store.slots();
+    data.expectedResponses = slots.size() * answers;
+    for (const auto& slot : slots) data.expectedOfEmptyPlaces += slot.state == database::SlotState::Free ? answers : 0;
     return data;
 }
 
@@ -299,6 +309,14 @@ protocols::Protocol latestProtocolOf(const database::StudyStore& store)
 {
     return protocols::keptProtocolFromJson(store.protocolVersions().back().json, "the study's protocol",
                                            store.facts().programVersion);
+}
+
+std::set<protocols::ParticipantId> erasedParticipants(const database::StudyStore& store)
+{
+    std::set<protocols::ParticipantId> erased;
+    for (const auto& erasure : store.erasures())
+        if (erasure.answersToo) erased.insert(erasure.participant);
+    return erased;
 }
 
 std::string afterUnblindingSentence(const database::StudyStore& store)

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,9 @@ inline constexpr const char* pricesField = "prices";
 
 /// Whether sentences name the files of a lab's own programs and the displays of sittings; such a name may be a person's.
 enum class ProgramFiles { Named, LeftOut };
+
+/// Participants whose answers were erased. They count as withdrawn, and nothing of theirs is kept.
+std::set<protocols::ParticipantId> erasedParticipants(const database::StudyStore& store);
 
 /// What the log holds behind the unblinding, in one sentence; empty where there is nothing.
 std::string afterUnblindingSentence(const database::StudyStore& store);

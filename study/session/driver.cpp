@@ -1,6 +1,7 @@
 #include "study/session/driver.h"
 
 #include <algorithm>
+#include <map>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/safe_text.h"
@@ -68,6 +69,53 @@ bool areKeptTexts(const EventBody& body, const std::string& payload)
     return !given || std::ranges::all_of(given->facts, [](const auto& fact) { return protocols::isKeptText(fact.second); });
 }
 
+std::size_t lengthOfWords(const GivenAnswer& answer)
+{
+    const auto* words = std::get_if<Words>(&answer);
+    return words ? words->text.size() : 0;
+}
+
+/// Bytes of the longest text that somebody typed.
+std::size_t longestTyped(const EventBody& body)
+{
+    const auto longestOf = [](const std::map<std::string, std::string>& texts) {
+        std::size_t longest = 0;
+        for (const auto& [name, text] : texts) longest = std::max(longest, text.size());
+        return longest;
+    };
+    return std::visit(
+        protocols::Overloaded{
+            [](const Answered& event) { return lengthOfWords(event.response); },
+            [](const Corrected& event) { return std::max(lengthOfWords(event.response), event.why.size()); },
+            [](const Voided& event) { return event.why.size(); }, [](const WithdrawnEvent& event) { return event.why.size(); },
+            [](const Noted& event) { return event.text.size(); }, [](const Debriefed& event) { return event.text.size(); },
+            [&](const FactsGiven& event) { return longestOf(event.facts); },
+            [&](const ChecklistDone& event) { return longestOf(event.readings); }, [](const auto&) { return std::size_t{0}; }},
+        body);
+}
+
+/// Bytes that the payload has at most once it holds the hashes of facts: each with its name, which the payload of FactsGiven
+/// holds already, and 64 digits.
+std::size_t lengthWithHashes(const EventBody& body, const std::string& payload)
+{
+    constexpr std::size_t key = 100, eachHash = 80;
+    const auto* given = std::get_if<FactsGiven>(&body);
+    if (!given) return payload.size() + key + eachHash;
+    return 2 * payload.size() + key + eachHash * given->facts.size();
+}
+
+/// A server refuses longer texts and entries, also those that waited at a station, so that a folder takes none either. The
+/// functions of a server are those of the program that moved the study there, until its owner runs `vis2hap server roles`: older
+/// ones refuse shorter texts. `payload` is the event's JSON.
+std::optional<Refusal> refusalOfLength(const EventBody& body, const std::string& payload)
+{
+    if (longestTyped(body) > database::longestText)
+        return Refusal{"The text is longer than 100,000 bytes, so it is not stored. Shorten it."};
+    if (lengthWithHashes(body, payload) > database::longestPayload)
+        return Refusal{"The entry is too long, so it is not stored. Shorten its texts."};
+    return std::nullopt;
+}
+
 /// A display that cannot fetch images would show the text of a ticket, and one that fetches would take an image for a ticket.
 void requireFittingDisplay(const rendering::PresentedImages& images, const rendering::HapticDisplay& display)
 {
@@ -130,9 +178,11 @@ void requireKeptProtocol(const SessionStore& store)
                                    " --undo`"});
 }
 
+View Driver::viewWithoutHead() const { return viewOf(m_plan, m_state, m_participant, m_clock.monotonicNs()); }
+
 View Driver::view() const
 {
-    View view = viewOf(m_plan, m_state, m_participant, m_clock.monotonicNs());
+    View view = viewWithoutHead();
     const bool hasEnded = std::holds_alternative<Finished>(m_state.stage) || std::holds_alternative<Withdrawn>(m_state.stage);
     if (!hasEnded && !m_state.paused && !std::holds_alternative<OnBreak>(m_state.stage)) return view;
     if (const database::LogHead head = m_store.head(); !head.hash.empty()) view.logHead = shortTextOf(head);
@@ -163,6 +213,7 @@ std::optional<Refusal> Driver::send(const EventBody& body)
     std::string payload = payloadJson(body, m_operatedBy);
     if (!areKeptTexts(body, payload))
         return Refusal{"The text holds a character that nobody sees and that is not stored as it is. Type the text again."};
+    if (auto refusal = refusalOfLength(body, payload)) return refusal;
     const std::vector<Effect> effects = std::get<SessionStep>(outcome).effects;
     commit(body, std::move(payload), atNs, std::move(std::get<SessionStep>(outcome)));
     letOut(effects);

@@ -43,7 +43,10 @@ public:
 
     const State& state() const { return m_state; }
     const Plan& plan() const { return m_plan; }
+    /// Throws protocols::Error where the head of the log, which it holds while nothing runs, cannot be read.
     View view() const;
+    /// The same without the head of the log. Reads nothing, and never throws.
+    View viewWithoutHead() const;
 
 private:
     void replayLog();

@@ -46,6 +46,16 @@ bool holds(const Json& now, const Json& old, double tolerance = 0)
     return true;
 }
 
+/// Flags on voided presentations in the words of 0.5.0, which took every void for one with answers.
+Json inTheOldWords(const Json& flags)
+{
+    static const QRegularExpression newer(
+        QStringLiteral("voided and presented again; answers to them are kept and not analysed"));
+    const QString text = QString::fromStdString(flags.dump());
+    return Json::parse(
+        QString(text).replace(newer, QStringLiteral("voided: kept in the data, not analysed, presented again")).toStdString());
+}
+
 /// results/2 has the questions under "questions"; results/1 had them at the top level.
 Json inTheOldShape(const Json& results)
 {
@@ -55,6 +65,8 @@ Json inTheOldShape(const Json& results)
             old[key] = "vis2hap.results/1";
         else if (key == "questions")
             for (const auto& [question, part] : value.items()) old[question] = part;
+        else if (key == "quality")
+            old[key] = inTheOldWords(value);
         else
             old[key] = value;
     }

@@ -27,6 +27,8 @@ constexpr const char* table[] = {
     QT_TRANSLATE_NOOP("study::app::Below", "The participant's list is empty."),
     QT_TRANSLATE_NOOP("study::app::Below",
                       "The text holds a character that nobody sees and that is not stored as it is. Type the text again."),
+    QT_TRANSLATE_NOOP("study::app::Below", "The text is longer than 100,000 bytes, so it is not stored. Shorten it."),
+    QT_TRANSLATE_NOOP("study::app::Below", "The entry is too long, so it is not stored. Shorten its texts."),
     QT_TRANSLATE_NOOP(
         "study::app::Below",
         "The last step was only just taken, so this key confirmed nothing. Put the pieces on the tray, then confirm it."),
@@ -188,6 +190,7 @@ constexpr const char* table[] = {
     QT_TRANSLATE_NOOP("study::app::Below", "holds an invisible character"),
     QT_TRANSLATE_NOOP("study::app::Below", "holds a slash or backslash"),
     QT_TRANSLATE_NOOP("study::app::Below", "holds a comma"),
+    QT_TRANSLATE_NOOP("study::app::Below", "stands for a missing value in tables"),
     QT_TRANSLATE_NOOP("study::app::Below",
                       "%1 to %2 bytes of UTF-8 without control or invisible characters, slashes, backslashes and commas, that "
                       "begin with no dot, dash or blank and end with no blank"),
@@ -295,8 +298,10 @@ constexpr const char* table[] = {
     QT_TRANSLATE_NOOP("study::app::Below", "the log that this station holds, kept in this file"),
     QT_TRANSLATE_NOOP("study::app::Below", "open the participant again"),
     QT_TRANSLATE_NOOP("study::app::Below", "%1 was enrolled at another station in the meantime"),
+    QT_TRANSLATE_NOOP("study::app::Below", "participant %1 has withdrawn"),
     QT_TRANSLATE_NOOP("study::app::Below", "a code that nobody has"),
     QT_TRANSLATE_NOOP("study::app::Below", "type the next free code, or choose the participant in the list"),
+    QT_TRANSLATE_NOOP("study::app::Below", "type the next free code"),
     QT_TRANSLATE_NOOP("study::app::Below", "the server lost entries after entry %1, so codes of participants may be lost, too"),
     QT_TRANSLATE_NOOP("study::app::Below", "ask the study's owner"),
     QT_TRANSLATE_NOOP("study::app::Below", "if the owner agrees, enrol %1 once more"),
@@ -311,6 +316,9 @@ constexpr const char* table[] = {
     QT_TRANSLATE_NOOP("study::app::Below", "open the folder itself, so that they are sent"),
     QT_TRANSLATE_NOOP("study::app::Below", "if its address is gone, move it elsewhere and give it to the study's owner"),
     QT_TRANSLATE_NOOP("study::app::Below", "give the file to the study's owner, then open the address again"),
+    QT_TRANSLATE_NOOP("study::app::Below", "the computer starts no further work"),
+    QT_TRANSLATE_NOOP("study::app::Below", "memory and room for one more thread"),
+    QT_TRANSLATE_NOOP("study::app::Below", "close other programs, then try again"),
 };
 
 }  // namespace

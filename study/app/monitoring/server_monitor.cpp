@@ -1,6 +1,8 @@
 #include "study/app/monitoring/server_monitor.h"
 
 #include <QTimer>
+#include <map>
+#include <set>
 
 #include "database/disk/server_note.h"
 #include "database/server/study_move.h"
@@ -32,6 +34,29 @@ QString wordOfState(database::SlotState state)
             return AppText::tr("withdrawn");
     }
     return {};
+}
+
+/// Places that the server gives to nobody before the study's owner releases them: who had them last withdrew, and none is free.
+std::set<int> heldPlaces(const database::ServerProgress& progress)
+{
+    std::map<int, database::SlotState> last;  // a free place comes last
+    for (const database::PlaceSeen& place : progress.places) last[place.slot] = place.state;
+    std::set<int> held;
+    for (const auto& [place, state] : last)
+        if (state == database::SlotState::Withdrawn) held.insert(place);
+    return held;
+}
+
+/// The study's own rows do not tell which places the server holds back.
+void markHeldPlaces(MonitorOverview& overview, const database::ServerProgress& progress)
+{
+    auto held = heldPlaces(progress);
+    std::erase_if(overview.rows, [&](const MonitorOverview::ParticipantRow& row) {
+        return row.state == database::SlotState::Free && held.contains(row.place);
+    });
+    for (auto row = overview.rows.rbegin(); row != overview.rows.rend(); ++row)
+        if (held.erase(row->place) > 0 && row->state == database::SlotState::Withdrawn)
+            row->stage = AppText::tr("withdrawn, waits for the owner");
 }
 
 MonitorOverview overviewOf(const database::ServerProgress& progress)
@@ -141,7 +166,10 @@ void ServerMonitor::tell()
         overview.isBlinded.reset();
     if (overview.study.isEmpty())
         overview.study = QString::fromStdString(m_address.study.empty() ? m_address.database : m_address.study);
-    if (m_watch.seen()) overview.stations = stationRows(*m_watch.seen(), m_watch.age(), !m_watch.fault().empty());
+    if (m_watch.seen()) {
+        markHeldPlaces(overview, *m_watch.seen());
+        overview.stations = stationRows(*m_watch.seen(), m_watch.age(), !m_watch.fault().empty());
+    }
     Q_EMIT read(overview, fault());
 }
 

@@ -2,9 +2,11 @@
 
 #include <exception>
 #include <mutex>
-#include <thread>
+#include <system_error>
 
+#include "database/server/server_link.h"
 #include "study/app/language/below.h"
+#include "study/app/state/in_background.h"
 
 namespace study::app {
 
@@ -19,25 +21,35 @@ void UnawaitedWork::run(Work work, Failed failed)
     giveUp();
     m_return = std::make_shared<Return>();
     m_return->taker = this;
-    std::thread([way = m_return, work = std::move(work), failed = std::move(failed)] {
+    const auto onThread = [way = m_return, work = std::move(work), failed] {
         Then then;
         try {
             then = work();
         } catch (const std::exception& fault) {
             then = [failed, why = inOwnLanguage(fault.what())] { failed(why); };
         }
-        const std::lock_guard lock(way->mutex);
-        if (!way->taker) return;
-        QMetaObject::invokeMethod(
-            way->taker,
-            [way, then] {
-                UnawaitedWork* taker = way->taker;
-                if (!taker) return;
-                taker->giveUp();
-                then();
-            },
-            Qt::QueuedConnection);
-    }).detach();
+        deliver(way, then);
+    };
+    try {
+        database::runBesideLinks(onThread);
+    } catch (const std::system_error&) {
+        deliver(m_return, [failed = std::move(failed)] { failed(noThreadText()); });
+    }
+}
+
+void UnawaitedWork::deliver(const std::shared_ptr<Return>& way, const Then& then)
+{
+    const std::lock_guard lock(way->mutex);
+    if (!way->taker) return;
+    QMetaObject::invokeMethod(
+        way->taker,
+        [way, then] {
+            UnawaitedWork* taker = way->taker;
+            if (!taker) return;
+            taker->giveUp();
+            then();
+        },
+        Qt::QueuedConnection);
 }
 
 void UnawaitedWork::giveUp()

@@ -1,5 +1,5 @@
 // Runs work that may hang, such as a call of a server, on a thread that nobody waits for. The thread ends by itself, and its
-// result is dropped when nobody is left to take it.
+// result is dropped when nobody is left to take it. Only the end of the program waits for it, a moment (haveLinksEnded()).
 #pragma once
 
 #include <QObject>
@@ -29,6 +29,7 @@ public:
 
 private:
     struct Return;
+    static void deliver(const std::shared_ptr<Return>& way, const Then& then);
     std::shared_ptr<Return> m_return;  ///< shared with the thread; null without work
 };
 

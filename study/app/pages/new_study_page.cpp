@@ -34,7 +34,12 @@ std::optional<Number> wholeNumberFrom(const QString& typed)
     return fault == std::errc() && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
 }
 
-constexpr int shortestPassphrase = 8;
+/// As the command line reads it: without the end of a line that was pasted, and the same letters in the same bytes.
+std::string passphraseIn(const QLineEdit& line)
+{
+    const std::string typed = protocols::withoutLineEnd(line.text().toStdString());
+    return QString::fromStdString(typed).normalized(QString::NormalizationForm_C).toStdString();
+}
 
 std::filesystem::path pathOf(const QLineEdit& line) { return line.text().trimmed().toStdString(); }
 
@@ -195,6 +200,19 @@ void NewStudyPage::browseFor(QLineEdit& target, Browse browse)
     if (!chosen.isEmpty()) target.setText(browse == Browse::NewFolder ? chosen + QStringLiteral("/study") : chosen);
 }
 
+QString NewStudyPage::textOf(protocols::PassphraseFault fault)
+{
+    switch (fault) {
+        case protocols::PassphraseFault::OnlyBlanks:
+            return tr("The passphrase holds only blanks. Type letters, digits and signs.");
+        case protocols::PassphraseFault::ControlCharacter:
+            return tr("The passphrase holds a character that nobody can type, such as a tab. Type it anew.");
+        case protocols::PassphraseFault::TooShort:
+            break;
+    }
+    return tr("The passphrase is too short. Type 8 characters or more, such as four words.");
+}
+
 std::optional<NewStudyRequest> NewStudyPage::request()
 {
     const auto refuse = [this](QLineEdit* line, const QString& text) {
@@ -209,16 +227,11 @@ std::optional<NewStudyRequest> NewStudyPage::request()
         return refuse(m_dataset, tr("No data set is given. Choose the fabric data set that the stimuli are made from."));
     const auto seed = wholeNumberFrom<std::uint64_t>(m_seed->text());
     if (!seed) return refuse(m_seed, tr("The seed is not valid. Type a whole number, 0 or larger."));
-    if (m_passphrase->text().size() < shortestPassphrase)
-        return refuse(m_passphrase, tr("The passphrase is too short. Type 8 characters or more, such as four words."));
-    if (m_passphrase->text() != m_passphraseAgain->text())
+    const std::string passphrase = passphraseIn(*m_passphrase);
+    if (const auto fault = protocols::faultOfNewPassphrase(passphrase)) return refuse(m_passphrase, textOf(*fault));
+    if (passphrase != passphraseIn(*m_passphraseAgain))
         return refuse(m_passphraseAgain, tr("The two passphrases differ. Type the same one twice."));
-    NewStudyRequest filled{pathOf(*m_study),
-                           pathOf(*m_dataset),
-                           std::nullopt,
-                           std::nullopt,
-                           *seed,
-                           m_passphrase->text().normalized(QString::NormalizationForm_C).toStdString()};
+    NewStudyRequest filled{pathOf(*m_study), pathOf(*m_dataset), std::nullopt, std::nullopt, *seed, passphrase};
     if (!m_protocol->text().trimmed().isEmpty()) filled.protocol = pathOf(*m_protocol);
     filled.language = m_language->currentData().toString().toStdString();
     if (!m_participants->text().trimmed().isEmpty()) {

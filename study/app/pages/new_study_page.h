@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "protocols/secrets/new_passphrase.h"
 #include "study/app/state/app_options.h"
 
 class QComboBox;
@@ -31,7 +32,6 @@ public:
     void fill(const QString& dataset, const QString& protocol);
     /// Enters this protocol and keeps the other fields.
     void fillProtocol(const QString& protocol);
-    bool isMaking() const { return m_making != nullptr; }
 
 Q_SIGNALS:
     void made(const QString& folder, const QStringList& remarks);
@@ -52,6 +52,7 @@ private:
     QLineEdit& fieldOf(const QString& fault) const;
     void browseFor(QLineEdit& target, Browse browse);
     std::optional<NewStudyRequest> request();
+    static QString textOf(protocols::PassphraseFault fault);
     void make();
     void goBack();
     void end();

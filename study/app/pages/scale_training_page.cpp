@@ -109,10 +109,12 @@ void ScaleTrainingPage::showAnchors()
         m_highAnchor->setText(high);
         return;
     }
-    m_lowAnchor->setText(tr("Let the participant touch sandpaper, then silk. Say: “%1”")
-                             .arg(m_facts.sentence("say_unrelated", {{"number", low.toStdString()}})));
-    m_highAnchor->setText(tr("Let the participant touch two pieces of the same fabric. Say: “%1”")
-                              .arg(m_facts.sentence("say_same", {{"number", high.toStdString()}})));
+    const QString forLow =
+        m_facts.hasOwnLowEnd ? tr("Say: “%1”") : tr("Let the participant touch sandpaper, then silk. Say: “%1”");
+    const QString forHigh =
+        m_facts.hasOwnHighEnd ? tr("Say: “%1”") : tr("Let the participant touch two pieces of the same fabric. Say: “%1”");
+    m_lowAnchor->setText(forLow.arg(m_facts.sentence("say_unrelated", {{"number", low.toStdString()}})));
+    m_highAnchor->setText(forHigh.arg(m_facts.sentence("say_same", {{"number", high.toStdString()}})));
 }
 
 void ScaleTrainingPage::present(const session::View& view)

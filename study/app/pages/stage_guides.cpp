@@ -63,6 +63,7 @@ QString breakTitle(const OnBreak& onBreak, const View& view)
 /// An operator writes it down, so that nobody can later change the log unseen.
 QString headToNote(const View& view)
 {
+    if (view.logHead.empty()) return AppText::tr("The head of the log cannot be read now.");
     return AppText::tr("Write down the head of the log: %1").arg(QString::fromStdString(view.logHead));
 }
 

@@ -26,6 +26,13 @@ constexpr int numberColumn = 0, participantColumn = 1, stateColumn = 2, answersC
 /// Equal for codes that look alike: "p01" and "P01", or one letter that two keyboards write with different characters.
 QString lookOf(const QString& code) { return code.normalized(QString::NormalizationForm_KC).toCaseFolded(); }
 
+QString noRehearsal()
+{
+    return StudyPage::tr(
+        "There is no rehearsal at a station: the images and the codes of the pieces lie on the server. Rehearse in the study's "
+        "folder before it moves there.");
+}
+
 }  // namespace
 
 StudyPage::StudyPage(QWidget* parent)
@@ -37,6 +44,7 @@ StudyPage::StudyPage(QWidget* parent)
       m_places(new QTreeWidget(this)),
       m_going(field("resumeField", tr("Code of the participant who goes on"), this)),
       m_resume(mainButton("resumeButton", tr("Continue a session"), this)),
+      m_enrolHint(quietLabel("cardHint", this, Type::Plain)),
       m_participant(field("participantField", tr("Code of the next participant"), this)),
       m_enrol(mainButton("enrolButton", tr("Enrol and begin (Enter)"), this)),
       m_display(button("displayButton", tr("Display…"), this)),
@@ -62,10 +70,10 @@ StudyPage::StudyPage(QWidget* parent)
 
     auto* side = new QVBoxLayout;
     side->setSpacing(14);
-    side->addWidget(
-        card("enrolCard", tr("Next participant"), tr("Type a code, not the name of the person."), {m_participant, m_enrol}));
-    side->addWidget(
-        card("resumeCard", tr("Session in progress"), tr("Type the code of the participant who is here."), {m_going, m_resume}));
+    auto* resumeHint = quietLabel("cardHint", this, Type::Plain);
+    resumeHint->setText(tr("Type the code of the participant who is here."));
+    side->addWidget(card("enrolCard", tr("Next participant"), m_enrolHint, {m_participant, m_enrol}));
+    side->addWidget(card("resumeCard", tr("Session in progress"), resumeHint, {m_going, m_resume}));
     side->addStretch(1);
     m_middle->setSpacing(22);
     m_middle->addLayout(side, 2);
@@ -111,8 +119,7 @@ StudyPage::StudyPage(QWidget* parent)
     connect(m_rehearsal, &QPushButton::clicked, this, &StudyPage::rehearsalRequested);
 }
 
-QFrame* StudyPage::card(const char* objectName, const QString& caption, const QString& hint,
-                        const std::vector<QWidget*>& controls)
+QFrame* StudyPage::card(const char* objectName, const QString& caption, QLabel* hint, const std::vector<QWidget*>& controls)
 {
     auto* made = new QFrame(this);
     made->setObjectName(QString::fromLatin1(objectName));
@@ -122,10 +129,8 @@ QFrame* StudyPage::card(const char* objectName, const QString& caption, const QS
     column->setSpacing(10);
     auto* title = label("cardTitle", Type::Lead, made, Weight::Bold);
     title->setText(caption);
-    auto* text = quietLabel("cardHint", made, Type::Plain);
-    text->setText(hint);
     column->addWidget(title);
-    column->addWidget(text);
+    column->addWidget(hint);
     for (QWidget* control : controls) column->addWidget(control);
     return made;
 }
@@ -194,6 +199,13 @@ void StudyPage::refresh(const StudyOverview& overview)
                                .arg(overview.placesIn(SlotState::Started))
                                .arg(overview.placesIn(SlotState::Free));
     m_summary->setText(withdrawn > 0 ? tr("%1  ·  withdrawn %2").arg(counts).arg(withdrawn) : counts);
+    m_enrolHint->setText(
+        overview.placesIn(SlotState::Free) == 0 && overview.hasHeldPlace()
+            ? tr("No place is free. Places of participants who withdrew wait for the study's owner, who gives them "
+                 "out: vis2hap server roles ADDRESS --release-held. Then open the study again.")
+            : tr("Type a code, not the name of the person."));
+    m_rehearsal->setEnabled(!overview.isAtStation);
+    m_rehearsal->setToolTip(overview.isAtStation ? noRehearsal() : QString());
     const bool isNew = std::ranges::all_of(overview.places, [](const auto& place) { return place.state == SlotState::Free; });
     if (!isNew) m_remarks->clearMessage();
     showPlaces();
@@ -231,7 +243,7 @@ QString StudyPage::stateText(const StudyOverview::ParticipantPlace& place) const
             text = tr("finished");
             break;
         case SlotState::Withdrawn:
-            text = tr("withdrawn, place freed");
+            text = place.isHeld ? tr("withdrawn, waits for the owner") : tr("withdrawn, place freed");
             break;
     }
     switch (place.kind) {
@@ -291,16 +303,20 @@ void StudyPage::enrol()
     const QString participant = m_participant->text().trimmed();
     const auto alike = std::find_if(m_overview.places.begin(), m_overview.places.end(),
                                     [&](const auto& place) { return lookOf(place.participant) == lookOf(participant); });
+    const bool isKnown = alike != m_overview.places.end();
     m_message->clearMessage();
     m_message->standBelow(*m_participant);
     if (participant.isEmpty())
         m_message->showHint(tr("Type a code for the next participant, such as %1.").arg(m_overview.nextParticipant));
-    else if (const std::string fault = protocols::faultOfId(participant.toStdString()); !fault.empty())
+    else if (const std::string fault = isKnown ? std::string() : protocols::faultOfNewId(participant.toStdString());
+             !fault.empty())
         m_message->showHint(tr("This code %1. Type at most %2 letters and digits, such as %3.")
                                 .arg(inOwnLanguage(fault))
                                 .arg(protocols::longestId)
                                 .arg(m_overview.nextParticipant));
-    else if (alike != m_overview.places.end())
+    else if (isKnown && alike->state == SlotState::Withdrawn)
+        m_message->showHint(tr("%1 has withdrawn. Type another code.").arg(alike->participant));
+    else if (isKnown)
         m_message->showHint(tr("%1 is already enrolled. Choose this participant in the list to continue, or type another code.")
                                 .arg(alike->participant));
     else if (m_overview.placesIn(SlotState::Started) > 0 && !m_isAskedAgain) {
@@ -314,6 +330,13 @@ void StudyPage::enrol()
 void StudyPage::offerTools(bool isOffered) { m_tools->setVisible(isOffered); }
 
 void StudyPage::offerRehearsal(bool isOffered) { m_rehearsal->setVisible(isOffered); }
+
+void StudyPage::askForRehearsal()
+{
+    if (m_rehearsal->isEnabled()) return m_rehearsal->click();
+    m_message->standBelow(*m_summary);
+    m_message->showHint(noRehearsal());
+}
 
 void StudyPage::showFault(const QString& text) { m_message->showFault(text); }
 
@@ -349,7 +372,7 @@ void StudyPage::keyPressEvent(QKeyEvent* event)
     else if (event->key() == Qt::Key_F2 && m_tools->isVisible())
         m_tools->click();
     else if (event->key() == Qt::Key_F8 && m_rehearsal->isVisible())
-        m_rehearsal->click();
+        askForRehearsal();
     else if (isEnter(event->key()) && pressed)
         pressed->click();
     else if (isEnter(event->key()) && focusWidget() == m_participant)

@@ -33,7 +33,7 @@ public:
     void focusFirst();
     /// Shows the button of the tools.
     void offerTools(bool isOffered);
-    /// Shows the button of the rehearsal.
+    /// Shows the button of the rehearsal. At a station it cannot be pressed, and F8 says why.
     void offerRehearsal(bool isOffered);
 
 Q_SIGNALS:
@@ -59,9 +59,10 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
-    QFrame* card(const char* objectName, const QString& caption, const QString& hint, const std::vector<QWidget*>& controls);
+    QFrame* card(const char* objectName, const QString& caption, QLabel* hint, const std::vector<QWidget*>& controls);
     void arrange();
     void arrangeSoon();
+    void askForRehearsal();
     void showPlaces();
     void enrol();
     void resumeChosen();
@@ -80,6 +81,7 @@ private:
     QTreeWidget* m_places;
     QLineEdit* m_going;  ///< code of the participant who goes on
     QPushButton* m_resume;
+    QLabel* m_enrolHint;
     QLineEdit* m_participant;
     QPushButton* m_enrol;
     QPushButton* m_display;

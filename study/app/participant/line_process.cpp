@@ -4,10 +4,12 @@
 
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QProcessEnvironment>
 #include <csignal>
 #include <utility>
 
 #include "protocols/files/errors.h"
+#include "protocols/secrets/secret_variables.h"
 #include "study/app/language/below.h"
 
 namespace study::app {
@@ -38,11 +40,12 @@ void LineProcess::start(const QString& name, const QStringList& arguments, Progr
     m_process.reset(new QProcess);
     m_errors.clear();
     m_process->setWorkingDirectory(QStringLiteral("/"));
-    if (surroundings == ProgramSurroundings::None) {
-        QProcessEnvironment none;
-        none.insert(QStringLiteral("LC_ALL"), QStringLiteral("C.UTF-8"));
-        m_process->setProcessEnvironment(none);
-    }
+    QProcessEnvironment variables;
+    if (surroundings == ProgramSurroundings::Own)
+        variables = protocols::withoutSecrets(QProcessEnvironment::systemEnvironment());
+    else
+        variables.insert(QStringLiteral("LC_ALL"), QStringLiteral("C.UTF-8"));
+    m_process->setProcessEnvironment(variables);
     m_process->setChildProcessModifier([] { ::prctl(PR_SET_PDEATHSIG, SIGKILL); });
     connect(m_process.get(), &QProcess::readyReadStandardOutput, this, &LineProcess::read);
     connect(m_process.get(), &QProcess::readyReadStandardError, this, &LineProcess::keepErrors);

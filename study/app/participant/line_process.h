@@ -10,8 +10,8 @@
 
 namespace study::app {
 
-/// Whether the program sees the surroundings of this one (sound needs the user's sound server), or none (a page that strangers
-/// can reach).
+/// Whether the program sees the surroundings of this one without its secrets (sound needs the user's sound server), or none (a
+/// page that others can reach).
 enum class ProgramSurroundings { Own, None };
 
 class LineProcess : public QObject {

@@ -265,6 +265,11 @@ void MessageBar::clearMessage()
     hide();
 }
 
+void MessageBar::clearFault()
+{
+    if (property("role").toString() == QLatin1String("fault")) clearMessage();
+}
+
 void MessageBar::showAs(const char* role, const QString& text)
 {
     ensurePolished();

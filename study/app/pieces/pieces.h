@@ -88,6 +88,7 @@ public:
     void showHint(const QString& text) { showAs("hint", text); }
     void showFault(const QString& text) { showAs("fault", text); }
     void clearMessage();
+    void clearFault();  ///< leaves a hint, and what was done
     /// Moves the bar below this control, or below the row of the control.
     void standBelow(QWidget& control);
 

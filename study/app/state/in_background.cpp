@@ -1,7 +1,9 @@
 #include "study/app/state/in_background.h"
 
 #include <exception>
+#include <system_error>
 
+#include "protocols/files/errors.h"
 #include "study/app/language/below.h"
 
 namespace study::app {
@@ -20,22 +22,38 @@ InBackground::Then outcomeOf(const InBackground::Work& work, const std::atomic<b
 
 }  // namespace
 
+QString noThreadText()
+{
+    const protocols::Error fault =
+        protocols::environmentFault({"the computer starts no further work", "", "memory and room for one more thread",
+                                     "close other programs, then try again"});
+    return inOwnLanguage(fault.what());
+}
+
 void InBackground::run(Work work, Failed failed)
 {
     stop();
     m_isStopping = false;
-    m_isBusy = true;
-    m_thread = std::thread([this, run = m_run, work = std::move(work), failed = std::move(failed)] {
-        const Then then = outcomeOf(work, m_isStopping, failed);
-        QMetaObject::invokeMethod(
-            this,
-            [this, run, then] {
-                if (run != m_run) return;
-                m_isBusy = false;
-                then();
-            },
-            Qt::QueuedConnection);
-    });
+    try {
+        m_thread = std::thread(
+            [this, run = m_run, work = std::move(work), failed] { deliver(run, outcomeOf(work, m_isStopping, failed)); });
+        m_isBusy = true;
+    } catch (const std::system_error&) {
+        // Later, as every other fault: the caller may still show that the work goes on.
+        deliver(m_run, [failed = std::move(failed)] { failed(noThreadText()); });
+    }
+}
+
+void InBackground::deliver(int run, const Then& then)
+{
+    QMetaObject::invokeMethod(
+        this,
+        [this, run, then] {
+            if (run != m_run) return;
+            m_isBusy = false;
+            then();
+        },
+        Qt::QueuedConnection);
 }
 
 void InBackground::stop()

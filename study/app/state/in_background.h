@@ -9,6 +9,9 @@
 
 namespace study::app {
 
+/// What a page says where the system gives no further thread.
+QString noThreadText();
+
 class InBackground : public QObject {
 public:
     /// Handles the result, on the window's thread.
@@ -21,7 +24,7 @@ public:
     explicit InBackground(QObject* parent = nullptr) : QObject(parent) {}
     ~InBackground() override { stop(); }
 
-    /// Stops the current work, then starts the new one.
+    /// Stops the current work, then starts the new one. Where no thread can begin, `failed` gets that reason.
     void run(Work work, Failed failed);
     /// Asks the work to end early. Its result or fault still comes.
     void askToStop() { m_isStopping = true; }
@@ -30,6 +33,8 @@ public:
     bool isBusy() const { return m_isBusy; }
 
 private:
+    void deliver(int run, const Then& then);
+
     std::thread m_thread;
     std::atomic<bool> m_isStopping = false;
     bool m_isBusy = false;

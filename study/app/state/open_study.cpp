@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 #include <QStandardPaths>
 #include <algorithm>
+#include <iterator>
+#include <map>
 
 #include "database/server/station_folders.h"
 #include "protocols/files/errors.h"
@@ -86,6 +88,8 @@ int StudyOverview::placesIn(database::SlotState state) const
         std::count_if(places.begin(), places.end(), [state](const ParticipantPlace& p) { return p.state == state; }));
 }
 
+bool StudyOverview::hasHeldPlace() const { return std::ranges::any_of(places, &ParticipantPlace::isHeld); }
+
 StudyOverview OpenStudy::overview() const
 {
     auto stored = m_store->answerCounts();
@@ -93,22 +97,26 @@ StudyOverview OpenStudy::overview() const
                        QString::fromStdString(m_store->folder().folder.string()),
                        {},
                        m_protocol.answersPerParticipant(),
-                       QString::fromStdString(m_store->nextParticipantId().value)};
-    const auto enrolments = m_store->enrolments();
+                       QString::fromStdString(m_store->nextParticipantId().value),
+                       m_station != nullptr};
+    std::map<int, std::vector<StudyOverview::ParticipantPlace>> places;  // by number, also of those that the server holds back
+    for (const auto& one : m_store->enrolments())
+        places[one.slot].push_back(
+            {one.slot, one.state, QString::fromStdString(one.participant.value), one.kind, stored[one.participant]});
+    for (auto& [number, those] : places) those.back().isHeld = true;
     for (const auto& slot : m_store->slots()) {
-        for (const auto& one : enrolments)
-            if (one.slot == slot.number)
-                seen.places.push_back(
-                    {one.slot, one.state, QString::fromStdString(one.participant.value), one.kind, stored[one.participant]});
-        if (slot.state == database::SlotState::Free) seen.places.push_back({slot.number, slot.state, {}, slot.kind, 0});
+        auto& those = places[slot.number];
+        if (!those.empty()) those.back().isHeld = false;
+        if (slot.state == database::SlotState::Free) those.push_back({slot.number, slot.state, {}, slot.kind, 0});
     }
+    for (const auto& [number, those] : places) std::ranges::copy(those, std::back_inserter(seen.places));
     return seen;
 }
 
 QStringList OpenStudy::codesOnPieces() const
 {
+    if (m_station) return {};
     const auto slots = m_store->slots();
-    if (slots.empty()) return {};  // a server may hold back every slot of participants who withdrew
     const auto free =
         std::find_if(slots.begin(), slots.end(), [](const auto& s) { return s.state == database::SlotState::Free; });
     const auto place = static_cast<std::size_t>((free == slots.end() ? slots.back() : *free).number) - 1;

@@ -26,6 +26,8 @@ struct StudyOverview {
         QString participant;  ///< empty if the place is free
         database::ParticipantKind kind = database::ParticipantKind::Human;
         int answers = 0;  ///< stored answers that are not voided
+        /// The participant withdrew at a station, and the server gives the place to nobody before the study's owner releases it.
+        bool isHeld = false;
         bool operator==(const ParticipantPlace&) const = default;
     };
     QString name;
@@ -33,9 +35,11 @@ struct StudyOverview {
     std::vector<ParticipantPlace> places;
     int answersInAll = 0;  ///< answers of one complete session
     QString nextParticipant;
+    bool isAtStation = false;  ///< the study lies on a server
     bool operator==(const StudyOverview&) const = default;
 
     int placesIn(database::SlotState state) const;
+    bool hasHeldPlace() const;
 };
 
 /// The folder of a study that the operator named. An address of a server becomes the folder of this station, which is made at the
@@ -66,7 +70,8 @@ public:
     void storeLatency(const database::OperatorLatency& run);
     /// Message if protocol.json was changed, so that no session can run, with the next step; otherwise empty.
     QString protocolFault() const;
-    /// Codes on the fabric pieces of the next participant; names of the fabrics where pieces have no codes.
+    /// Codes on the fabric pieces of the next participant; names of the fabrics where pieces have no codes. Empty at a station:
+    /// its server tells the codes only of a participant at work there.
     QStringList codesOnPieces() const;
     /// The time of the last entry of the log, or of the making of the study, ISO 8601.
     std::string lastWallTime() const;

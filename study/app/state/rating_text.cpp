@@ -80,7 +80,8 @@ QString rangeText(const RatingScale& scale)
     const QString from = textOf(scale.min), to = textOf(scale.max);
     const int wholePoint = 10;
     if (scale.step.value == 1) return AppText::tr("from %1 to %2, one decimal").arg(from, to);
-    if (scale.step.value == wholePoint) return AppText::tr("from %1 to %2, whole numbers").arg(from, to);
+    if (scale.step.value == wholePoint && scale.min.value % wholePoint == 0)
+        return AppText::tr("from %1 to %2, whole numbers").arg(from, to);
     return AppText::tr("from %1 to %2 in steps of %3").arg(from, to, textOf(scale.step));
 }
 

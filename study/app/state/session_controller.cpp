@@ -180,10 +180,24 @@ bool SessionController::isBounced(const session::EventBody& event) const
 
 void SessionController::refresh()
 {
+    // A store tells only once that its files were displaced.
+    if (const QString why = takeView(); !why.isEmpty()) Q_EMIT reported(why, Tone::Fault);
+}
+
+/// Takes the present view, and returns why the head of the log could not be read; else an empty text.
+QString SessionController::takeView()
+{
     try {
         m_view = m_driver.view();
-    } catch (const std::exception&) {
-        // The head of the log cannot be read. The next event reports it.
+        return {};
+    } catch (const std::exception& fault) {
+        const QString why = inOwnLanguage(fault.what());
+        try {
+            m_view = m_driver.view();  // a store whose files were displaced has the head of the rescue file now
+        } catch (const std::exception&) {
+            m_view = m_driver.viewWithoutHead();
+        }
+        return why;
     }
 }
 
@@ -214,26 +228,31 @@ void SessionController::sendFor(Cause cause, const session::EventBody& asked)
         } else
             clearPattern();  // The pattern must not be felt after the checklist.
         m_lastOutcome->refusal = isBounced(event) ? session::Refusal{tooSoon} : m_driver.send(event);
-        m_view = m_driver.view();
     } catch (const std::exception& fault) {
         m_lastOutcome->fault = std::current_exception();
         trouble = inOwnLanguage(fault.what());
-        m_view = m_driver.view();
     }
+    const QString unread = takeView();
     const bool isStep = cause != Cause::Participant && isStepOfOperator(event);
     if (!m_lastOutcome->refusal && isStep) m_lastStepAtNs = m_clock->monotonicNs();
     if (isOtherQuestion(askedBefore, m_view.state.stage)) forgetStamps();
     Q_EMIT viewChanged();
-    reportOutcome(trouble);
+    reportOutcome(trouble, unread);
 }
 
-void SessionController::reportOutcome(const QString& trouble)
+void SessionController::reportOutcome(const QString& trouble, const QString& unread)
 {
     const auto& event = m_lastOutcome->event;
     if (m_lastOutcome->refusal)
         Q_EMIT reported(inOwnLanguage(m_lastOutcome->refusal->reason), Tone::Refusal);
     else if (m_lastOutcome->fault)
         Q_EMIT reported(withNextStep(trouble, m_view.state.paused), Tone::Fault);
+    else if (!unread.isEmpty())
+        Q_EMIT reported(
+            tr("Your last entry was stored. After it the head of the log could not be read: %1. Fix the problem, then "
+               "go on.")
+                .arg(unread),
+            Tone::Fault);
     else if (const QString done = confirmationOf(event); !done.isEmpty() && m_lastOutcome->cause != Cause::Participant)
         Q_EMIT reported(done, Tone::Done);
 }
@@ -350,7 +369,9 @@ SessionFacts SessionController::facts() const
             .displayReportsTouches = m_display->reportsTouches(),
             .displayTakesTickets = m_display->fetchesImages(),
             .displayName = m_display->isThere() ? QString::fromStdString(m_display->name()) : QString(),
-            .said = std::move(said)};
+            .said = std::move(said),
+            .hasOwnLowEnd = hasOwnText(protocol, "card_low", "scale_low"),
+            .hasOwnHighEnd = hasOwnText(protocol, "card_high", "scale_high")};
 }
 
 }  // namespace study::app

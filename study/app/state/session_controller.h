@@ -84,7 +84,7 @@ public:
     void showPattern(const std::optional<TestPattern>& pattern, std::optional<double> mmPerPixel);
     /// Takes back the stamp that the first key of an entry made. That of the spoken word stays.
     void unmarkEntry();
-    /// Counts the times of view() to now; they are those of the last event. Never throws.
+    /// Counts the times of view() to now; they are those of the last event. Reports a log that cannot be read. Never throws.
     void refresh();
     /// The page showed a hint, which may ask for a second Enter. A bounced key must not be the second one.
     void pageAsked();
@@ -115,7 +115,9 @@ private:
     Correctable correctableOf(const session::StoredAnswer& answer) const;
     bool isBounced(const session::EventBody& event) const;
     void clearPattern();
-    void reportOutcome(const QString& trouble);
+    QString takeView();
+    /// `trouble`: of the event; `unread`: why the head of the log cannot be read after it. Both may be empty.
+    void reportOutcome(const QString& trouble, const QString& unread);
     void watchDisplay();
     void attendDisplay();
     void displayReleased(const rendering::Touch& release);

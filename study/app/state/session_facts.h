@@ -29,6 +29,8 @@ struct SessionFacts {
     KeyBindings keys = {};                  ///< extra keys of the operator's acts
     std::optional<double> mmPerPixel = {};  ///< scale of the display, mm per pixel, if the operator measured it
     protocols::TextsByKey said = {};        ///< what the operator says to the participant, in the participant's language
+    bool hasOwnLowEnd = false;              ///< the study has a text of its own for this end of the scale, so its own materials
+    bool hasOwnHighEnd = false;
 
     /// The sentence with this key (protocols::usualParticipantTexts()), with values for its names in braces.
     QString sentence(std::string_view key, const protocols::TextsByKey& values = {}) const
@@ -37,6 +39,12 @@ struct SessionFacts {
         return found == said.end() ? QString() : QString::fromStdString(protocols::filledText(found->second, values));
     }
 };
+
+/// Whether one of these keys has a text of the study's own.
+inline bool hasOwnText(const protocols::Protocol& protocol, const char* onCard, const char* atLine)
+{
+    return protocol.participantTexts.contains(onCard) || protocol.participantTexts.contains(atLine);
+}
 
 /// The stroking instruction as the pages of a presentation show it; empty if the protocol has none.
 QString strokeText(const SessionFacts& facts);

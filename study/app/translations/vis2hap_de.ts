@@ -180,6 +180,10 @@
         <translation>Diese Sitzung dauert schon %1 Minuten</translation>
     </message>
     <message>
+        <source>The head of the log cannot be read now.</source>
+        <translation>Der Logbuch-Stand lässt sich gerade nicht lesen.</translation>
+    </message>
+    <message>
         <source>Write down the head of the log: %1</source>
         <translation>Schreiben Sie den Logbuch-Stand auf: %1</translation>
     </message>
@@ -440,6 +444,10 @@
         <translation>zurückgetreten</translation>
     </message>
     <message>
+        <source>withdrawn, waits for the owner</source>
+        <translation>zurückgetreten, wartet auf die Leitung</translation>
+    </message>
+    <message>
         <source>paused (%1)</source>
         <translation>angehalten (%1)</translation>
     </message>
@@ -606,6 +614,14 @@
     <message>
         <source>The text holds a character that nobody sees and that is not stored as it is. Type the text again.</source>
         <translation>Der Text enthält ein Zeichen, das niemand sieht und das nicht unverändert gespeichert wird. Geben Sie den Text noch einmal ein.</translation>
+    </message>
+    <message>
+        <source>The text is longer than 100,000 bytes, so it is not stored. Shorten it.</source>
+        <translation>Der Text ist länger als 100.000 Bytes und wird deshalb nicht gespeichert. Kürzen Sie ihn.</translation>
+    </message>
+    <message>
+        <source>The entry is too long, so it is not stored. Shorten its texts.</source>
+        <translation>Der Eintrag ist zu lang und wird deshalb nicht gespeichert. Kürzen Sie seine Texte.</translation>
     </message>
     <message>
         <source>The last step was only just taken, so this key confirmed nothing. Put the pieces on the tray, then confirm it.</source>
@@ -1232,6 +1248,10 @@
         <translation>enthält ein Komma</translation>
     </message>
     <message>
+        <source>stands for a missing value in tables</source>
+        <translation>steht in Tabellen für einen fehlenden Wert</translation>
+    </message>
+    <message>
         <source>%1 to %2 bytes of UTF-8 without control or invisible characters, slashes, backslashes and commas, that begin with no dot, dash or blank and end with no blank</source>
         <translation>%1 bis %2 Bytes UTF-8 ohne Steuerzeichen, unsichtbare Zeichen, Schrägstriche und Kommas; sie beginnen nicht mit Punkt, Strich oder Leerzeichen und enden nicht mit einem Leerzeichen</translation>
     </message>
@@ -1652,12 +1672,20 @@
         <translation>%1 wurde inzwischen an einer anderen Station aufgenommen</translation>
     </message>
     <message>
+        <source>participant %1 has withdrawn</source>
+        <translation>Versuchsperson %1 ist zurückgetreten</translation>
+    </message>
+    <message>
         <source>a code that nobody has</source>
         <translation>ein Kürzel, das niemand hat</translation>
     </message>
     <message>
         <source>type the next free code, or choose the participant in the list</source>
         <translation>geben Sie das nächste freie Kürzel ein, oder wählen Sie die Person in der Liste</translation>
+    </message>
+    <message>
+        <source>type the next free code</source>
+        <translation>tippen Sie das nächste freie Kürzel</translation>
     </message>
     <message>
         <source>the server lost entries after entry %1, so codes of participants may be lost, too</source>
@@ -1714,6 +1742,18 @@
     <message>
         <source>give the file to the study&apos;s owner, then open the address again</source>
         <translation>geben Sie die Datei der Leitung der Studie und öffnen Sie dann die Adresse noch einmal</translation>
+    </message>
+    <message>
+        <source>the computer starts no further work</source>
+        <translation>der Computer beginnt keine weitere Arbeit</translation>
+    </message>
+    <message>
+        <source>memory and room for one more thread</source>
+        <translation>Speicher und Platz für einen weiteren Thread</translation>
+    </message>
+    <message>
+        <source>close other programs, then try again</source>
+        <translation>schließen Sie andere Programme und versuchen Sie es dann noch einmal</translation>
     </message>
 </context>
 <context>
@@ -2244,6 +2284,17 @@
     <message>
         <source>Ask: “%1” Then explain the purpose of the study.</source>
         <translation>Fragen Sie: „%1“ Erklären Sie danach den Zweck der Studie.</translation>
+    </message>
+</context>
+<context>
+    <name>study::app::DisplayChoice</name>
+    <message>
+        <source>The display of the last time, %1, is not connected: an operator could open its plain images. Choose another display here, or start the program with --plain-images.</source>
+        <translation>Das Display vom letzten Mal, %1, ist nicht verbunden: Die Versuchsleitung könnte seine Bilder öffnen. Wählen Sie hier ein anderes Display oder starten Sie das Programm mit --plain-images.</translation>
+    </message>
+    <message>
+        <source>Connecting the display was stopped.</source>
+        <translation>Das Verbinden des Displays wurde abgebrochen.</translation>
     </message>
 </context>
 <context>
@@ -3038,18 +3089,6 @@ Noch ist nichts gewählt.</translation>
 <context>
     <name>study::app::MainWindow</name>
     <message>
-        <source>The display of the last time, %1, is not connected: an operator could open its plain images. Choose another display here, or start the program with --plain-images.</source>
-        <translation>Das Display vom letzten Mal, %1, ist nicht verbunden: Die Versuchsleitung könnte seine Bilder öffnen. Wählen Sie hier ein anderes Display oder starten Sie das Programm mit --plain-images.</translation>
-    </message>
-    <message>
-        <source>Connecting the display was stopped.</source>
-        <translation>Das Verbinden des Displays wurde abgebrochen.</translation>
-    </message>
-    <message>
-        <source>%1. F4 opens the page of the headphones.</source>
-        <translation>%1. F4 öffnet die Seite der Kopfhörer.</translation>
-    </message>
-    <message>
         <source>Vis2Hap</source>
         <translation>Vis2Hap</translation>
     </message>
@@ -3068,10 +3107,6 @@ Noch ist nichts gewählt.</translation>
     <message>
         <source>Rehearsal – %1 – Vis2Hap</source>
         <translation>Probelauf – %1 – Vis2Hap</translation>
-    </message>
-    <message>
-        <source>%1. The pause was not stored, so the session is still open. Fix the problem, or leave once more: no stored answer is lost.</source>
-        <translation>%1. Die Pause wurde nicht gespeichert, der Versuch ist deshalb noch offen. Beheben Sie das Problem, oder verlassen Sie ihn noch einmal: Keine gespeicherte Antwort geht verloren.</translation>
     </message>
 </context>
 <context>
@@ -3338,6 +3373,14 @@ Noch ist nichts gewählt.</translation>
     <message>
         <source>The seed is not valid. Type a whole number, 0 or larger.</source>
         <translation>Der Startwert ist ungültig. Tippen Sie eine ganze Zahl, 0 oder größer.</translation>
+    </message>
+    <message>
+        <source>The passphrase holds only blanks. Type letters, digits and signs.</source>
+        <translation>Die Passphrase besteht nur aus Leerzeichen. Tippen Sie Buchstaben, Ziffern und Zeichen.</translation>
+    </message>
+    <message>
+        <source>The passphrase holds a character that nobody can type, such as a tab. Type it anew.</source>
+        <translation>Die Passphrase enthält ein Zeichen, das niemand tippen kann, zum Beispiel einen Tabulator. Tippen Sie sie neu.</translation>
     </message>
     <message>
         <source>The passphrase is too short. Type 8 characters or more, such as four words.</source>
@@ -4594,6 +4637,10 @@ Noch ist nichts gewählt.</translation>
         <translation>Die Uhr ist in Ordnung.</translation>
     </message>
     <message>
+        <source>The clock was not compared with the study.</source>
+        <translation>Die Uhr wurde nicht mit der Studie verglichen.</translation>
+    </message>
+    <message>
         <source>The session was played to its end.</source>
         <translation>Der Versuch wurde bis zum Ende durchgespielt.</translation>
     </message>
@@ -4666,6 +4713,10 @@ Noch ist nichts gewählt.</translation>
     <message>
         <source>Let the participant touch two pieces of the same fabric. Say: “%1”</source>
         <translation>Lassen Sie die Versuchsperson zwei Proben desselben Stoffs fühlen. Sagen Sie: „%1“</translation>
+    </message>
+    <message>
+        <source>Say: “%1”</source>
+        <translation>Sagen Sie: „%1“</translation>
     </message>
     <message>
         <source>Ask: “%1”</source>
@@ -4834,6 +4885,10 @@ Noch ist nichts gewählt.</translation>
         <source>Say if needed: “%1”</source>
         <translation>Sagen Sie bei Bedarf: „%1“</translation>
     </message>
+    <message>
+        <source>Your last entry was stored. After it the head of the log could not be read: %1. Fix the problem, then go on.</source>
+        <translation>Ihre letzte Eingabe wurde gespeichert. Danach ließ sich der Logbuch-Stand nicht lesen: %1. Beheben Sie die Störung und machen Sie dann weiter.</translation>
+    </message>
 </context>
 <context>
     <name>study::app::SessionFooter</name>
@@ -4977,6 +5032,17 @@ Noch ist nichts gewählt.</translation>
     </message>
 </context>
 <context>
+    <name>study::app::SessionRoom</name>
+    <message>
+        <source>%1. F4 opens the page of the headphones.</source>
+        <translation>%1. F4 öffnet die Seite der Kopfhörer.</translation>
+    </message>
+    <message>
+        <source>%1. The pause was not stored, so the session is still open. Fix the problem, or leave once more: no stored answer is lost.</source>
+        <translation>%1. Die Pause wurde nicht gespeichert, der Versuch ist deshalb noch offen. Beheben Sie das Problem, oder verlassen Sie ihn noch einmal: Keine gespeicherte Antwort geht verloren.</translation>
+    </message>
+</context>
+<context>
     <name>study::app::SlotCard</name>
     <message>
         <source>%1, %2</source>
@@ -5096,6 +5162,10 @@ Noch ist nichts gewählt.</translation>
 <context>
     <name>study::app::StudyPage</name>
     <message>
+        <source>There is no rehearsal at a station: the images and the codes of the pieces lie on the server. Rehearse in the study&apos;s folder before it moves there.</source>
+        <translation>An einer Station gibt es keinen Probelauf: Die Bilder und die Codes der Stoffproben liegen auf dem Server. Machen Sie den Probelauf im Ordner der Studie, bevor sie dorthin umzieht.</translation>
+    </message>
+    <message>
         <source>Code of the participant who goes on</source>
         <translation>Code der Versuchsperson, die weitermacht</translation>
     </message>
@@ -5180,6 +5250,10 @@ Noch ist nichts gewählt.</translation>
         <translation>%1  ·  zurückgetreten %2</translation>
     </message>
     <message>
+        <source>No place is free. Places of participants who withdrew wait for the study&apos;s owner, who gives them out: vis2hap server roles ADDRESS --release-held. Then open the study again.</source>
+        <translation>Kein Platz ist frei. Plätze zurückgetretener Versuchspersonen warten auf die Leitung der Studie, die sie freigibt: vis2hap server roles ADDRESS --release-held. Öffnen Sie danach die Studie noch einmal.</translation>
+    </message>
+    <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
     </message>
@@ -5198,6 +5272,10 @@ Noch ist nichts gewählt.</translation>
     <message>
         <source>withdrawn, place freed</source>
         <translation>zurückgetreten, Platz wieder frei</translation>
+    </message>
+    <message>
+        <source>withdrawn, waits for the owner</source>
+        <translation>zurückgetreten, wartet auf die Leitung</translation>
     </message>
     <message>
         <source>%1, scripted</source>
@@ -5230,6 +5308,10 @@ Noch ist nichts gewählt.</translation>
     <message>
         <source>This code %1. Type at most %2 letters and digits, such as %3.</source>
         <translation>Dieser Code %1. Tippen Sie höchstens %2 Buchstaben und Ziffern, zum Beispiel %3.</translation>
+    </message>
+    <message>
+        <source>%1 has withdrawn. Type another code.</source>
+        <translation>%1 ist zurückgetreten. Tippen Sie einen anderen Code.</translation>
     </message>
     <message>
         <source>%1 is already enrolled. Choose this participant in the list to continue, or type another code.</source>

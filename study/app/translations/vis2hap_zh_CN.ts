@@ -180,6 +180,10 @@
         <translation>本场次已进行%1分钟</translation>
     </message>
     <message>
+        <source>The head of the log cannot be read now.</source>
+        <translation>现在无法读取日志摘要。</translation>
+    </message>
+    <message>
         <source>Write down the head of the log: %1</source>
         <translation>请抄下日志摘要：%1</translation>
     </message>
@@ -440,6 +444,10 @@
         <translation>已退出</translation>
     </message>
     <message>
+        <source>withdrawn, waits for the owner</source>
+        <translation>已退出，等待所有者处理</translation>
+    </message>
+    <message>
         <source>paused (%1)</source>
         <translation>已暂停（%1）</translation>
     </message>
@@ -606,6 +614,14 @@
     <message>
         <source>The text holds a character that nobody sees and that is not stored as it is. Type the text again.</source>
         <translation>文本含有一个看不见、且无法原样保存的字符。请重新输入文本。</translation>
+    </message>
+    <message>
+        <source>The text is longer than 100,000 bytes, so it is not stored. Shorten it.</source>
+        <translation>文本超过100,000字节，因此没有保存。请缩短文本。</translation>
+    </message>
+    <message>
+        <source>The entry is too long, so it is not stored. Shorten its texts.</source>
+        <translation>该条记录过长，因此没有保存。请缩短其中的文本。</translation>
     </message>
     <message>
         <source>The last step was only just taken, so this key confirmed nothing. Put the pieces on the tray, then confirm it.</source>
@@ -1232,6 +1248,10 @@
         <translation>含有逗号</translation>
     </message>
     <message>
+        <source>stands for a missing value in tables</source>
+        <translation>在表格中表示缺失值</translation>
+    </message>
+    <message>
         <source>%1 to %2 bytes of UTF-8 without control or invisible characters, slashes, backslashes and commas, that begin with no dot, dash or blank and end with no blank</source>
         <translation>%1至%2字节的UTF-8文本，不含控制字符、不可见字符、斜杠、反斜杠和逗号，不以点、连字符或空格开头，也不以空格结尾</translation>
     </message>
@@ -1652,12 +1672,20 @@
         <translation>%1 已在另一个工作站登记</translation>
     </message>
     <message>
+        <source>participant %1 has withdrawn</source>
+        <translation>参与者 %1 已退出</translation>
+    </message>
+    <message>
         <source>a code that nobody has</source>
         <translation>一个无人使用的代码</translation>
     </message>
     <message>
         <source>type the next free code, or choose the participant in the list</source>
         <translation>请输入下一个可用代码，或在列表中选择该参与者</translation>
+    </message>
+    <message>
+        <source>type the next free code</source>
+        <translation>请输入下一个可用代码</translation>
     </message>
     <message>
         <source>the server lost entries after entry %1, so codes of participants may be lost, too</source>
@@ -1714,6 +1742,18 @@
     <message>
         <source>give the file to the study&apos;s owner, then open the address again</source>
         <translation>请把该文件交给研究的所有者，然后重新打开该地址</translation>
+    </message>
+    <message>
+        <source>the computer starts no further work</source>
+        <translation>计算机无法再启动新的任务</translation>
+    </message>
+    <message>
+        <source>memory and room for one more thread</source>
+        <translation>供再启动一个线程的内存和余量</translation>
+    </message>
+    <message>
+        <source>close other programs, then try again</source>
+        <translation>请关闭其他程序，然后重试</translation>
     </message>
 </context>
 <context>
@@ -2244,6 +2284,17 @@
     <message>
         <source>Ask: “%1” Then explain the purpose of the study.</source>
         <translation>请问：“%1”随后请说明研究目的。</translation>
+    </message>
+</context>
+<context>
+    <name>study::app::DisplayChoice</name>
+    <message>
+        <source>The display of the last time, %1, is not connected: an operator could open its plain images. Choose another display here, or start the program with --plain-images.</source>
+        <translation>上次使用的触觉屏%1没有连接：主试可能会打开其未加密的图像。请在这里选择其他触觉屏，或用--plain-images启动程序。</translation>
+    </message>
+    <message>
+        <source>Connecting the display was stopped.</source>
+        <translation>已停止连接触觉屏。</translation>
     </message>
 </context>
 <context>
@@ -3038,18 +3089,6 @@ Nothing is chosen yet.</source>
 <context>
     <name>study::app::MainWindow</name>
     <message>
-        <source>The display of the last time, %1, is not connected: an operator could open its plain images. Choose another display here, or start the program with --plain-images.</source>
-        <translation>上次使用的触觉屏%1没有连接：主试可能会打开其未加密的图像。请在这里选择其他触觉屏，或用--plain-images启动程序。</translation>
-    </message>
-    <message>
-        <source>Connecting the display was stopped.</source>
-        <translation>已停止连接触觉屏。</translation>
-    </message>
-    <message>
-        <source>%1. F4 opens the page of the headphones.</source>
-        <translation>%1。按F4打开耳机页面。</translation>
-    </message>
-    <message>
         <source>Vis2Hap</source>
         <translation>Vis2Hap</translation>
     </message>
@@ -3068,10 +3107,6 @@ Nothing is chosen yet.</source>
     <message>
         <source>Rehearsal – %1 – Vis2Hap</source>
         <translation>预演 – %1 – Vis2Hap</translation>
-    </message>
-    <message>
-        <source>%1. The pause was not stored, so the session is still open. Fix the problem, or leave once more: no stored answer is lost.</source>
-        <translation>%1。暂停没有保存，所以实验仍然开着。请排除问题，或再离开一次：已保存的回答不会丢失。</translation>
     </message>
 </context>
 <context>
@@ -3338,6 +3373,14 @@ Nothing is chosen yet.</source>
     <message>
         <source>The seed is not valid. Type a whole number, 0 or larger.</source>
         <translation>随机种子无效。请输入0或更大的整数。</translation>
+    </message>
+    <message>
+        <source>The passphrase holds only blanks. Type letters, digits and signs.</source>
+        <translation>密码短语只有空格。请输入字母、数字和符号。</translation>
+    </message>
+    <message>
+        <source>The passphrase holds a character that nobody can type, such as a tab. Type it anew.</source>
+        <translation>密码短语含有无法键入的字符，例如制表符。请重新输入。</translation>
     </message>
     <message>
         <source>The passphrase is too short. Type 8 characters or more, such as four words.</source>
@@ -4594,6 +4637,10 @@ Nothing is chosen yet.</source>
         <translation>时钟正常。</translation>
     </message>
     <message>
+        <source>The clock was not compared with the study.</source>
+        <translation>时钟尚未与研究核对。</translation>
+    </message>
+    <message>
         <source>The session was played to its end.</source>
         <translation>实验已演练到结束。</translation>
     </message>
@@ -4666,6 +4713,10 @@ Nothing is chosen yet.</source>
     <message>
         <source>Let the participant touch two pieces of the same fabric. Say: “%1”</source>
         <translation>让参与者摸两块相同的布料，并说：“%1”</translation>
+    </message>
+    <message>
+        <source>Say: “%1”</source>
+        <translation>请说：“%1”</translation>
     </message>
     <message>
         <source>Ask: “%1”</source>
@@ -4834,6 +4885,10 @@ Nothing is chosen yet.</source>
         <source>Say if needed: “%1”</source>
         <translation>必要时请说：“%1”</translation>
     </message>
+    <message>
+        <source>Your last entry was stored. After it the head of the log could not be read: %1. Fix the problem, then go on.</source>
+        <translation>您最后的录入已经保存。之后无法读取日志摘要：%1。请排除故障，然后继续。</translation>
+    </message>
 </context>
 <context>
     <name>study::app::SessionFooter</name>
@@ -4977,6 +5032,17 @@ Nothing is chosen yet.</source>
     </message>
 </context>
 <context>
+    <name>study::app::SessionRoom</name>
+    <message>
+        <source>%1. F4 opens the page of the headphones.</source>
+        <translation>%1。按F4打开耳机页面。</translation>
+    </message>
+    <message>
+        <source>%1. The pause was not stored, so the session is still open. Fix the problem, or leave once more: no stored answer is lost.</source>
+        <translation>%1。暂停没有保存，所以实验仍然开着。请排除问题，或再离开一次：已保存的回答不会丢失。</translation>
+    </message>
+</context>
+<context>
     <name>study::app::SlotCard</name>
     <message>
         <source>%1, %2</source>
@@ -5096,6 +5162,10 @@ Nothing is chosen yet.</source>
 <context>
     <name>study::app::StudyPage</name>
     <message>
+        <source>There is no rehearsal at a station: the images and the codes of the pieces lie on the server. Rehearse in the study&apos;s folder before it moves there.</source>
+        <translation>工作站上不能预演：图像和布样编号都在服务器上。请在研究移到服务器之前，在研究的文件夹中预演。</translation>
+    </message>
+    <message>
         <source>Code of the participant who goes on</source>
         <translation>继续实验的参与者的编号</translation>
     </message>
@@ -5180,6 +5250,10 @@ Nothing is chosen yet.</source>
         <translation>%1  ·  已退出%2</translation>
     </message>
     <message>
+        <source>No place is free. Places of participants who withdrew wait for the study&apos;s owner, who gives them out: vis2hap server roles ADDRESS --release-held. Then open the study again.</source>
+        <translation>没有空闲名额。已退出参与者的名额要等研究的所有者放出：vis2hap server roles ADDRESS --release-held。之后请重新打开研究。</translation>
+    </message>
+    <message>
         <source>%1 of %2</source>
         <translation>%1，共%2</translation>
     </message>
@@ -5198,6 +5272,10 @@ Nothing is chosen yet.</source>
     <message>
         <source>withdrawn, place freed</source>
         <translation>已退出，名额已空出</translation>
+    </message>
+    <message>
+        <source>withdrawn, waits for the owner</source>
+        <translation>已退出，等待所有者处理</translation>
     </message>
     <message>
         <source>%1, scripted</source>
@@ -5230,6 +5308,10 @@ Nothing is chosen yet.</source>
     <message>
         <source>This code %1. Type at most %2 letters and digits, such as %3.</source>
         <translation>这个编号%1。请输入最多%2个字母和数字，例如%3。</translation>
+    </message>
+    <message>
+        <source>%1 has withdrawn. Type another code.</source>
+        <translation>%1已退出。请输入其他编号。</translation>
     </message>
     <message>
         <source>%1 is already enrolled. Choose this participant in the list to continue, or type another code.</source>

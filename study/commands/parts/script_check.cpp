@@ -1,13 +1,14 @@
 #include "study/commands/parts/script_check.h"
 
 #include <QProcess>
+#include <QProcessEnvironment>
 #include <QStandardPaths>
 #include <cstdio>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/safe_text.h"
+#include "protocols/secrets/secret_variables.h"
 #include "reports/scripts/reproduction.h"
-#include "study/commands/parts/child_environment.h"
 
 namespace study::commands {
 
@@ -37,7 +38,7 @@ void checkReport(const std::filesystem::path& report, const std::string& languag
     }
     QProcess process;
     process.setWorkingDirectory(QString::fromStdString(folder.string()));
-    process.setProcessEnvironment(environmentWithoutSecrets());
+    process.setProcessEnvironment(protocols::withoutSecrets(QProcessEnvironment::systemEnvironment()));
     process.setProcessChannelMode(QProcess::MergedChannels);
     process.start(asked.program, {asked.script});
     const bool hasEnded = process.waitForFinished(longestMs);

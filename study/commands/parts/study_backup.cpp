@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 
 #include <QProcess>
+#include <QProcessEnvironment>
 #include <algorithm>
 
 #include "database/keys.h"
@@ -12,7 +13,7 @@
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/open_files.h"
 #include "protocols/files/whole_file.h"
-#include "study/commands/parts/child_environment.h"
+#include "protocols/secrets/secret_variables.h"
 
 namespace study::commands {
 
@@ -76,7 +77,7 @@ void pack(const fs::path& folder, const std::string& name, const fs::path& archi
                                 "--",
                                 QString::fromStdString(name)};
     QProcess tar;
-    QProcessEnvironment surroundings = environmentWithoutSecrets();
+    QProcessEnvironment surroundings = protocols::withoutSecrets(QProcessEnvironment::systemEnvironment());
     surroundings.remove(QStringLiteral("TAR_OPTIONS"));
     tar.setProcessEnvironment(surroundings);
     tar.setProcessChannelMode(QProcess::ForwardedChannels);

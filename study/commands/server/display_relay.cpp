@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 #include <optional>
+#include <thread>
 
 #include "database/server/server_connection.h"
 #include "database/server/server_link.h"
@@ -41,9 +42,10 @@ constexpr std::uint64_t largestImage = 64U << 20;  // that a station may send in
 constexpr const char* ticketsOnly = "this display takes tickets only";
 constexpr std::size_t longestReason = 200;
 
-constexpr auto stationPatience = std::chrono::seconds(2);    // until a station takes the next bytes of a line
-constexpr auto untilFirstRequest = std::chrono::seconds(3);  // a station sends hello at once, and waits 5 s for the reply
-constexpr auto untilIdle = std::chrono::seconds(10);         // without a request, while nothing can be felt
+constexpr auto stationPatience = std::chrono::seconds(2);         // until a station takes the next bytes of a line
+constexpr auto untilFirstRequest = std::chrono::seconds(3);       // a station sends hello at once, and waits 5 s for the reply
+constexpr auto untilIdle = std::chrono::seconds(10);              // without a request, while nothing can be felt
+constexpr auto untilNextAccept = std::chrono::milliseconds(100);  // after one that failed
 constexpr int mostWaiting = 16;
 
 /// The message of a line; null for what is none, is nested too deeply or names a key twice.
@@ -269,7 +271,7 @@ private:
             if (request.at("type") == "clear") m_isShowing = false;
             m_incoming.erase(0, end + 1);
         }
-        return m_incoming.size() <= rendering::DriverLink::longestLine;
+        return m_incoming.size() <= rendering::DriverLines::longest;
     }
 
     enum class Taken { Whole, InPart, Not };
@@ -364,7 +366,10 @@ int serveDisplay(const std::string& text, const std::string& specification, int 
     std::fflush(stdout);
     while (true) {
         const int station = listener.accept();
-        if (station < 0) continue;
+        if (station < 0) {  // without a free descriptor the connection would stay waiting, and this loop would spin
+            if (errno != EINTR && errno != ECONNABORTED) std::this_thread::sleep_for(untilNextAccept);
+            continue;
+        }
         Relay(station, images, *device).run(listener);
         ::close(station);
     }

@@ -5,6 +5,7 @@
 
 #include <QFileInfo>
 #include <QProcess>
+#include <QProcessEnvironment>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <csignal>
@@ -12,6 +13,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/safe_text.h"
 #include "protocols/files/whole_file.h"
+#include "protocols/secrets/secret_variables.h"
 #include "study/participant/sound/wav_sound.h"
 
 namespace study::participant {
@@ -43,6 +45,7 @@ void limitEngine()
 bool runEngine(const std::string& program, const std::string& voice, const std::string& text, const QString& wavFile)
 {
     QProcess engine;
+    engine.setProcessEnvironment(protocols::withoutSecrets(QProcessEnvironment::systemEnvironment()));
     engine.setChildProcessModifier(limitEngine);
     engine.start(QString::fromStdString(program),
                  {QStringLiteral("-b"), QStringLiteral("1"), QStringLiteral("-v"), QString::fromStdString(voice),

@@ -237,6 +237,20 @@ private Q_SLOTS:
         QVERIFY(!answer.contains("above_chance"));
     }
 
+    /// A shell splits at &, so both spellings name one condition.
+    void contrastsHaveEitherSpelling()
+    {
+        json rows = rowsOf("value");
+        const std::map<std::string, std::string> names{{"c0", "h_g&f_g"}, {"c1", "h+f@fast"}, {"c2", "h"}};
+        for (json& condition : rows["condition"]) condition = names.at(condition.get<std::string>());
+        const json options{{"contrasts", json::parse(R"([["h_g+f_g", "h"], ["h&f@fast", "h_g&f_g"]])")}};
+        const json answer = answerTo("claims", rows, options);
+        QCOMPARE(answer["claims"].size(), std::size_t(4));
+        QVERIFY(answer["claims"][0]["a"] == "h_g&f_g" && answer["claims"][2]["a"] == "h+f@fast");
+        QVERIFY(says(answerTo("claims", rows, {{"contrasts", json::parse(R"([["h_g&f_g", "h_g+f_g"]])")}}), "error",
+                     "compares \"h_g&f_g\" with itself"));
+    }
+
     /// Under condition "a" one of the two low fabrics is missing for each person. All conditions are alike.
     void missingCellsAreNoDifferenceOfConditions()
     {

@@ -9,10 +9,13 @@
 #include <opencv2/core.hpp>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
 #include "rendering/images/image_io.h"
 #include "study/analyse/analyse_formula.h"
 #include "study/analyse/analyse_inputs.h"
 #include "study/analyse/analyse_recipe.h"
+#include "study/analyse/column_statistics.h"
+#include "study/analyse/csv_column.h"
 #include "study/analyse/request_file.h"
 #include "study/analyse/similarity.h"
 
@@ -310,6 +313,37 @@ private Q_SLOTS:
         const auto all = answerTo("binomial", {{"k", 2000}, {"n", 2000}}, {{"p0", "1/3"}});
         // 3^-2000
         QVERIFY2(all["p_greater"].get<std::string>().ends_with("e-955"), all["p_greater"].dump().c_str());
+    }
+
+    /// The value after a missing one is not that of the row before.
+    void missingRowsOfATraceAreNamed()
+    {
+        QTemporaryDir folder;
+        const std::filesystem::path place(folder.path().toStdString());
+        protocols::writeWholeFile(place / "a.csv", "x\n1\n2\n\n4\n");
+        protocols::writeWholeFile(place / "b.csv", "x\n1\n\n3\n4\n");
+        const json metrics = study::analyse::similarityOf(place / "a.csv", place / "b.csv", std::nullopt);
+        QVERIFY2(metrics["mae"].is_null() && !metrics["why"]["mae"].get<std::string>().empty(), metrics.dump().c_str());
+        const json column = study::analyse::describeColumn(study::analyse::readColumn(place / "a.csv", "x"));
+        QVERIFY2(column["n"] == 3 && column["missing"] == 1, column.dump().c_str());
+    }
+
+    /// An interval that ends on one side only has null on the other, with its reason. That of a mean beside a test of ranks, too.
+    void oneSidedIntervalsSayWhichEndTheyLack()
+    {
+        using study::analyse::ColumnTest;
+        const std::vector<double> a{1, 2.5, 3, 4.2, 5}, b{1.2, 2, 2, 5, 3};
+        for (const ColumnTest test : {ColumnTest::Paired, ColumnTest::Welch, ColumnTest::Student, ColumnTest::Wilcoxon}) {
+            const json less = study::analyse::compareColumns({test, stats::Tail::Less}, a, b);
+            QVERIFY2(less["ci95"][0].is_null() && less["ci95"][1].is_number(), less.dump().c_str());
+            QVERIFY2(less["why"]["ci95"] == "one-sided: no lower bound", less.dump().c_str());
+            const json greater = study::analyse::compareColumns({test, stats::Tail::Greater}, a, b);
+            QVERIFY2(greater["ci95"][0].is_number() && greater["ci95"][1].is_null(), greater.dump().c_str());
+            QVERIFY2(greater["why"]["ci95"] == "one-sided: no upper bound", greater.dump().c_str());
+            const json both = study::analyse::compareColumns({test, stats::Tail::TwoSided}, a, b);
+            QVERIFY2(both["ci95"][1].is_number() && !both.value("why", json::object()).contains("ci95"), both.dump().c_str());
+            QVERIFY(less["ci95"][1] < both["ci95"][1]);
+        }
     }
 
     /// One surface, once in 8 and once in 16 bits: its grey values differ 257 times.

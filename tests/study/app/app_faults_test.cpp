@@ -7,10 +7,13 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QTest>
+#include <filesystem>
+#include <utility>
 
 #include "protocols/files/errors.h"
 #include "tests/support/counting_vfs.h"
 #include "tests/support/played_session.h"
+#include "tests/support/raw_sqlite.h"
 #include "tests/support/typed_answers.h"
 #include "tests/support/whole_protocol.h"
 
@@ -50,6 +53,10 @@ private Q_SLOTS:
     void alteredStimulusIsToldBeforeTheSession();
     void fullDiskKeepsTheEntryUntilSpaceIsFree_data();
     void fullDiskKeepsTheEntryUntilSpaceIsFree();
+    void logThatCannotBeReadEndsNoPause();
+    void filesThatVanishInAPauseAreToldOnTheWayBack();
+    void rehearsalPageTellsWhatIsTrueAfterAFault();
+    void studyPageShowsWhyItsProgressCannotBeRead();
     void studyPageShowsWhyTheDisplayCannotBeOpened();
     void theOnlyScreenIsNotCovered();
     void messageOfOneSessionIsNotShownInTheNext();
@@ -141,6 +148,99 @@ void AppFaultsTest::fullDiskKeepsTheEntryUntilSpaceIsFree()
     pressKey(open, Qt::Key_Return);  // the entry is still in the field
     QVERIFY2(open.message().isEmpty(), qPrintable(open.message()));
     QCOMPARE(answersIn(folder).at(asked), answerText(spoken));
+}
+
+/// In a pause the page shows the head of the log, which is read after each entry.
+void AppFaultsTest::logThatCannotBeReadEndsNoPause()
+{
+    CountingVfs disk;
+    OpenWindow open(newStudy(wholeStudy()));
+    open.enrolAndBegin();
+    open.playTo("Presenting", "Q1");
+    disk.letReadsFailAfterNextSync();
+    open.perform(Paused{});
+    QVERIFY(open.view().state.paused);
+    const QString message = open.message();
+    QVERIFY2(message.contains("last entry was stored") && message.contains("disk reported an error"), qPrintable(message));
+    QVERIFY_EXCEPTION_THROWN(open.perform(Resumed{}), protocols::Error);
+    QVERIFY2(open.message().contains("session is paused and no answer is lost"), qPrintable(open.message()));
+    disk.letReadsWork();
+    open.perform(Resumed{});
+    QVERIFY2(open.message().isEmpty(), qPrintable(open.message()));
+    QVERIFY(!open.view().state.paused);
+    open.playTo("Presenting", "Q1");
+}
+
+/// The operator looks at the page of the headphones meanwhile. The message has the name of the rescue file, and comes once.
+void AppFaultsTest::filesThatVanishInAPauseAreToldOnTheWayBack()
+{
+    const auto folder = newStudy(wholeStudy());
+    OpenWindow open(folder);
+    open.enrolAndBegin();
+    open.playTo("Presenting", "Q1");
+    open.perform(Paused{});
+    QVERIFY2(open.message().isEmpty(), qPrintable(open.message()));
+    std::filesystem::rename(folder.database(), folder.folder / "elsewhere.db");
+    open.gui().pressKey(Qt::Key_F4);
+    QCOMPARE(open.window().currentPage()->objectName(), QString("participantPage"));
+    open.gui().pressKey(Qt::Key_F4);
+    QCOMPARE(open.window().currentPage()->objectName(), QString("sessionPage"));
+    QVERIFY2(open.message().contains("every stored answer is kept in"), qPrintable(open.message()));
+    QVERIFY(open.view().state.paused);
+}
+
+/// The study cannot be read while the display is connected. "Check again" finds it mended.
+void AppFaultsTest::rehearsalPageTellsWhatIsTrueAfterAFault()
+{
+    CountingVfs disk;
+    const auto folder = newStudy(wholeStudy()), another = newStudy();
+    bool fails = true;
+    AppOptions options;
+    options.makeRehearsal = [](const std::filesystem::path&) { return std::shared_ptr<const std::filesystem::path>(); };
+    options.openDisplay = [&](const std::string&, const std::stop_token&) {
+        if (std::exchange(fails, false)) {
+            disk.letReadsFailAfterNextSync();
+            RawSqlite(another.database()).run("CREATE TABLE synced(x)");
+        }
+        return std::make_unique<FakeDisplay>();
+    };
+    ShownWindow shown(options);
+    shown.window.openStudy(folder.folder);
+    shown.gui.pressKey(Qt::Key_F8);
+    QCOMPARE(shown.window.currentPage()->objectName(), QString("rehearsalPage"));
+    const auto text = [&](const char* name) { return shown.widget<QLabel>(name).text(); };
+    QVERIFY2(text("rehearsalMessage").contains("disk reported an error"), qPrintable(text("rehearsalMessage")));
+    QVERIFY2(text("rehearsalDisplay").contains("fake is connected"), qPrintable(text("rehearsalDisplay")));
+    QVERIFY2(!text("rehearsalComputer").contains("clock is in order"), qPrintable(text("rehearsalComputer")));
+    disk.letReadsWork();
+    shown.gui.pressKey(Qt::Key_F7);
+    QCOMPARE(text("rehearsalMessage"), QString());
+    QVERIFY(text("rehearsalDisplay").contains("fake is connected"));
+    QVERIFY2(text("rehearsalComputer").contains("clock is in order"), qPrintable(text("rehearsalComputer")));
+}
+
+void AppFaultsTest::studyPageShowsWhyItsProgressCannotBeRead()
+{
+    CountingVfs disk;
+    OpenWindow open(newStudy(wholeStudy()));
+    open.enrolAndBegin();
+    open.playTo("Presenting", "Q1");
+    disk.letReadsFailAfterNextSync();
+    open.perform(Paused{});
+    pressKey(open, Qt::Key_Q);
+    QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
+    const auto message = [&] { return open.message("studyMessage"); };
+    QVERIFY2(message().contains("disk reported an error"), qPrintable(message()));
+    open.gui().click("displayButton");
+    open.gui().click("displayBackButton");
+    QCOMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
+    QVERIFY2(message().contains("disk reported an error"), qPrintable(message()));
+    disk.letReadsWork();
+    open.gui().click("displayButton");
+    open.gui().click("displayBackButton");
+    QVERIFY2(message().isEmpty(), qPrintable(message()));
+    open.window().startSession(ParticipantId("P01"));
+    QVERIFY(open.window().session());
 }
 
 void AppFaultsTest::studyPageShowsWhyTheDisplayCannotBeOpened()

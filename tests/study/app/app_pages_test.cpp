@@ -30,6 +30,7 @@ private Q_SLOTS:
     void typedNumbersBecomeRatings_data();
     void typedNumbersBecomeRatings();
     void pointsOnTheLineBecomeSteps();
+    void onlyAScaleOfWholeNumbersIsCalledOne();
     void startPageOpensAStudy();
     void startPageShowsWhyAFolderCannotBeOpened();
     void recentStudiesAreListed();
@@ -89,6 +90,19 @@ void AppPagesTest::pointsOnTheLineBecomeSteps()
     QCOMPARE(ratingAt(1.7, halves).value, 100);
     QVERIFY(std::holds_alternative<NoRating>(ratingFromText("5.4", halves)));
     QCOMPARE(study::app::textOf(Tenths{-4}), QString("-0.4"));
+}
+
+/// The step alone does not tell: from 0.5 on, a step of 1 never meets a whole number.
+void AppPagesTest::onlyAScaleOfWholeNumbersIsCalledOne()
+{
+    const auto range = [](int min, int max, int step) {
+        return study::app::rangeText({Tenths{min}, Tenths{max}, Tenths{step}, 9, {}});
+    };
+    QCOMPARE(range(0, 100, 10), QString("from 0 to 10, whole numbers"));
+    QCOMPARE(range(-30, 30, 10), QString("from -3 to 3, whole numbers"));
+    QCOMPARE(range(5, 45, 10), QString("from 0.5 to 4.5 in steps of 1"));
+    QCOMPARE(range(-5, 45, 10), QString("from -0.5 to 4.5 in steps of 1"));
+    QCOMPARE(range(5, 45, 1), QString("from 0.5 to 4.5, one decimal"));
 }
 
 void AppPagesTest::startPageOpensAStudy()
@@ -276,7 +290,9 @@ void AppPagesTest::newStudyIsMadeOnAWorkerThread()
     shown.gui.type("42");
     shown.gui.focusOn("participantsField");
     shown.gui.type("4");
-    typePassphrase(shown);
+    // A whole line that was copied: no terminal and no file gives the end of a line back.
+    for (const char* line : {"passphraseField", "passphraseAgainField"})
+        shown.widget<QLineEdit>(line).setText(passphrase + QString("\n"));
     shown.gui.focusOn("protocolField");
     shown.gui.pressKey(Qt::Key_Return);
     QTRY_COMPARE(shown.window.currentPage()->objectName(), QString("studyPage"));
@@ -399,6 +415,15 @@ void AppPagesTest::incompleteFormShowsAHintAndMakesNothing()
     QVERIFY(messageAfterEnter().contains("seed"));
     shown.widget<QLineEdit>("seedField").setText("3");
     QVERIFY(messageAfterEnter().contains("passphrase is too short"));
+    for (const auto& [typed, fault] : {std::pair{"ääääããã", "too short"},  // 14 bytes
+                                       {"          ", "only blanks"},
+                                       {"four words\tof wool", "nobody can type"},
+                                       {"four words of wool\n\n", "nobody can type"}}) {
+        shown.widget<QLineEdit>("passphraseField").setText(QString::fromUtf8(typed));
+        shown.widget<QLineEdit>("passphraseAgainField").setText(QString::fromUtf8(typed));
+        QVERIFY2(messageAfterEnter().contains(fault), typed);
+    }
+    shown.widget<QLineEdit>("passphraseAgainField").clear();
     shown.widget<QLineEdit>("passphraseField").setText(passphrase);
     QVERIFY(messageAfterEnter().contains("passphrases differ"));
     shown.widget<QLineEdit>("passphraseAgainField").setText(passphrase);

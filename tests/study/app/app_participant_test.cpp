@@ -2,6 +2,7 @@
 // participant does reaches the session, the operator sees it and keeps control, and the session never needs the screen.
 #include <QApplication>
 #include <QComboBox>
+#include <QDir>
 #include <QLabel>
 #include <QTest>
 #include <csignal>
@@ -86,6 +87,7 @@ private Q_SLOTS:
     void aNumberIsReadBackWholeOrNotAtAll();
     void withoutSoundThePageSaysSo();
     void soundThatEndsInMidSessionIsShown();
+    void helperProgramsGetNoSecretOfTheOwner();
 };
 
 void AppParticipantTest::aParticipantAgreesAnswersAndLearnsTheScaleOnATablet()
@@ -530,6 +532,25 @@ void AppParticipantTest::soundThatEndsInMidSessionIsShown()
     open.window().startSession(ParticipantId("P02"));
     QCOMPARE(open.message(), message);
     sound.stop();
+}
+
+void AppParticipantTest::helperProgramsGetNoSecretOfTheOwner()
+{
+    const QString program = QDir(QCoreApplication::applicationDirPath()).relativeFilePath("/usr/bin/env");
+    study::app::LineProcess process(nullptr);
+    QStringList variables;
+    bool hasEnded = false;
+    connect(&process, &study::app::LineProcess::lineRead, this,
+            [&](const std::string& line) { variables << QString::fromStdString(line); });
+    connect(&process, &study::app::LineProcess::ended, this, [&] { hasEnded = true; });
+    qputenv("VIS2HAP_PASSPHRASE", "Sekret1");
+    qputenv("PGPASSWORD", "Sekret2");
+    qputenv("OF_THE_LAB", "kept");
+    process.start(program, {}, study::app::ProgramSurroundings::Own);
+    for (const char* variable : {"VIS2HAP_PASSPHRASE", "PGPASSWORD", "OF_THE_LAB"}) qunsetenv(variable);
+    QTRY_VERIFY(hasEnded);
+    QVERIFY(variables.contains("OF_THE_LAB=kept"));
+    QVERIFY2(variables.filter("Sekret").isEmpty() && variables.filter("PGPASSWORD").isEmpty(), "a secret was passed on");
 }
 
 QTEST_MAIN(AppParticipantTest)

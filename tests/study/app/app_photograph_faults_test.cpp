@@ -1,11 +1,16 @@
 // The page that makes a data set from photographs, with every bad input and every fault of a step.
+#include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QThread>
+#include <atomic>
 #include <fstream>
 #include <opencv2/imgproc.hpp>
 
 #include "protocols/files/errors.h"
 #include "rendering/fabrics/dataset_check.h"
 #include "rendering/images/image_png.h"
+#include "study/app/pages/photographs/step_work.h"
+#include "study/app/pieces/pieces.h"
 #include "tests/study/app/photographs_fixture.h"
 #include "tests/support/program.h"
 
@@ -32,6 +37,7 @@ private Q_SLOTS:
     void warningsAreThoseOfRender();
     void aScaleThatMakesTheWeaveTooFineIsNamed();
     void filesOfAnOpenStudyAreRefused();
+    void aControlThatVanishesDuringAStepIsNotMissed();
 };
 
 void AppPhotographFaultsTest::badFilesAreNamedAndTheOthersStay()
@@ -297,6 +303,28 @@ void AppPhotographFaultsTest::filesOfAnOpenStudyAreRefused()
     addTo(page, place);
     QVERIFY(!writesDataset(shown, page, study.folder / "set"));
     QVERIFY(message(page, "newDatasetMessage").contains("not unblinded"));
+}
+
+void AppPhotographFaultsTest::aControlThatVanishesDuringAStepIsNotMissed()
+{
+    QWidget page;
+    page.setFocusPolicy(Qt::StrongFocus);
+    MessageBar message("stepMessage", &page);
+    auto* line = new QLineEdit(&page);
+    page.show();
+    QVERIFY(QTest::qWaitForWindowActive(&page));
+    line->setFocus();
+    StepWork work(page);
+    std::atomic<bool> mayEnd = false;
+    work.run(message, "working", [&](const ToolProgress&) -> InBackground::Then {
+        while (!mayEnd) QThread::msleep(1);
+        throw std::runtime_error("the step failed");
+    });
+    delete line;
+    const std::vector<char> inItsPlace(sizeof(QLineEdit), 'x');  // the memory is used again
+    mayEnd = true;
+    QTRY_VERIFY2(message.text().contains("the step failed"), qPrintable(message.text()));
+    QVERIFY(!work.isBusy());
 }
 
 QTEST_MAIN(AppPhotographFaultsTest)

@@ -13,6 +13,7 @@
 #include <map>
 #include <set>
 
+#include "database/disk/server_note.h"
 #include "database/disk/station_key.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
@@ -20,6 +21,7 @@
 #include "study/app/pages/setup/rehearsal_page.h"
 #include "study/app/pages/setup/room_checks.h"
 #include "study/making/rehearsal.h"
+#include "tests/support/error_text.h"
 #include "tests/support/open_window.h"
 
 using namespace study::app;
@@ -135,6 +137,7 @@ private Q_SLOTS:
     void nothingOfItTouchesTheStudy();
     void manyRehearsalsGiveNothingAway();
     void aMissingImageOfTheStudyIsFound();
+    void aStudyOnAServerIsNotRehearsed();
     void aSessionThatWasLeftIsStillMissing();
     void whatIsMissingIsNamed();
     void theComputerIsChecked();
@@ -236,6 +239,14 @@ void AppRehearsalTest::aMissingImageOfTheStudyIsFound()
     open.gui().pressKey(Qt::Key_F5);
     QCOMPARE(open.window().currentPage()->objectName(), QString("rehearsalPage"));
     QVERIFY(open.message("rehearsalMessage").contains("the stimulus is missing"));
+}
+
+void AppRehearsalTest::aStudyOnAServerIsNotRehearsed()
+{
+    const auto study = newStudy();
+    database::writeServerNote(study.folder, {"postgresql://a@b/lab?study=x", "left", std::string(64, 'a'), false});
+    const QString refusal = tests::support::errorOf([&] { study::making::makeRehearsal(study.folder); });
+    QVERIFY2(refusal.contains("lie on the server") && refusal.contains("before the study moves there"), qPrintable(refusal));
 }
 
 void AppRehearsalTest::aSessionThatWasLeftIsStillMissing()

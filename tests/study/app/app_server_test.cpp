@@ -2,8 +2,10 @@
 // monitor of such a study: its stations, also while the server is away.
 #include <QCryptographicHash>
 #include <QElapsedTimer>
+#include <QFrame>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QTest>
 #include <QTimer>
@@ -87,6 +89,8 @@ private Q_SLOTS:
     void thePageNoticesASilentServerByItself();
     void aSessionThatAnotherStationContinuedEndsOnThePage();
     void theSecondStationDoesNotEnrolTheSameCode();
+    void aPlaceThatWaitsForTheOwnerIsShown();
+    void aStationOffersNoRehearsal();
     void theBarSaysWhyTheServerTakesNothing();
     void aServerUnderAnotherNameGetsWhatWaits();
     void aWrongAddressIsOneLineOnTheStartPage();
@@ -222,6 +226,77 @@ void AppServerTest::theSecondStationDoesNotEnrolTheSameCode()
     QTRY_VERIFY2(open.message("studyMessage").contains("P01 was enrolled at another station"),
                  qPrintable(open.message("studyMessage")));
     QVERIFY(!open.window().session());
+}
+
+/// Both places were seen at a station, so that nobody gets them before the owner has looked.
+void AppServerTest::aPlaceThatWaitsForTheOwnerIsShown()
+{
+    const database::StudyFolder owner = studyOnServer("held");
+    makeLogin("anna", "experimenter", "held");
+    const std::string address = m_server->address("held", "anna");
+    {
+        const QString place = filePath("held-other");
+        const database::StudyFolder other{joinStudy(database::serverAddressFrom(address), place.toStdString(), "other").folder};
+        for (const char* person : {"P01", "P02"}) {
+            ServerSession session(other, person);
+            session.playUntilAnswers(2);
+            session.send(study::session::WithdrawnEvent{"no time"});
+        }
+    }
+    const auto statesIn = [](OpenWindow& open) {
+        const auto& places = open.widget<QTreeWidget>("placesList");
+        QStringList states;
+        for (int row = 0; row < places.topLevelItemCount(); ++row)
+            states << places.topLevelItem(row)->text(1) + " " + places.topLevelItem(row)->text(2);
+        return states;
+    };
+    MonitorWindow monitor(owner.folder, {});
+    monitor.show();
+    {
+        OpenWindow open({address});
+        QCOMPARE(statesIn(open), QStringList({"P01 withdrawn, waits for the owner", "P02 withdrawn, waits for the owner"}));
+        QVERIFY(!open.widget<QPushButton>("enrolButton").isEnabled());
+        QVERIFY(open.widget<QFrame>("enrolCard")
+                    .findChild<QLabel*>("cardHint")
+                    ->text()
+                    .contains("vis2hap server roles ADDRESS --release-held"));
+        open.window().requestSession(protocols::ParticipantId("P01"), study::app::MainWindow::Enrolment::NewOnly);
+        QTRY_VERIFY2(open.message("studyMessage").contains("participant P01 has withdrawn"),
+                     qPrintable(open.message("studyMessage")));
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(placeRow(monitor, 1).startsWith("1|P01|withdrawn, waits for the owner|"), waitMs);
+    QTRY_COMPARE_WITH_TIMEOUT(rowsOf(monitor, "monitorRows").size(), 2, waitMs);
+    QCOMPARE(releaseHeld(database::serverAddressFrom(m_server->address("held"))).size(), std::size_t{2});
+    OpenWindow open({address});
+    QCOMPARE(statesIn(open), QStringList({"P01 withdrawn, place freed", "– free", "P02 withdrawn, place freed", "– free"}));
+    QVERIFY(open.widget<QPushButton>("enrolButton").isEnabled());
+    QVERIFY(!open.widget<QFrame>("enrolCard").findChild<QLabel*>("cardHint")->text().contains("--release-held"));
+    QTRY_COMPARE_WITH_TIMEOUT(rowsOf(monitor, "monitorRows").size(), 4, waitMs);
+    QVERIFY(placeRow(monitor, 1).startsWith("1|P01|withdrawn|"));
+}
+
+/// A station knows neither the images nor the codes of the pieces, and their names would tell the operator the fabrics.
+void AppServerTest::aStationOffersNoRehearsal()
+{
+    StudyRecipe recipe;
+    recipe.hasSwatchCodes = true;
+    const database::StudyFolder owner = newStudy(recipe);
+    moveToServer(owner, database::serverAddressFrom(m_server->address("unrehearsed")), "owner");
+    int made = 0;
+    study::app::AppOptions options;
+    options.makeRehearsal = [&](const std::filesystem::path&) {
+        ++made;
+        return std::shared_ptr<const std::filesystem::path>();
+    };
+    OpenWindow open({m_server->address("unrehearsed")}, options);
+    const auto& button = open.widget<QPushButton>("rehearsalButton");
+    QVERIFY(!button.isEnabled());
+    open.gui().pressKey(Qt::Key_F8);
+    QCOMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
+    QVERIFY2(open.message("studyMessage").contains("no rehearsal at a station"), qPrintable(open.message("studyMessage")));
+    QCOMPARE(button.toolTip(), open.message("studyMessage"));
+    QCOMPARE(made, 0);
+    QCOMPARE(open.window().study()->codesOnPieces(), QStringList());
 }
 
 void AppServerTest::theBarSaysWhyTheServerTakesNothing()

@@ -86,6 +86,7 @@ private Q_SLOTS:
     void checklistStoresItsReadingsAndTheTime();
     void everyBreakShowsItsReason();
     void newQuestionsAreNamedWhereASittingEndsBeforeThem();
+    void endsOfTheStudysOwnNeedNoSandpaper();
     void laterSittingOffersItsPreparation();
     void laterSittingMaySkipItsPreparation();
     void killedSessionOffersThePreparationToo();
@@ -244,6 +245,20 @@ void AppStagesTest::newQuestionsAreNamedWhereASittingEndsBeforeThem()
     QVERIFY(!shows(open, "This sitting has lasted") && !shows(open, "A tired hand"));
     open.perform(BreakEnded{});
     open.playTo("Presenting", "S1");
+}
+
+/// The sheets name sandpaper, silk and a second piece only where an end is a usual one.
+void AppStagesTest::endsOfTheStudysOwnNeedNoSandpaper()
+{
+    StudyRecipe recipe = wholeStudy();
+    recipe.protocol.insert(recipe.protocol.find('{') + 1,
+                           R"("participant_texts": {"card_low": "{number} is the roughest of all."}, )");
+    OpenWindow open(newStudy(recipe));
+    open.window().startSession(ParticipantId("P01"));
+    open.playTo("ScaleTraining");
+    const QString low = open.widget<QLabel>("lowAnchor").text();
+    QVERIFY2(!low.contains("sandpaper") && low.startsWith("Say: "), qPrintable(low));
+    QVERIFY(open.widget<QLabel>("highAnchor").text().contains("two pieces of the same fabric"));
 }
 
 void AppStagesTest::laterSittingOffersItsPreparation()

@@ -29,6 +29,13 @@ QString bytesOf(const QString& file)
     return opened.open(QIODevice::ReadOnly) ? QString::fromUtf8(opened.readAll()) : QString();
 }
 
+void write(const QString& file, const json& content)
+{
+    QFile opened(file);
+    QVERIFY(opened.open(QIODevice::WriteOnly));
+    opened.write(QByteArray::fromStdString(content.dump(1)));
+}
+
 json jsonOf(const QString& file) { return json::parse(bytesOf(file).toStdString()); }
 
 /// The page with one blank between words, wherever its lines end.
@@ -68,10 +75,7 @@ class AmendedReportTest : public QObject {
         amended["question_texts"]["Feel"] = "Wie nah ist das Gefühl?";
         amended["phases"][0]["instructions"][0]["text"] = "Later words";
         amended["equivalence_bounds"] = {-5, 5};
-        QFile file(study + "/protocol.json");
-        file.open(QIODevice::WriteOnly);
-        file.write(QByteArray::fromStdString(amended.dump(1)));
-        file.close();
+        write(study + "/protocol.json", amended);
         return mustRun({"study", "amend", study, "--who", "M", "--why", "pilot"}).out;
     }
 
@@ -188,6 +192,35 @@ private Q_SLOTS:
         QVERIFY(page.contains("Wie nah ist das Gefühl?") && !page.contains("How close is the feeling?"));
         QVERIFY(bytesOf(report + "/tables/plan.csv").contains("bounds of equivalence,'-0.5 and 0.5,'-0.5 and 0.5,yes"));
         QCOMPARE(jsonOf(report + "/results.json")["preregistration"]["answers_before"], 27);
+    }
+
+    /// The bounds of the plan count, and participants read the later words.
+    void aRewordedQuestionIsNamedBesideOtherBounds()
+    {
+        const QString study = newStudy();
+        mustRun({"study", "preregister", study});
+        json amended = json::parse(firstProtocol);
+        amended["question_texts"]["Feel"] = "How near is the feeling?";
+        amended["equivalence_bounds"] = {-5, 5};
+        write(study + "/protocol.json", amended);
+        mustRun({"study", "amend", study, "--who", "M", "--why", "pilot"});
+        play(study, "S01");
+        const QString report = reportOf(study), table = bytesOf(report + "/tables/plan.csv");
+        QVERIFY2(table.contains("; changed: equivalence bounds; the plan is followed here; also changed: wording of Feel"),
+                 qPrintable(table));
+        QVERIFY2(table.contains("questions,2,2; reworded: Feel,no"), qPrintable(table));
+        const QStringList deviations = deviationsOf(jsonOf(report + "/results.json"));
+        QVERIFY(deviations.contains("questions") && deviations.contains("protocol (SHA-256)"));
+        amended.erase("equivalence_bounds");
+        amended["question_texts"]["Feel"] = "How close is the feeling?";
+        amended["phases"][0]["instructions"][0]["text"] = "Later words";
+        write(study + "/protocol.json", amended);
+        mustRun({"study", "amend", study, "--who", "M", "--why", "pilot"});
+        mustRun({"report", study, "--out", report, "--quick"});
+        const QString later = bytesOf(report + "/tables/plan.csv");
+        QVERIFY2(later.contains("; changed: wording of the instruction quick") && later.contains("; reworded: Feel"),
+                 qPrintable(later));
+        QVERIFY(!later.contains("the plan is followed here"));
     }
 
     void anAmendmentAfterARegistrationSaysWhatToDo()

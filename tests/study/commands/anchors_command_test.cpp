@@ -101,6 +101,16 @@ private Q_SLOTS:
             QVERIFY2(!line.contains(" anchor ") && !line.contains(" condition "), qPrintable(line));
     }
 
+    /// The plan lists every rule by which the report flags.
+    void thePlanHasTheRuleOfMismatches()
+    {
+        mustRun({"study", "preregister", path("study")});
+        QVERIFY(textIn(path("study/preregistration.txt")).contains("\n- mismatch_rated_high: the mean rating of mismatched"));
+        const Json exclusions = jsonIn(path("study/preregistration.json"))["plan"]["exclusions"];
+        QVERIFY(exclusions["rules"].dump().find("mismatch_rated_high") != std::string::npos);
+        QVERIFY(exclusions["second_analysis_without"].dump().find("mismatch_rated_high") == std::string::npos);
+    }
+
     void theReportHasFloorReliabilityAndCeiling()
     {
         mustRun({"unblind", path("study"), "--who", "tester", "--why", "test"});

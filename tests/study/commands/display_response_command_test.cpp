@@ -42,6 +42,11 @@ class DisplayResponseCommandTest : public QObject {
     QTemporaryDir m_folder;
 
     QString path(const QString& name) const { return m_folder.filePath(name); }
+    QString textOf(const QString& name) const
+    {
+        QFile file(path(name));
+        return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+    }
     void write(const QString& name, const QByteArray& text) const
     {
         QFile file(path(name));
@@ -126,11 +131,27 @@ private Q_SLOTS:
         QCOMPARE(results["study"]["made_with"]["display_response"], readJsonFile(path("response.json")));
         QFile page(path("report/index.html"));
         QVERIFY(page.open(QIODevice::ReadOnly) && page.readAll().contains("The images are mapped through this response."));
+        mustRun({"export", path("study"), "--format", "json", "--out", path("study-json")});
+        const auto stamps = readJsonFile(path("study-json/export.json"))["stamps"];
+        QVERIFY2(stamps.back().get<std::string>().starts_with(sentence.toStdString()), stamps.dump(1).c_str());
+        mustRun({"export", path("study"), "--format", "psych-ds", "--out", path("study-set")});
+        QVERIFY(textOf("study-set/README.md").contains(sentence) &&
+                textOf("study-set/dataset_description.json").contains(sentence));
+        // Published data name neither the day nor the finger.
+        mustRun({"export", path("study"), "--format", "psych-ds", "--public", "--out", path("study-open")});
+        for (const char* file : {"study-open/README.md", "study-open/dataset_description.json"}) {
+            const QString text = textOf(file);
+            QVERIFY2(text.contains("Friction of the display's glass was measured. The images are mapped"), qPrintable(text));
+            QVERIFY2(!text.contains("2026-05-04") && !text.contains("index finger"), qPrintable(text));
+        }
         // Images that were kept with a response are no images of a study without one.
         const auto without = mustRun(QStringList{"study", "new", path("plain"), "--images", path("kept")} + common);
         QVERIFY2(!without.out.contains("friction images reused"), qPrintable(without.out));
         QVERIFY(without.out.contains("The response of the display was not measured"));
         QVERIFY(mustRun({"study", "data-sheet", path("plain")}).out.contains("The response of the display was not measured"));
+        mustRun({"export", path("plain"), "--format", "json", "--out", path("plain-json")});
+        QCOMPARE(readJsonFile(path("plain-json/export.json"))["stamps"].back().get<std::string>(),
+                 std::string("The response of the display was not measured: grey levels stand for friction."));
     }
 
     void aStepSaysWhatItCannotReach()

@@ -69,6 +69,15 @@ void playUntilAnswers(OpenSession& session, int answers)
             return;
 }
 
+/// A table of answers has no row of a presentation that was voided without one.
+json withoutVoids(json flags)
+{
+    json others = json::array();
+    for (const json& flag : flags)
+        if (flag["flag"] != "voided_presentations") others.push_back(flag);
+    return others;
+}
+
 std::string bytesOf(const QString& file)
 {
     std::ifstream in(file.toStdString(), std::ios::binary);
@@ -147,9 +156,9 @@ private Q_SLOTS:
         const QString of = study(json::parse(phases.toStdString()));
         const QString out = of + "-exported";
         mustRun({"export", of, "--out", out});
-        const json own = resultsOf({of}),
-                   described = resultsOf({"--from", out + "/answers.csv", "--protocol", of + "/protocol.json"}),
-                   alone = resultsOf({"--from", out + "/answers.csv"});
+        json own = resultsOf({of}), described = resultsOf({"--from", out + "/answers.csv", "--protocol", of + "/protocol.json"}),
+             alone = resultsOf({"--from", out + "/answers.csv"});
+        for (json* results : {&own, &described}) (*results)["quality"] = withoutVoids((*results)["quality"]);
         for (const char* part : {"conditions", "questions", "comparisons", "equivalence", "claims", "above_chance", "omnibus",
                                  "speed_accuracy", "quality"}) {
             QVERIFY2(own.contains(part), part);
@@ -169,7 +178,7 @@ private Q_SLOTS:
         const auto numbersOf = [&](const QStringList& arguments) {
             const json results = resultsOf(arguments), statistics = json::parse(bytesOf(at("report/statistics.json")));
             return json{{"questions", results["questions"]},
-                        {"quality", results["quality"]},
+                        {"quality", withoutVoids(results["quality"])},
                         {"speed", results["speed_accuracy"]},
                         {"slots", statistics["q1_confusion"]["slots"]},
                         {"missing", statistics["data"]["missing_responses"]}};
@@ -189,7 +198,8 @@ private Q_SLOTS:
         mustRun({"export", of, "--public", "--author", "A", "--out", of + "-public"});
         const Rows rows = *csvRows(bytesOf(of + "-public/answers.csv"));
         for (std::size_t row = 1; row < rows.size(); ++row) QCOMPARE(cellAt(rows, row, "kind"), std::string("scripted"));
-        QVERIFY(resultsOf({"--from", of + "-public/answers.csv"})["study"]["simulated"] == false);
+        const json about = resultsOf({"--from", of + "-public/answers.csv"})["study"];
+        QVERIFY(about["simulated"] == false && about["scripted"] == true && resultsOf({of})["study"]["scripted"] == true);
         QVERIFY(QString::fromStdString(bytesOf(at("report/index.html"))).contains("SCRIPTED participants"));
     }
 
@@ -221,8 +231,74 @@ private Q_SLOTS:
         QVERIFY(QString::fromStdString(bytesOf(of + "-public/participants.csv")).contains("P02"));
     }
 
+    /// A wrong piece is mostly seen before the answer. Such a void has no row in the table of answers, and a note says so.
+    void aVoidBeforeTheAnswerCountsLikeAnyOther()
+    {
+        const QString of = at("voids");
+        buildStudy(of.toStdString(), {.protocol = protocolOf({choice("Q1", 3), rating({"Q2"})})});
+        for (const std::string person : {"P01", "P02", "P03"}) {
+            OpenSession session({of.toStdString()}, person);
+            playUntilAnswers(session, 1);
+            session.send(study::session::Voided{"seen by the participant"});
+            session.stepUntil("Presenting");
+            session.send(study::session::Voided{"wrong piece"});
+            if (person == "P02")
+                session.send(study::session::WithdrawnEvent{"wants to stop"});
+            else
+                playUntilAnswers(session, 1 << 20);
+        }
+        const json status = json::parse(mustRun({"study", "status", of, "--json"}).out.toStdString());
+        int voided = 0;
+        for (const json& slot : status["slots"]) voided += slot.value("voided_presentations", 0);
+        QCOMPARE(voided, 4);
+        const QString flag = "4 presentations were voided and presented again; answers to them are kept and not analysed";
+        mustRun({"export", of, "--out", of + "-blinded"});
+        QVERIFY(QString::fromStdString(bytesOf(of + "-blinded/flags.csv")).contains(flag));
+
+        mustRun({"unblind", of, "--who", "M", "--why", "done"});
+        resultsOf({of});
+        QCOMPARE(json::parse(bytesOf(at("report/statistics.json")))["data"]["voided_presentations"], json(voided));
+        QVERIFY(QString::fromStdString(bytesOf(at("report/tables/quality.csv"))).contains(flag));
+        QVERIFY(QString::fromStdString(bytesOf(at("report/tables/plan.csv"))).contains("4 presentations voided and presented"));
+        QVERIFY(QString::fromStdString(bytesOf(at("report/index.html"))).simplified().contains("4 presentations were voided."));
+
+        mustRun({"export", of, "--out", of + "-exported"});
+        const auto again = mustRun({"report", "--from", of + "-exported/answers.csv", "--out", of + "-again", "--page-only"});
+        // P01 and P03 had one void after the answer and one before it; P02 withdrew.
+        QVERIFY2(again.err.contains("2 voided presentations left out; a table of answers has no row of those that were voided "
+                                    "without an answer"),
+                 qPrintable(again.err));
+        QCOMPARE(json::parse(bytesOf(of + "-again/statistics.json"))["data"]["voided_presentations"], json(2));
+        QVERIFY(QString::fromStdString(bytesOf(of + "-again/tables/quality.csv"))
+                    .contains("2 presentations were voided and presented again; answers to them are kept and not analysed"));
+        QVERIFY(bytesOf(of + "-exported/codebook.csv").find("those voided after an answer count") != std::string::npos);
+    }
+
+    /// P02 withdrew, and P04 was erased after the end: no answer of P04 is kept, and the place is empty.
+    void erasedPeopleAreToldApart()
+    {
+        const QString of = study({choice("Q1", 3), rating({"Q2"})});
+        mustRun({"erase", of, "--participant", "P04", "--who", "Ada", "--why", "on request", "--answers"});
+        resultsOf({of});
+        const QString page = QString::fromStdString(bytesOf(at("report/index.html"))).simplified();
+        for (const char* sentence :
+             {"In addition, 1 participant withdrew. Answers given before are kept and not analysed",
+              "The answers of 1 participant were erased, and the place became free again.",
+              "54 of 72 expected answers are analysed, 18 are missing, 18 of them of places that nobody has.",
+              "Missing answers by condition, of the 3 participants analysed"})
+            QVERIFY2(page.contains(sentence), sentence);
+        QVERIFY(QString::fromStdString(bytesOf(at("report/tables/plan.csv"))).contains("withdrew: 1; answers erased: 1"));
+        const json missing = json::parse(bytesOf(at("report/statistics.json")))["data"];
+        QCOMPARE(missing["missing_responses"], json(18));
+        QCOMPARE(missing["missing_by_condition"]["Q1"]["f"], json(0));
+        mustRun({"export", of, "--format", "psych-ds", "--out", of + "-set"});
+        mustRun({"export", of, "--format", "psych-ds", "--public", "--out", of + "-open"});
+        QVERIFY(QString::fromStdString(bytesOf(of + "-set/README.md")).contains("by 4 participants (4 scripted)"));
+        QVERIFY(QString::fromStdString(bytesOf(of + "-open/README.md")).contains("by 3 participants (3 scripted)"));
+    }
+
     /// Two numbers of alternatives under one question cannot come from one study.
-    void mixedAlternativesNeedTheProtocol()
+    void mixedAlternativesAreRefusedAlsoWithTheProtocol()
     {
         const QString of = study(json::array({choice("Q1", 2)}));
         mustRun({"export", of, "--out", of + "-exported"});
@@ -233,7 +309,12 @@ private Q_SLOTS:
         const auto said = runProgram({"report", "--from", at("mixed.csv"), "--out", at("mixed"), "--page-only"});
         QCOMPARE(said.exitCode, 2);
         QVERIFY2(said.err.contains("several numbers of alternatives"), qPrintable(said.err));
-        mustRun({"report", "--from", at("mixed.csv"), "--protocol", of + "/protocol.json", "--out", at("mixed"), "--page-only"});
+        const auto described = runProgram(
+            {"report", "--from", at("mixed.csv"), "--protocol", of + "/protocol.json", "--out", at("mixed"), "--page-only"});
+        QCOMPARE(described.exitCode, 2);
+        QVERIFY2(described.err.contains("column alternatives: the tray of Q1 has 3 pieces, but by the protocol Q1 is a choice "
+                                        "among 2"),
+                 qPrintable(described.err));
     }
 
     /// A place that several trials share has an occurrence in the script of each.

@@ -139,6 +139,7 @@ private Q_SLOTS:
         const QString study = newStudy();
         mustRun({"study", "preregister", study, "--who", "Ada Müller"});
         const QString text = bytesOf(study + "/preregistration.txt");
+        QVERIFY(!text.contains("mismatch_rated_high"));  // only of anchors
         for (const char* line :
              {"STUDY PLAN: Planned study\n", " by Ada Müller, before the first answer.\n",
               "- Q1: under each condition, the share of right answers is above chance, 1/3 (one-sided).\n",
@@ -159,6 +160,27 @@ private Q_SLOTS:
         QCOMPARE(plan["plan"]["questions"][2]["chance"], 0.5);
         QCOMPARE(plan["answers_before"], 0);
         QCOMPARE(plan["study"]["protocol_sha256"].get<std::string>(), protocols::sha256(plannedProtocol));
+    }
+
+    /// An earlier version wrote other sentences. Before the answers a plan takes the new ones; afterwards it would be a late one.
+    void rulesOfAnEarlierVersionAreNoLateAmendment()
+    {
+        const QString study = newStudy(), early = newStudy(), other = newStudy();
+        mustRun({"study", "preregister", other});
+        auto record = registered(other)[0];
+        auto plan = nlohmann::ordered_json::parse(record.json);
+        auto& rules = plan["plan"]["exclusions"]["rules"];
+        rules.erase(rules.size() - 1);
+        record.json = plan.dump(2) + "\n";
+        for (const QString& one : {study, early})
+            recordPreregistration({{one.toStdString()}, database::StudyStore::Access::Write}, record);
+        answer(study, "S01", 5);
+        QVERIFY(mustRun({"study", "preregister", study}).out.contains("nothing has changed"));
+        QCOMPARE(registered(study).size(), std::size_t(1));
+        mustRun({"verify", study});
+        mustRun({"study", "preregister", early});
+        QVERIFY(bytesOf(early + "/preregistration-2.txt").contains("since registration 1: exclusions.\n"));
+        mustRun({"verify", early});
     }
 
     /// R: power.t.test(n = 2, delta = 0.6, sd = sqrt(2*(.15 + .85/3))*0.6, type = "paired", strict = TRUE): the scale from 1 to 7

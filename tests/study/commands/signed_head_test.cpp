@@ -116,6 +116,18 @@ private Q_SLOTS:
         QVERIFY2(refused.exitCode == 2 && refused.err.contains("control character"), qPrintable(refused.err));
     }
 
+    /// "8 characters or more" are characters, not bytes.
+    void aPassphraseIsCountedInCharacters()
+    {
+        for (const auto& [words, isLongEnough] :
+             {std::pair{"ääää", false}, {"ääääääää", true}, {"绿色的羊毛", false}, {"绿色的羊毛和丝绸", true}, {"", false}}) {
+            const auto made = runProgram({"study", "signing-key", "--out", at(QString("counted-%1").arg(words))},
+                                         {QString("VIS2HAP_PASSPHRASE=%1").arg(words)});
+            QVERIFY2(made.exitCode == (isLongEnough ? 0 : 2), qPrintable(made.err));
+            QVERIFY2(isLongEnough || made.err.contains("8 characters or more"), qPrintable(made.err));
+        }
+    }
+
     void aSignedHeadIsChecked()
     {
         const QString study = playedStudy(), key = at("lab"), statement = at("head.txt");

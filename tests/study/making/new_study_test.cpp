@@ -14,6 +14,7 @@
 #include "study/making/study_sheets.h"
 #include "study/participant/sound/wav_sound.h"
 #include "study/records/folder_audit.h"
+#include "tests/support/error_text.h"
 #include "tests/support/observed_disk.h"
 
 using tests::support::DiskCall;
@@ -105,6 +106,24 @@ private Q_SLOTS:
             protocols::writeWholeFile(manifest, json.dump());
             QVERIFY2(!isReused() && isReused(), signals);
         }
+    }
+
+    /// The data set stays readable; a new study of it would have tables that no program reads.
+    void aFabricWithAWordForMissingValuesIsRefused()
+    {
+        const fs::path set = at("missing");
+        fs::copy(at("fabrics"), set, fs::copy_options::recursive);
+        std::string description = protocols::readWholeFile(set / "dataset.json");
+        for (std::size_t place; (place = description.find("\"F02\"")) != std::string::npos;)
+            description.replace(place, 5, "\"NA\"");
+        protocols::writeWholeFile(set / "dataset.json", description);
+        fs::rename(set / "F02", set / "NA");
+        QCOMPARE(rendering::fabrics::readDataset(set).fabrics[1].id.value, std::string("NA"));
+        auto request = requested();
+        request.dataset = set;
+        const QString error = tests::support::errorOf([&] { requireInputs(request); });
+        QVERIFY2(error.contains("\"NA\" cannot name a fabric: it stands for a missing value in tables"), qPrintable(error));
+        QVERIFY(!fs::exists(request.study));
     }
 
     void failingDiskLeavesNoStudy()

@@ -236,6 +236,19 @@ private Q_SLOTS:
         QVERIFY(rmsOf(std::span(heard).first(mixRateHz)) > 0.34);
     }
 
+    void theEngineGetsNoSecretOfTheOwner()
+    {
+        qputenv("VIS2HAP_PASSPHRASE", "Sekret1");
+        qputenv("PGPASSWORD", "Sekret2");
+        qputenv("OF_THE_LAB", "kept");
+        Speaking speaking(m_folder.path(), R"(env > "$folder/variables"; cp "$folder/tone.wav" "$7")");
+        speaking.heard({SpeechLanguage{"en"}, PlayPrompts{{SpokenText{"x"}}}});
+        for (const char* variable : {"VIS2HAP_PASSPHRASE", "PGPASSWORD", "OF_THE_LAB"}) qunsetenv(variable);
+        const QByteArray variables = speaking.read("variables");
+        QVERIFY(variables.contains("OF_THE_LAB=kept"));
+        QVERIFY(!variables.contains("Sekret") && !variables.contains("PGPASSWORD"));
+    }
+
     void theMainLanguageStandsInForItsVariant()
     {
         Speaking speaking(m_folder.path(), R"([ "$4" = zh ] && cp "$folder/tone.wav" "$7")");

@@ -1,6 +1,7 @@
 // A recorded session, exported as a script, stores the same rows when it is replayed on a twin of its study.
 #include "study/players/session_script.h"
 
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 #include <nlohmann/json.hpp>
@@ -190,6 +191,26 @@ private Q_SLOTS:
         }
         QCOMPARE(said.isEmpty(), fault.isEmpty());
         QVERIFY2(said.contains(fault), qPrintable(said));
+    }
+
+    void aRefusedAnswerNamesItsTrial()
+    {
+        EngineSession recorded(m_engine.study(newPath()), "S01");
+        recorded.playToEnd();
+        const auto out = newPath();
+        std::filesystem::create_directory(out);
+        auto script = nlohmann::ordered_json::parse(scriptOf(recorded.rows(), out));
+        script["answers"][7]["answer"] = 11;
+        EngineSession twin(m_engine.study(newPath()), "S01");
+        QString said;
+        try {
+            replay(script.dump(), twin);
+        } catch (const protocols::Error& error) {
+            QCOMPARE(error.exitCode(), protocols::ExitCode::BadInput);
+            said = error.what();
+        }
+        QVERIFY2(said.contains("not on the scale") && said.contains(QRegularExpression("exported: S01, trial 7 \\(\\w+\\), Q3")),
+                 qPrintable(said));
     }
 };
 

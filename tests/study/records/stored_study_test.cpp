@@ -339,7 +339,10 @@ private Q_SLOTS:
         {
             database::StudyStore store(folder, database::StudyStore::Access::Write);
             QVERIFY(store.faults().empty());
-            store.setSlotState(protocols::ParticipantId("S04"), database::SlotState::Finished);
+            database::StudyStore::Append end;
+            end.event = {0, protocols::ParticipantId("S04"), 1, "debriefed", "{}", 1, "2026-01-01T10:00:00.000Z"};
+            end.slotState = database::SlotState::Finished;
+            store.append(end);
             QCOMPARE(store.faults(), std::vector<std::string>{"participant S04 is finished without 1 answer of the list"});
         }
         const reports::StudyData data = maskedData(folder);

@@ -11,7 +11,9 @@
 #include "database/evidence/finger_records.h"
 #include "protocols/files/errors.h"
 #include "protocols/random.h"
+#include "study/session/session_record.h"
 #include "tests/support/server/engine_session.h"
+#include "tests/support/whole_protocol.h"
 
 using namespace study::session;
 using namespace tests::support;
@@ -53,9 +55,9 @@ class DriverTest : public QObject {
     EngineUnderTest m_engine;
     int m_studies = 0;
 
-    database::StudyFolder newStudy()
+    database::StudyFolder newStudy(const StudyRecipe& recipe = {})
     {
-        return m_engine.study(m_place.filePath(QString("study%1").arg(++m_studies)).toStdString());
+        return m_engine.study(m_place.filePath(QString("study%1").arg(++m_studies)).toStdString(), recipe);
     }
 
 private Q_SLOTS:
@@ -295,6 +297,60 @@ private Q_SLOTS:
             session.driver->send(Debriefed{"\xEF\xBB\xBF"
                                            "fine"}));
         QVERIFY(!session.driver->send(Debriefed{"fine \xF0\x9F\x91\x8D"}));
+    }
+
+    /// What waits in a queue must be an entry that the server takes; a folder has the same bounds.
+    void aTextThatNoServerTakesIsRefused()
+    {
+        const auto folder = newStudy();
+        const std::string longest(database::longestText, 'x');
+        {
+            EngineSession session(folder, "S01");
+            session.playUntilAnswers(1);
+            const auto events = session.store->events(ParticipantId("S01")).size();
+            const QuestionId question = session.driver->plan().protocol.phases.front().questions.front().id;
+            const GivenAnswer right = session.driver->state().answers.back().response;
+            for (const EventBody& body :
+                 {EventBody(Noted{longest + "x"}), EventBody(Voided{longest + "x"}), EventBody(WithdrawnEvent{longest + "x"}),
+                  EventBody(Corrected{question, right, longest + "x"})}) {
+                const auto refusal = session.driver->send(body);
+                QVERIFY(refusal && refusal->reason.find("longer than 100,000 bytes") != std::string::npos);
+            }
+            QCOMPARE(session.store->events(ParticipantId("S01")).size(), events);
+            session.send(Noted{longest});
+            if (EngineUnderTest::isServer()) return;
+            database::SessionStore::Append earlier;  // from a version without the bounds
+            earlier.event = session.store->events(ParticipantId("S01")).back();
+            earlier.event.payloadJson = "{\"text\":\"" + longest + longest + "\"}";
+            session.store->append(earlier);
+        }
+        EngineSession session(folder, "S01");
+        session.playToEnd();
+        QVERIFY(session.rows().faults().empty());
+    }
+
+    /// No text of these entries is too long. The hashes of facts come into a payload only when it is stored.
+    void anEntryThatNoServerTakesIsRefused()
+    {
+        EngineSession session(newStudy(wholeStudy()), "S01");
+        const auto isRefused = [&](const EventBody& body) {
+            const auto refusal = session.driver->send(body);
+            return refusal && refusal->reason.find("The entry is too long") != std::string::npos;
+        };
+        FactsGiven given;
+        for (int fact = 0; fact < 6000; ++fact) given.facts[std::to_string(fact) + std::string(80, 'x')] = "right";
+        QVERIFY(payloadJson(given).size() < database::longestPayload);
+        ChecklistDone read;
+        for (int reading = 0; reading < 9; ++reading) read.readings[std::to_string(reading)] = std::string(99'000, 'x');
+        session.stepUntil("AskingFacts");
+        QVERIFY(isRefused(given));
+        session.stepUntil("CheckingList");
+        ChecklistDone more = read;
+        for (int reading = 9; reading < 11; ++reading) more.readings[std::to_string(reading)] = std::string(99'000, 'x');
+        QVERIFY(isRefused(more));
+        session.send(read);
+        session.playToEnd();
+        QVERIFY(session.rows().faults().empty());
     }
 
     void aDisplayThatFailsPausesTheSessionAndLosesNothing()

@@ -52,6 +52,8 @@ SessionFacts factsOf(const Protocol& protocol)
     facts.secondEntry = protocol.secondEntry;
     facts.confirmPieces = protocol.confirmPieces;
     for (const auto& [key, text] : protocols::usualParticipantTexts()) facts.said[key] = participantText(protocol, key);
+    facts.hasOwnLowEnd = hasOwnText(protocol, "card_low", "scale_low");
+    facts.hasOwnHighEnd = hasOwnText(protocol, "card_high", "scale_high");
     return facts;
 }
 

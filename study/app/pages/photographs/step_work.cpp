@@ -1,5 +1,6 @@
 #include "study/app/pages/photographs/step_work.h"
 
+#include <QPointer>
 #include <QWidget>
 #include <stdexcept>
 
@@ -13,7 +14,7 @@ StepStopped::StepStopped() : std::runtime_error(StepWork::tr("Stopped. Nothing w
 void StepWork::run(MessageBar& message, const QString& doing, Step step)
 {
     if (m_work.isBusy()) return;
-    QWidget* from = m_page.focusWidget();
+    const QPointer<QWidget> from = m_page.focusWidget();  // a step takes minutes, and the page may replace its controls
     m_work.run(
         [this, &message, step = std::move(step)](const std::atomic<bool>& isStopping) -> InBackground::Then {
             const auto progress = [this, &message, &isStopping](double fraction, const std::string& what) {

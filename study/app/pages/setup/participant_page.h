@@ -28,7 +28,6 @@ public:
     void present();
     void focusFirst();
     void closeWindow();
-    bool isWindowOpen() const { return m_window != nullptr; }
 
 Q_SIGNALS:
     void backRequested();

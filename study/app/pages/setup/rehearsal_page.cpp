@@ -109,12 +109,20 @@ void RehearsalPage::begin(const QStringList& pieces)
     m_message->clearMessage();
 }
 
-void RehearsalPage::refresh(const Room& room)
+void RehearsalPage::showRoom(const QString& displayName, const QString& diskFault)
 {
-    m_room = room;
-    m_state.displayIsThere = !room.displayName.isEmpty();
-    m_state.diskFault = room.diskFault;
-    m_state.clockFault = room.clockFault;
+    m_displayName = displayName;
+    m_state.displayIsThere = !displayName.isEmpty();
+    m_state.diskFault = diskFault;
+    m_state.clockFault = tr("The clock was not compared with the study.");
+    show();
+}
+
+void RehearsalPage::refresh(const Study& study)
+{
+    m_study = study;
+    m_state.clockFault = study.clockFault;
+    m_message->clearFault();
     show();
 }
 
@@ -135,7 +143,7 @@ void RehearsalPage::readPiece()
     m_message->standBelow(*m_piece);
     if (m_state.piecesLeft.removeOne(code))
         m_message->showDone(tr("%1 is there.").arg(code));
-    else if (m_room.pieces.contains(code))
+    else if (m_study.pieces.contains(code))
         m_message->showHint(tr("%1 was read before.").arg(code));
     else
         m_message->showHint(tr("%1 is no code of this study. Read the label on the piece.").arg(code));
@@ -144,9 +152,9 @@ void RehearsalPage::readPiece()
 
 void RehearsalPage::show()
 {
-    m_display->setText(m_state.displayIsThere ? tr("Display: %1 is connected.").arg(shortName(m_room.displayName))
+    m_display->setText(m_state.displayIsThere ? tr("Display: %1 is connected.").arg(shortName(m_displayName))
                                               : tr("No display is connected. Choose one on the page of the display."));
-    m_display->setToolTip(fullName(m_room.displayName));
+    m_display->setToolTip(fullName(m_displayName));
     m_felt->setEnabled(m_state.displayIsThere);
     const QString left = m_state.piecesLeft.join(listMark());
     m_pieces->setText(m_state.piecesLeft.isEmpty()
@@ -162,7 +170,7 @@ void RehearsalPage::show()
                                                      "Its images are patterns, not those of the study."));
     const QStringList missing = m_state.missing();
     setRole(*m_result, missing.isEmpty() ? "done" : "hint");
-    m_result->setText(missing.isEmpty() ? tr("Ready for %1.").arg(m_room.nextParticipant)
+    m_result->setText(missing.isEmpty() ? tr("Ready for %1.").arg(m_study.nextParticipant)
                                         : tr("Still missing: %1.").arg(missing.join(listMark())));
 }
 

@@ -21,16 +21,17 @@ class RehearsalPage : public QWidget {
 public:
     explicit RehearsalPage(QWidget* parent);
 
-    struct Room {
+    struct Study {
         QString nextParticipant;
-        QString displayName;  ///< empty: no display is connected
-        QStringList pieces;   ///< codes on the fabric pieces
-        QString diskFault, clockFault;
+        QStringList pieces;  ///< codes on the fabric pieces
+        QString clockFault;
     };
-    /// Forgets what was tried before. refresh() follows. `pieces`: codes on the fabric pieces.
+    /// Forgets what was tried before. showRoom() and refresh() follow. `pieces`: codes on the fabric pieces.
     void begin(const QStringList& pieces);
-    /// The display, the disk and the clocks now; what was tried stays.
-    void refresh(const Room& room);
+    /// What is known where the study cannot be read, too; what was tried stays. `displayName`: empty if no display is connected.
+    void showRoom(const QString& displayName, const QString& diskFault);
+    /// What the study tells now. A fault that the page showed is over.
+    void refresh(const Study& study);
     /// The session was left. `isWhole`: it was played to its end.
     void sessionLeft(bool isWhole);
     void showFault(const QString& text);
@@ -40,7 +41,7 @@ public:
 Q_SIGNALS:
     void sessionRequested();
     void displayRequested();
-    void checksRequested();  ///< asks for refresh()
+    void checksRequested();  ///< asks for showRoom() and refresh()
     void backRequested();
 
 protected:
@@ -52,7 +53,8 @@ private:
     void show();
 
     RehearsalState m_state;
-    Room m_room;
+    Study m_study;
+    QString m_displayName;
     QLabel* m_display;
     QLabel* m_pieces;
     QLineEdit* m_piece;

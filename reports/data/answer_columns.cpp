@@ -14,14 +14,6 @@
 namespace reports {
 namespace {
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-
-/// "Q2" and the like need no protocol to be known as questions.
-bool isUsualName(const std::string& name)
-{
-    return name.size() >= 2 && name[0] == 'Q' && std::all_of(name.begin() + 1, name.end(), isDigit);
-}
-
 /// "Q1_seconds" -> "Q1" for the suffix "_seconds".
 std::optional<std::string> stem(const std::string& name, const std::string& suffix)
 {
@@ -155,9 +147,9 @@ private:
             question(*timed).time = index;
         else if (const auto answered = stem(name, "_answer"))
             question(*answered).answer = index;
-        else if (isUsualName(name) || inProtocol(name) != nullptr)
+        else if (isUsualQuestion(name) || inProtocol(name) != nullptr)
             setValueColumn(name, index, openKind(name, index));
-        else if (const std::size_t end = name.find('_'); end != std::string::npos && isUsualName(name.substr(0, end)))
+        else if (const std::size_t end = name.find('_'); end != std::string::npos && isUsualQuestion(name.substr(0, end)))
             fail("the column \"" + name + "\" is unknown", m_place,
                  "a question such as " + name.substr(0, end) + ", alone or with _correct, _seconds, _answer, _trial or _sitting");
         else if (!isOfExport(name))

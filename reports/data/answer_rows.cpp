@@ -63,10 +63,12 @@ void readWordsForMarks(CsvTable& table)
     }
 }
 
-/// A table of one question may leave its name out.
+/// A table of one question may leave its name out. One whose columns name questions is wide: its `rating` is of something else.
 void nameTheOnlyQuestion(CsvTable& table)
 {
-    if (table.column("question") || table.column("correct").has_value() == table.column("rating").has_value()) return;
+    const bool isWide = std::ranges::any_of(
+        table.columns, [](const std::string& name) { return isUsualQuestion(name) || name.ends_with("_correct"); });
+    if (isWide || table.column("question") || table.column("correct").has_value() == table.column("rating").has_value()) return;
     table.columns.emplace_back("question");
     for (auto& row : table.rows) row.emplace_back("Q1");
 }

@@ -50,7 +50,9 @@ std::string idIn(std::string_view text)
 bool isExport(const CsvTable& table)
 {
     const auto has = [&](const char* column) { return table.column(column).has_value(); };
-    if (has("answer_begun_at") && has("stored_at") && has(trayColumn) && has("touched_by") && has("corrections")) return true;
+    const bool isStored = has("stored_at") && has("touched_by") && has("corrections");
+    if (isStored && has(trayColumn) && has("answer_begun_at")) return true;
+    if (isStored && has("question") && has("voided") && holdsTrays(table)) return true;
     return has("question") && namesStates(table) && holdsTrays(table);
 }
 
@@ -65,6 +67,12 @@ bool namesAnchors(const CsvTable& table)
 bool namesStates(const CsvTable& table) { return holdsOnly(table, stateColumn, {"started", "finished", "withdrawn"}); }
 
 bool namesKinds(const CsvTable& table) { return holdsOnly(table, kindColumn, {"human", "scripted", "simulated"}); }
+
+bool isUsualQuestion(std::string_view name)
+{
+    return name.size() >= 2 && name[0] == 'Q' &&
+           std::all_of(name.begin() + 1, name.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
 
 std::vector<std::string> piecesIn(std::string_view list)
 {

@@ -15,7 +15,8 @@ inline constexpr const char* stateColumn = "state";
 inline constexpr const char* kindColumn = "kind";
 
 /// Whether the table is `answers.csv` of this program, also a public one, which has no times of day. Either it has the columns
-/// that only an export has together, or, where somebody took some of them out, its states and its trays are those of an export.
+/// that only an export has together (those of versions before 0.7.0 had fewer), or, where somebody took some of them out, its
+/// states and its trays are those of an export.
 bool isExport(const protocols::CsvTable& table);
 
 /// Whether `anchor` holds only kinds of anchors and missing values.
@@ -26,6 +27,9 @@ bool namesStates(const protocols::CsvTable& table);
 
 /// Whether `kind` holds only human, scripted and simulated, as in an export.
 bool namesKinds(const protocols::CsvTable& table);
+
+/// Whether a column is called "Q2" and the like, which needs no protocol to be known as a question.
+bool isUsualQuestion(std::string_view name);
 
 /// The pieces in a list as an export writes it: ["F02","F01"] has F02 and F01. Ids hold no commas. Empty for any other text.
 std::vector<std::string> piecesIn(std::string_view list);

@@ -88,6 +88,22 @@ private Q_SLOTS:
         QVERIFY(data.questions[1].kind == protocols::AnswerKind(protocols::Rating{}));
     }
 
+    /// Of a table of one question such a column is the question; beside others it is something else, such as a mood.
+    void aColumnCalledRatingTakesNoPlaceOfQuestions()
+    {
+        QTemporaryDir folder;
+        const auto file = written(folder,
+                                  "participant,fabric,condition,Q1_correct,Q2,rating\nP1,F1,a,1,5,70\nP1,F2,b,0,4,80\n"
+                                  "P2,F1,a,1,6,60\nP2,F2,b,1,3,90\n");
+        const auto data = reports::readAnswersCsv(file);
+        QCOMPARE(data.questions.size(), std::size_t{2});
+        QVERIFY(data.questions[0].id == "Q1" && data.questions[1].id == "Q2");
+        QCOMPARE(data.responses.size(), std::size_t{8});
+        QVERIFY2(notesOn(file).contains("not analysed: rating"), qPrintable(notesOn(file)));
+        const auto one = written(folder, "participant,fabric,condition,rating\nP1,F1,a,7\nP2,F1,a,8\n");
+        QCOMPARE(reports::readAnswersCsv(one).questions.size(), std::size_t{1});
+    }
+
     /// Of a question its own column counts, then that of the row, then the order of the sessions.
     void trialsAndSittingsAreRead()
     {

@@ -133,6 +133,18 @@ private Q_SLOTS:
             if (key != "data" && key != "same_sensitivity") QVERIFY2(holds(statistics, Json{{key, value}}), key.c_str());
     }
 
+    /// Its answers.csv has fewer columns than those of today; catch trials and trays are in it all the same.
+    void anExportOfThatTimeGivesTheNumbersOfTheStudy()
+    {
+        mustRun({"report", at("finished"), "--out", at("out"), "--page-only"});
+        mustRun({"report", "--from", kept("finished-answers.csv"), "--protocol", at("finished/protocol.json"), "--out",
+                 at("table"), "--page-only"});
+        const Json own = jsonOf(at("out/results.json")), read = jsonOf(at("table/results.json"));
+        for (const char* part : {"conditions", "questions", "comparisons", "equivalence", "claims", "above_chance", "omnibus",
+                                 "speed_accuracy", "quality"})
+            QVERIFY2(own.contains(part) && read.contains(part) && read.at(part) == own.at(part), part);
+    }
+
     void aPlanCanBeRegisteredLate()
     {
         const auto done = mustRun({"study", "preregister", at("finished")});

@@ -380,7 +380,9 @@ const RatingScale* memorisedScaleOf(const Protocol& protocol)
 std::string participantText(const Protocol& protocol, std::string_view key)
 {
     const auto own = protocol.participantTexts.find(std::string(key));
-    return own != protocol.participantTexts.end() ? own->second : usualParticipantTexts(protocol.language).find(key)->second;
+    if (own != protocol.participantTexts.end()) return own->second;
+    const std::string ofOwnEnds = textFromOwnEnds(protocol, key);
+    return ofOwnEnds.empty() ? usualParticipantTexts(protocol.language).find(key)->second : ofOwnEnds;
 }
 
 bool isPromptKey(const Protocol& protocol, std::string_view key)

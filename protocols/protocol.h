@@ -179,7 +179,8 @@ std::pair<double, double> usualBoundsOf(const std::vector<Phase>& phases);
 /// The scale that the participants memorise: that of the first phase with ratings; null where nothing is rated.
 const RatingScale* memorisedScaleOf(const Protocol& protocol);
 
-/// The sentence for the participant with this key: the protocol's, or the usual one. `key` is one of usualParticipantTexts().
+/// The sentence for the participant with this key: the protocol's, one from its own texts for the ends of the scale
+/// (textFromOwnEnds()), or the usual one. `key` is one of usualParticipantTexts().
 std::string participantText(const Protocol& protocol, std::string_view key);
 
 /// Whether a recording can have this key: "wait", "feel", "break", "end", "same", "different", "point"; "question_ID" for a

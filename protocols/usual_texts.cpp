@@ -148,6 +148,44 @@ std::string choiceText(const UsualTexts& texts, const AnswerKind& task)
 
 constexpr const char* paperIds[] = {"Q1", "Q2", "Q3", "Q4"};
 
+/// Keys of the texts about one end of the scale.
+struct KeysOfEnd {
+    const char *atLine, *onCard, *spoken;
+};
+
+constexpr KeysOfEnd keysOfLow{"scale_low", "card_low", "say_unrelated"}, keysOfHigh{"scale_high", "card_high", "say_same"};
+
+/// The number and the protocol's own text for this end; empty where it has none. `number` is a name in braces.
+std::string ownTextOf(const Protocol& protocol, const KeysOfEnd& end, const std::string& number)
+{
+    const TextsByKey own(protocol.participantTexts.begin(), protocol.participantTexts.end());
+    if (own.contains(end.atLine)) return number + " " + valueOf(own, end.atLine);
+    return filledText(own.contains(end.onCard) ? valueOf(own, end.onCard) : "", {{"number", number}});
+}
+
+/// Stands for "say_ends". An end without a text of its own has its usual words.
+std::string bothEndsFrom(const Protocol& protocol)
+{
+    std::string low = ownTextOf(protocol, keysOfLow, "{low}"), high = ownTextOf(protocol, keysOfHigh, "{high}");
+    if (low.empty() && high.empty()) return {};
+    if (low.empty()) low = "{low} " + participantText(protocol, keysOfLow.atLine);
+    if (high.empty()) high = "{high} " + participantText(protocol, keysOfHigh.atLine);
+    const UsualTexts& texts = usualTexts(protocol.language);
+    const bool isSentence = low.ends_with(".") || low.ends_with("。");
+    return low + valueOf(isSentence ? texts.instructions : texts.letters, "between") + high;
+}
+
+/// Whether a rating has numbers only, so that texts describe its ends.
+bool hasScaleOfNumbers(const Protocol& protocol)
+{
+    return std::ranges::any_of(protocol.phases, [](const Phase& phase) {
+        return std::ranges::any_of(phase.questions, [](const Question& question) {
+            const auto* rating = std::get_if<Rating>(&question.kind);
+            return rating != nullptr && rating->scale.labels.empty();
+        });
+    });
+}
+
 }  // namespace
 
 UsualTexts usualTextsFromJson(std::string_view text, const std::string& where)
@@ -273,6 +311,32 @@ std::string usualInstructionText(const BlockInstruction& instruction, std::strin
 }
 
 const TextsByKey& usualParticipantTexts(std::string_view language) { return usualTexts(language).participant; }
+
+std::string textFromOwnEnds(const Protocol& protocol, std::string_view key)
+{
+    if (key == "say_ends") return bothEndsFrom(protocol);
+    for (const KeysOfEnd& end : {keysOfLow, keysOfHigh})
+        if (key == end.onCard || key == end.spoken) return ownTextOf(protocol, end, "{number}");
+    return {};
+}
+
+std::string noteOnOwnEnds(const Protocol& protocol)
+{
+    std::string own, missing;
+    const auto sort = [&](const char* key) {
+        std::string& list = protocol.participantTexts.contains(key) ? own : missing;
+        list += (list.empty() ? "" : ", ") + std::string(key);
+    };
+    const auto isOwn = [&](const KeysOfEnd& end) { return !ownTextOf(protocol, end, "{number}").empty(); };
+    for (const KeysOfEnd& end : {keysOfLow, keysOfHigh})
+        if (isOwn(end))
+            for (const char* key : {end.atLine, end.onCard, end.spoken}) sort(key);
+    if (own.empty() || !hasScaleOfNumbers(protocol)) return {};
+    sort("say_ends");
+    if (missing.empty()) return {};
+    return "participant_texts: the study has its own " + own + ", but no " + missing +
+           "; write them, too, so that every text describes the same ends of the scale";
+}
 
 std::set<std::string> placeholdersIn(std::string_view text)
 {

@@ -75,6 +75,13 @@ std::string usualInstructionText(const BlockInstruction& instruction, std::strin
 /// may replace each by "participant_texts".
 const TextsByKey& usualParticipantTexts(std::string_view language = "en");
 
+/// What stands for a sentence about an end of the scale where the protocol has no such sentence but texts of its own for the
+/// ends: "{number} rough as bark" for "say_unrelated". Empty for other keys, and where the end is the usual one.
+std::string textFromOwnEnds(const Protocol& protocol, std::string_view key);
+
+/// Which texts are missing beside the protocol's own texts for the ends of a scale of numbers. Empty if there are none.
+std::string noteOnOwnEnds(const Protocol& protocol);
+
 /// The names in braces in a text: "{count} of {needed}" gives "count" and "needed".
 std::set<std::string> placeholdersIn(std::string_view text);
 

@@ -1,5 +1,6 @@
 #include "database/server/server_progress.h"
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -15,6 +16,16 @@ using namespace std::chrono_literals;
 constexpr auto progressPatience = 4000ms;
 
 }  // namespace
+
+std::set<int> heldPlaces(const ServerProgress& progress)
+{
+    std::map<int, SlotState> last;  // a free place comes last
+    for (const PlaceSeen& place : progress.places) last[place.slot] = place.state;
+    std::set<int> held;
+    for (const auto& [place, state] : last)
+        if (state == SlotState::Withdrawn) held.insert(place);
+    return held;
+}
 
 ServerProgress progressOf(const ServerAddress& address)
 {

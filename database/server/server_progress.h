@@ -5,6 +5,7 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,9 @@ struct ServerProgress {
     int free = 0, started = 0, finished = 0, withdrawn = 0, answers = 0;
     std::string head;
 };
+
+/// Places that the server gives to nobody before the study's owner releases them: who had them last withdrew, and none is free.
+std::set<int> heldPlaces(const ServerProgress& progress);
 
 /// Waits for the server. Throws the errors of ServerConnection.
 ServerProgress progressOf(const ServerAddress& address);

@@ -54,7 +54,9 @@ void RehearsalRoom::show()
 
 void RehearsalRoom::present(const QString& displayName)
 {
-    m_pages.rehearsal->showRoom(displayName, faultOfDisk(m_openStudy->store().folder().folder));
+    const database::StudyFolder& folder = m_openStudy->store().folder();
+    const QString fault = faultOfDatabase(folder.database());
+    m_pages.rehearsal->showRoom(displayName, fault.isEmpty() ? faultOfDisk(folder.folder) : fault);
     const auto refresh = [&] {
         m_pages.rehearsal->refresh(
             {m_openStudy->overview().nextParticipant, m_openStudy->codesOnPieces(), faultOfClocks(m_openStudy->lastWallTime())});

@@ -75,6 +75,7 @@ void SessionRoom::begin(OpenStudy& study, const protocols::ParticipantId& partic
     connectController();
     SessionFacts facts = m_controller->facts();
     facts.isRehearsal = &study != m_openStudy.get();
+    facts.isAtStation = study.isAtStation();
     facts.keys = m_pages.keys->keys();
     facts.mmPerPixel = m_displayChoice.mmPerPixel();
     m_pages.session->begin(facts);

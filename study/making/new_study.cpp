@@ -11,6 +11,7 @@
 #include "protocols/files/safe_text.h"
 #include "protocols/files/sha256.h"
 #include "protocols/orders/allocation.h"
+#include "protocols/usual_texts.h"
 #include "rendering/display/stimulus_bank.h"
 #include "study/analyse/power/planned_power.h"
 #include "study/making/made_with.h"
@@ -167,6 +168,7 @@ MadeStudy makeStudy(const NewStudy& request, const StudyProgress& progress)
     noteImages(images, made);
     if (std::string warning = analyse::boundsWarning(material.protocol); !warning.empty())
         made.warnings.push_back(std::move(warning));
+    if (std::string note = protocols::noteOnOwnEnds(material.protocol); !note.empty()) made.warnings.push_back(std::move(note));
     begin("images for familiarisation");
     const FamiliarisationImages familiarisation = familiarisationFor(request, material);
 

@@ -9,6 +9,8 @@
 #include <set>
 #include <utility>
 
+#include "database/disk/server_note.h"
+#include "database/server/server_progress.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/safe_text.h"
 #include "protocols/files/strict_json.h"
@@ -56,8 +58,18 @@ ordered_json answersOf(const protocols::ParticipantId& participant, const Counts
             {"flagged", own.flagged}};
 }
 
+/// Slots of a study on a server that its owner has to release.
+std::set<int> heldSlotsOf(const database::StudyStore& store)
+{
+    if (store.serverFolder().empty()) return {};
+    const auto note = database::readServerNote(store.serverFolder());
+    if (!note) return {};
+    return heldPlaces(database::progressOf(database::serverAddressFrom(note->address)));
+}
+
 ordered_json slotsOf(const database::StudyStore& store, const CountsByParticipant& counts)
 {
+    const std::set<int> held = heldSlotsOf(store);
     ordered_json rows = ordered_json::array();
     for (const auto& slot : store.slots()) {
         ordered_json row{{"slot", slot.number}, {"state", nameOf(slot.state)}};
@@ -65,6 +77,8 @@ ordered_json slotsOf(const database::StudyStore& store, const CountsByParticipan
             row["participant"] = slot.participant.value;
             row["kind"] = nameOf(slot.kind);
             row.update(answersOf(slot.participant, counts));
+        } else if (held.contains(slot.number)) {
+            row["held"] = true;
         }
         rows.push_back(row);
     }
@@ -115,7 +129,8 @@ std::string peopleText(const ordered_json& status)
     const int expected = status["answers_per_participant"];
     for (const auto& slot : status["slots"]) {
         if (slot["state"] == "free") {
-            text += line("  slot %2d  free\n", slot["slot"].get<int>());
+            text += line("  slot %2d  %s\n", slot["slot"].get<int>(),
+                         slot.contains("held") ? "waits for the owner: `vis2hap server roles ADDRESS --release-held`" : "free");
             continue;
         }
         text += line("  slot %2d  %-8s %-9s %-9s %d of %d answers, %d presentations voided, %d corrected, %d flagged\n",
@@ -124,8 +139,8 @@ std::string peopleText(const ordered_json& status)
                      slot["corrected"].get<int>(), slot["flagged"].get<int>());
     }
     for (const auto& one : status["withdrawn"])
-        text += line("  withdrew: %s (slot %d, %d answers, not analysed; the slot is free again or in use)\n",
-                     word(one, "participant").c_str(), one["slot"].get<int>(), one["answers"].get<int>());
+        text += line("  withdrew: %s (slot %d, %d answers, not analysed)\n", word(one, "participant").c_str(),
+                     one["slot"].get<int>(), one["answers"].get<int>());
     return text;
 }
 

@@ -147,6 +147,53 @@ private Q_SLOTS:
         QCOMPARE(keptProtocolFromJson(json, "a study", "0.5.0").phases[0].questions[0].text, paperWordingOf(QuestionId("Q2")));
     }
 
+    void ownEndsOfTheScaleReplaceTheUsualOnes_data()
+    {
+        QTest::addColumn<QString>("own");
+        QTest::addColumn<QString>("low");
+        QTest::addColumn<QString>("ends");
+        QTest::addColumn<QString>("missing");
+        const QString usualLow = "These two are unrelated. This is {number}.";
+        QTest::newRow("none") << "" << usualLow << "{low} means unrelated. {high} means totally the same."
+                              << "";
+        QTest::newRow("line") << R"("scale_low": "rough", "scale_high": "soft")"
+                              << "{number} rough"
+                              << "{low} rough, {high} soft"
+                              << "card_low, say_unrelated, card_high, say_same, say_ends";
+        QTest::newRow("one end") << R"("scale_high": "soft")" << usualLow << "{low} unrelated, {high} soft"
+                                 << "card_high, say_same, say_ends";
+        QTest::newRow("card") << R"("card_low": "{number} is rough.")"
+                              << "{number} is rough."
+                              << "{low} is rough. {high} totally the same"
+                              << "scale_low, say_unrelated, say_ends";
+        QTest::newRow("all of one end")
+            << R"("scale_low": "rough", "card_low": "{number} a", "say_unrelated": "{number} b", "say_ends": "{low} c {high}")"
+            << "{number} b"
+            << "{low} c {high}"
+            << "";
+        QTest::newRow("spoken only") << R"("say_unrelated": "{number} b")"
+                                     << "{number} b"
+                                     << "{low} means unrelated. {high} means totally the same."
+                                     << "";
+    }
+    void ownEndsOfTheScaleReplaceTheUsualOnes()
+    {
+        QFETCH(const QString, own);
+        QFETCH(const QString, low);
+        QFETCH(const QString, ends);
+        QFETCH(const QString, missing);
+        const std::string json = R"({"schema": "vis2hap.protocol/1", "name": "a", "participants": 2, "fabrics": 4,
+ "conditions": ["h"], "participant_texts": {)" +
+                                 own.toStdString() + R"(}, "phases": [{"questions": ["Q2"], "scale": {"min": 0, "max": 10}}]})";
+        Protocol protocol = protocolFromJson(json, "ends");
+        QCOMPARE(QString::fromStdString(participantText(protocol, "say_unrelated")), low);
+        QCOMPARE(QString::fromStdString(participantText(protocol, "say_ends")), ends);
+        const QString note = QString::fromStdString(noteOnOwnEnds(protocol));
+        QCOMPARE(note.section(", but no ", 1).section("; ", 0, 0), missing);
+        protocol.phases.clear();
+        QCOMPARE(noteOnOwnEnds(protocol), std::string());  // no scale of numbers
+    }
+
     void thePapersStudyIsMadeInEachLanguage()
     {
         const Protocol english = protocolFromJson(paperProtocolIn("en"), "en");

@@ -1,8 +1,6 @@
 #include "study/app/monitoring/server_monitor.h"
 
 #include <QTimer>
-#include <map>
-#include <set>
 
 #include "database/disk/server_note.h"
 #include "database/server/study_move.h"
@@ -36,21 +34,10 @@ QString wordOfState(database::SlotState state)
     return {};
 }
 
-/// Places that the server gives to nobody before the study's owner releases them: who had them last withdrew, and none is free.
-std::set<int> heldPlaces(const database::ServerProgress& progress)
-{
-    std::map<int, database::SlotState> last;  // a free place comes last
-    for (const database::PlaceSeen& place : progress.places) last[place.slot] = place.state;
-    std::set<int> held;
-    for (const auto& [place, state] : last)
-        if (state == database::SlotState::Withdrawn) held.insert(place);
-    return held;
-}
-
 /// The study's own rows do not tell which places the server holds back.
 void markHeldPlaces(MonitorOverview& overview, const database::ServerProgress& progress)
 {
-    auto held = heldPlaces(progress);
+    auto held = database::heldPlaces(progress);
     std::erase_if(overview.rows, [&](const MonitorOverview::ParticipantRow& row) {
         return row.state == database::SlotState::Free && held.contains(row.place);
     });
@@ -75,7 +62,7 @@ MonitorOverview overviewOf(const database::ServerProgress& progress)
     return seen;
 }
 
-/// `age`: time since this reply; `isOld`: later questions had no reply.
+/// Also of earlier connections whose entries may still wait. `age`: time since this reply; `isOld`: later questions had no reply.
 std::vector<MonitorOverview::StationRow> stationRows(const database::ServerProgress& progress, std::chrono::seconds age,
                                                      bool isOld)
 {
@@ -87,6 +74,13 @@ std::vector<MonitorOverview::StationRow> stationRows(const database::ServerProgr
                         : one.isLost() ? Contact::Lost
                                        : Contact::Connected,
                         one.lastSeenSeconds + static_cast<int>(age.count()), one.waiting, QString::fromStdString(one.program)});
+    for (const database::OwedSeen& one : progress.owed)
+        rows.push_back({QString::fromStdString(one.station),
+                        QString::fromStdString(one.participant),
+                        Contact::Lost,
+                        std::nullopt,
+                        one.waiting,
+                        {}});
     return rows;
 }
 

@@ -32,6 +32,7 @@ FamiliarisationPage::FamiliarisationPage(QWidget* parent)
     actions->setSpacing(20);
     actions->addWidget(m_action);
     actions->addWidget(m_shown, 1);
+    actions->addStretch();  // where nothing is shown, the button keeps its width
     column->addLayout(actions);
     column->addStretch(1);
     connect(m_action, &QPushButton::clicked, this, [this] { Q_EMIT eventRequested(session::FamiliarisationDone{}); });

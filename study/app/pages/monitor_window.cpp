@@ -46,7 +46,7 @@ QStringList cellsOf(const MonitorOverview::StationRow& station)
             : station.contact == Contact::Lost ? MonitorWindow::tr("lost")
                                                : MonitorWindow::tr("unknown"),
             station.participant.isEmpty() ? QStringLiteral("–") : station.participant,
-            signText(station.secondsSinceSign),
+            station.secondsSinceSign ? signText(*station.secondsSinceSign) : QString(),
             isConnected ? QString::number(station.waiting) : MonitorWindow::tr("%1 at that time").arg(station.waiting),
             station.program};
 }
@@ -78,6 +78,7 @@ void buildTable(QTreeWidget& table, const char* objectName, const QString& acces
     table.setHeaderLabels(columns);
     table.header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table.header()->setFocusPolicy(Qt::NoFocus);
+    setType(*table.header(), Type::Small);
     table.setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
 }
 
@@ -94,6 +95,15 @@ QStringList cellsOf(const MonitorOverview::ParticipantRow& row)
             row.missing > 0 ? QString::number(row.missing) : QString(),
             row.voided > 0 ? QString::number(row.voided) : QString(),
             sinceText(row.minutesSinceEvent)};
+}
+
+/// `hasMissing`: the table shows how many answers are missing.
+QString footText(bool hasMissing)
+{
+    QStringList parts{MonitorWindow::tr("This window only reads the study. It updates every two seconds.")};
+    if (hasMissing) parts << MonitorWindow::tr("Missing: answers to voided presentations that have not been repeated yet.");
+    parts << MonitorWindow::tr("Close: Esc").replace(QLatin1Char(' '), QChar::Nbsp);
+    return parts.join(QStringLiteral("   ·   "));
 }
 
 QString sentenceOf(const MonitorFlag& flag)
@@ -120,16 +130,14 @@ MonitorWindow::MonitorWindow(const std::filesystem::path& study, const AppOption
       m_stations(new QTreeWidget(this)),
       m_flagsCaption(label("flagsCaption", Type::Lead, this, Weight::Bold)),
       m_flags(label("flags", Type::Body, this)),
+      m_hint(quietLabel("monitorHint", this, Type::Small)),
       m_message(new MessageBar("monitorMessage", this))
 {
     setObjectName("monitorWindow");
     if (!m_server) m_store = readMonitored(study);
     buildTables();
     m_flagsCaption->setText(tr("Flags"));
-    auto* hint = quietLabel("monitorHint", this, Type::Small);
-    hint->setText(
-        tr("This window only reads the study. It updates every two seconds.   ·   Missing: answers to voided "
-           "presentations that have not been repeated yet.   ·   Close: Esc"));
+    m_hint->setText(footText(false));
 
     auto* page = new QWidget(this);
     auto* column = new QVBoxLayout(page);
@@ -139,7 +147,7 @@ MonitorWindow::MonitorWindow(const std::filesystem::path& study, const AppOption
     column->addWidget(m_rows, 3);
     column->addWidget(m_stationsCaption);
     column->addWidget(m_stations, 2);
-    for (QWidget* part : {static_cast<QWidget*>(m_flagsCaption), static_cast<QWidget*>(m_flags), static_cast<QWidget*>(hint),
+    for (QWidget* part : {static_cast<QWidget*>(m_flagsCaption), static_cast<QWidget*>(m_flags), static_cast<QWidget*>(m_hint),
                           appearanceHint(page)})
         column->addWidget(part);
     auto* outer = new QVBoxLayout(this);
@@ -224,7 +232,7 @@ void MonitorWindow::presentStations(const std::vector<MonitorOverview::StationRo
         rows.push_back(cellsOf(station));
         isProgramKnown = isProgramKnown || !station.program.isEmpty();
     }
-    if (rows.empty()) rows.push_back({tr("none has joined")});
+    if (rows.empty()) rows.push_back({tr("none is connected")});
     fillTable(*m_stations, rows);
     m_stations->setColumnHidden(programColumn, !isProgramKnown);
     m_stations->setMinimumHeight(m_stations->fontMetrics().height() * 6);
@@ -247,6 +255,7 @@ void MonitorWindow::presentRows(const MonitorOverview& overview)
     for (const MonitorOverview::ParticipantRow& row : overview.rows) rows.push_back(cellsOf(row));
     fillTable(*m_rows, rows);
     for (const int column : columnsOfDetails) m_rows->setColumnHidden(column, !overview.isBlinded);
+    m_hint->setText(footText(overview.isBlinded.has_value()));
     m_rows->setMinimumHeight(m_rows->fontMetrics().height() * 9);
 }
 

@@ -57,6 +57,7 @@ private:
     QTreeWidget* m_stations;
     QLabel* m_flagsCaption;
     QLabel* m_flags;
+    QLabel* m_hint;
     MessageBar* m_message;
 };
 

@@ -118,12 +118,15 @@ void ReasonPanel::askWhyWithdrawn()
 {
     askForCode(true);
     offerUsualReasons(false);
+    const QString explanation =
+        m_isAtStation
+            ? tr("This ends the session of %1 permanently. The answers so far are kept, and the study's owner gives the place "
+                 "out again. To stop for today, press Esc and then Q. Which reason did the participant give?")
+            : tr("This ends the session of %1 permanently. The answers so far are kept, and another participant can take "
+                 "the place. To stop for today, press Esc and then Q. Which reason did the participant give?");
     m_event = [](const std::string& text) { return EventBody(session::WithdrawnEvent{text}); };
     open({.title = tr("The participant withdraws"),
-          .explanation =
-              tr("This ends the session of %1 permanently. The answers so far are kept, and another participant can take "
-                 "the place. To stop for today, press Esc and then Q. Which reason did the participant give?")
-                  .arg(m_participantCode),
+          .explanation = explanation.arg(m_participantCode),
           .caption = tr("Reason"),
           .action = tr("End the session (Enter)"),
           .hintWhenEmpty = tr("The participant need not give a reason. Press Enter again to end the session, Esc to go back.")});

@@ -12,7 +12,11 @@ class ReasonPanel : public FormPanel {
 public:
     explicit ReasonPanel(QWidget* parent);
 
-    void begin(const SessionFacts& facts) override { m_participantCode = facts.participant; }
+    void begin(const SessionFacts& facts) override
+    {
+        m_participantCode = facts.participant;
+        m_isAtStation = facts.isAtStation;
+    }
 
     void askForNote();
     /// Marks a presentation for inspection; the reason is optional. `presentation`: see askWhyVoid().
@@ -34,6 +38,7 @@ private:
     void offerUsualReasons(bool isOffered);
 
     QString m_participantCode;
+    bool m_isAtStation = false;
     QLineEdit* m_code;
     QWidget* m_codeCaption;
     QWidget* m_usual;  ///< buttons of the usual reasons for a void

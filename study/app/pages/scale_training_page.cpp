@@ -53,8 +53,8 @@ QLayout* ScaleTrainingPage::anchors()
     auto* row = new QHBoxLayout;
     row->setContentsMargins(0, 0, 0, 0);
     m_anchors->setLayoutDirection(Qt::LeftToRight);  // each end below its end of the line, in every language
-    m_lowAnchor->setAlignment(Qt::AlignLeft | Qt::AlignVCenter | Qt::AlignAbsolute);
-    m_highAnchor->setAlignment(Qt::AlignRight | Qt::AlignAbsolute);
+    m_lowAnchor->setAlignment(Qt::AlignLeft | Qt::AlignTop | Qt::AlignAbsolute);
+    m_highAnchor->setAlignment(Qt::AlignRight | Qt::AlignTop | Qt::AlignAbsolute);
     row->addWidget(m_lowAnchor, 1);
     row->addSpacing(40);
     row->addWidget(m_highAnchor, 1);

@@ -146,11 +146,14 @@ Guide finished(const View& view)
             .act = GuideAct::Leave};
 }
 
-Guide withdrawn(const View& view)
+Guide withdrawn(const View& view, const SessionFacts& facts)
 {
+    const QString ended =
+        facts.isAtStation
+            ? AppText::tr("The session has ended. Stored answers: %1. The study's owner gives this place out again.")
+            : AppText::tr("The session has ended. Stored answers: %1. Another participant can take this place.");
     return {.title = AppText::tr("The participant has withdrawn"),
-            .lead = AppText::tr("The session has ended. Stored answers: %1. Another participant can take this place.")
-                        .arg(countedAnswers(view).given),
+            .lead = ended.arg(countedAnswers(view).given),
             .steps = {AppText::tr("Thank the participant for coming."), headToNote(view)},
             .action = AppText::tr("Back to the study (Enter)"),
             .event = {},
@@ -170,7 +173,7 @@ struct GuideOfStage {
     std::optional<Guide> operator()(const Consenting&) const { return consent(facts); }
     std::optional<Guide> operator()(const OnBreak& onBreak) const { return breakGuide(onBreak, view); }
     std::optional<Guide> operator()(const Finished&) const { return finished(view); }
-    std::optional<Guide> operator()(const Withdrawn&) const { return withdrawn(view); }
+    std::optional<Guide> operator()(const Withdrawn&) const { return withdrawn(view, facts); }
 };
 
 }  // namespace

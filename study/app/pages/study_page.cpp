@@ -26,6 +26,11 @@ constexpr int numberColumn = 0, participantColumn = 1, stateColumn = 2, answersC
 /// Equal for codes that look alike: "p01" and "P01", or one letter that two keyboards write with different characters.
 QString lookOf(const QString& code) { return code.normalized(QString::NormalizationForm_KC).toCaseFolded(); }
 
+const QString releaseOption = QStringLiteral("--release-held");
+
+/// The same option with word joiners, so that no line ends within it.
+QString inOnePiece(QString option) { return option.replace(QLatin1Char('-'), QStringLiteral("-\u2060")); }
+
 QString noRehearsal()
 {
     return StudyPage::tr(
@@ -65,6 +70,7 @@ StudyPage::StudyPage(QWidget* parent)
     m_places->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_places->header()->setStretchLastSection(true);
     m_places->header()->setFocusPolicy(Qt::NoFocus);
+    setType(*m_places->header(), Type::Small);
     setType(*m_participant, Type::Lead, Weight::Bold);
     setType(*m_going, Type::Lead, Weight::Bold);
 
@@ -203,9 +209,10 @@ void StudyPage::refresh(const StudyOverview& overview)
         overview.placesIn(SlotState::Free) == 0 && overview.hasHeldPlace()
             ? tr("No place is free. Places of participants who withdrew wait for the study's owner, who gives them "
                  "out: vis2hap server roles ADDRESS --release-held. Then open the study again.")
+                  .replace(releaseOption, inOnePiece(releaseOption))
             : tr("Type a code, not the name of the person."));
     m_rehearsal->setEnabled(!overview.isAtStation);
-    m_rehearsal->setToolTip(overview.isAtStation ? noRehearsal() : QString());
+    m_rehearsal->setToolTip(overview.isAtStation ? fullName(noRehearsal()) : QString());
     const bool isNew = std::ranges::all_of(overview.places, [](const auto& place) { return place.state == SlotState::Free; });
     if (!isNew) m_remarks->clearMessage();
     showPlaces();
@@ -310,10 +317,13 @@ void StudyPage::enrol()
         m_message->showHint(tr("Type a code for the next participant, such as %1.").arg(m_overview.nextParticipant));
     else if (const std::string fault = isKnown ? std::string() : protocols::faultOfNewId(participant.toStdString());
              !fault.empty())
-        m_message->showHint(tr("This code %1. Type at most %2 letters and digits, such as %3.")
-                                .arg(inOwnLanguage(fault))
-                                .arg(protocols::longestId)
-                                .arg(m_overview.nextParticipant));
+        m_message->showHint(
+            protocols::faultOfId(participant.toStdString()).empty()
+                ? tr("This code %1. Type another code, such as %2.").arg(inOwnLanguage(fault), m_overview.nextParticipant)
+                : tr("This code %1. Type at most %2 letters and digits, such as %3.")
+                      .arg(inOwnLanguage(fault))
+                      .arg(protocols::longestId)
+                      .arg(m_overview.nextParticipant));
     else if (isKnown && alike->state == SlotState::Withdrawn)
         m_message->showHint(tr("%1 has withdrawn. Type another code.").arg(alike->participant));
     else if (isKnown)
@@ -334,6 +344,7 @@ void StudyPage::offerRehearsal(bool isOffered) { m_rehearsal->setVisible(isOffer
 void StudyPage::askForRehearsal()
 {
     if (m_rehearsal->isEnabled()) return m_rehearsal->click();
+    m_message->clearMessage();  // so that the same words come into view again
     m_message->standBelow(*m_summary);
     m_message->showHint(noRehearsal());
 }
@@ -360,8 +371,10 @@ void StudyPage::focusFirst()
         m_going->setFocus();
     else if (m_participant->isEnabled())
         m_participant->setFocus();
-    else
+    else {
         m_places->setFocus();
+        bringIntoView(*m_enrolHint);  // it says why nobody can be enrolled
+    }
 }
 
 void StudyPage::keyPressEvent(QKeyEvent* event)

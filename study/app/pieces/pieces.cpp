@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QStyle>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <QVariant>
 
@@ -175,6 +176,16 @@ QScrollArea* scrolling(const char* objectName, QWidget* page, QWidget* parent)
     return area;
 }
 
+void bringIntoView(QWidget& widget)
+{
+    QTimer::singleShot(0, &widget, [target = &widget] {
+        QWidget* around = target->parentWidget();
+        while (around && !qobject_cast<QScrollArea*>(around)) around = around->parentWidget();
+        if (auto* area = qobject_cast<QScrollArea*>(around); area && target->isVisible())
+            area->ensureWidgetVisible(target, 0, pageMarginPx);
+    });
+}
+
 bool isLowFor(const QWidget& bar)
 {
     constexpr int fewestLines = 36;
@@ -273,10 +284,12 @@ void MessageBar::clearFault()
 void MessageBar::showAs(const char* role, const QString& text)
 {
     ensurePolished();
+    const bool isNew = !text.isEmpty() && (isHidden() || text != this->text());
     setRole(*this, role);
     setText(text);
     setAccessibleName(text);
     setVisible(!text.isEmpty());
+    if (isNew) bringIntoView(*this);
     QAccessibleEvent alert(this, QAccessible::Alert);  // a screen reader reads the message at once
     QAccessible::updateAccessibility(&alert);
 }

@@ -46,6 +46,9 @@ QWidget* appearanceHint(QWidget* parent);
 /// Puts the page into an area that scrolls if the text is too large for the window, and limits its width for easy reading.
 QScrollArea* scrolling(const char* objectName, QWidget* page, QWidget* parent);
 
+/// Scrolls the area around the widget to it, once the layout has its new sizes. Does nothing outside such an area.
+void bringIntoView(QWidget& widget);
+
 /// Whether the window has only few lines of this text size, so that bars must take no room from the answer.
 bool isLowFor(const QWidget& bar);
 

@@ -50,9 +50,9 @@ struct MonitorOverview {
         QString station;
         QString participant;  ///< at work there; empty without a session
         Contact contact = Contact::Connected;
-        int secondsSinceSign = 0;  ///< since the last sign of life
-        int waiting = 0;           ///< entries in its queue, as it reported last
-        QString program;           ///< name and version; empty if unknown
+        std::optional<int> secondsSinceSign;  ///< since the last sign of life; empty for an earlier connection of the station
+        int waiting = 0;                      ///< entries in its queue, as it reported last
+        QString program;                      ///< name and version; empty if unknown
         bool operator==(const StationRow&) const = default;
     };
     QString study;
@@ -60,7 +60,8 @@ struct MonitorOverview {
     std::vector<ParticipantRow> rows;      ///< by place; a withdrawn participant comes before the next one in this place
     int answers = 0;                       ///< valid answers, without participants who withdrew
     int answersInAll = 0;                  ///< answers of the complete study; 0 if unknown
-    std::optional<std::vector<StationRow>> stations = {};  ///< by name; empty for a study in a folder
+    /// By name, then earlier connections with entries that may still wait. Empty for a study in a folder.
+    std::optional<std::vector<StationRow>> stations = {};
     bool operator==(const MonitorOverview&) const = default;
 };
 

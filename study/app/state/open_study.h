@@ -63,6 +63,7 @@ public:
     void leaveParticipant();
     const protocols::Protocol& protocol() const { return m_protocol; }
     QString name() const;
+    bool isAtStation() const { return m_station != nullptr; }
     /// Which package a font for the participants' language needs; empty if there is one.
     QString fontFault() const;
     StudyOverview overview() const;

@@ -25,6 +25,7 @@ struct SessionFacts {
     bool displayReportsTouches = false;
     bool displayTakesTickets = false;       ///< it fetches its images by itself, so it plays no test patterns
     bool isRehearsal = false;               ///< nothing of this session becomes data
+    bool isAtStation = false;               ///< the study lies on a server, which holds back places of participants who withdrew
     QString displayName;                    ///< empty: the session runs without a display
     KeyBindings keys = {};                  ///< extra keys of the operator's acts
     std::optional<double> mmPerPixel = {};  ///< scale of the display, mm per pixel, if the operator measured it

@@ -88,6 +88,10 @@
         <translation>,</translation>
     </message>
     <message>
+        <source>%1 is no longer in the study&apos;s folder, so no answer is kept. Close the study and restore it from a backup.</source>
+        <translation>%1 ist nicht mehr im Ordner der Studie, also bleibt keine Antwort erhalten. Schließen Sie die Studie und stellen Sie sie aus einer Sicherung wieder her.</translation>
+    </message>
+    <message>
         <source>The disk of %1 cannot be asked for its room.</source>
         <translation>Der freie Platz auf dem Datenträger von %1 lässt sich nicht abfragen.</translation>
     </message>
@@ -282,6 +286,10 @@
     <message>
         <source>The participant has withdrawn</source>
         <translation>Die Versuchsperson ist zurückgetreten</translation>
+    </message>
+    <message>
+        <source>The session has ended. Stored answers: %1. The study&apos;s owner gives this place out again.</source>
+        <translation>Der Versuch ist beendet. Gespeicherte Antworten: %1. Die Leitung der Studie vergibt diesen Platz wieder.</translation>
     </message>
     <message>
         <source>The session has ended. Stored answers: %1. Another participant can take this place.</source>
@@ -882,6 +890,22 @@
     <message>
         <source>check the path</source>
         <translation>prüfen Sie den Pfad</translation>
+    </message>
+    <message>
+        <source>this is no SQLite database</source>
+        <translation>das ist keine SQLite-Datenbank</translation>
+    </message>
+    <message>
+        <source>the study.db of a study folder</source>
+        <translation>die study.db eines Ordners einer Studie</translation>
+    </message>
+    <message>
+        <source>the study has its own %1, but no %2</source>
+        <translation>die Studie hat eigene Texte für %1, aber keine für %2</translation>
+    </message>
+    <message>
+        <source>write them, too, so that every text describes the same ends of the scale</source>
+        <translation>schreiben Sie auch diese, damit alle Texte dieselben Enden der Skala beschreiben</translation>
     </message>
     <message>
         <source>another program has the study open for writing (process %1)</source>
@@ -3172,12 +3196,20 @@ Noch ist nichts gewählt.</translation>
         <translation>Zuletzt</translation>
     </message>
     <message>
-        <source>Flags</source>
-        <translation>Auffälligkeiten</translation>
+        <source>This window only reads the study. It updates every two seconds.</source>
+        <translation>Dieses Fenster liest die Studie nur. Es erneuert sich alle zwei Sekunden.</translation>
     </message>
     <message>
-        <source>This window only reads the study. It updates every two seconds.   ·   Missing: answers to voided presentations that have not been repeated yet.   ·   Close: Esc</source>
-        <translation>Dieses Fenster liest die Studie nur. Es erneuert sich alle zwei Sekunden.   ·   Fehlend: Antworten zu ungültigen Darbietungen, die noch nicht wiederholt sind.   ·   Schließen: Esc</translation>
+        <source>Missing: answers to voided presentations that have not been repeated yet.</source>
+        <translation>Fehlend: Antworten zu ungültigen Darbietungen, die noch nicht wiederholt sind.</translation>
+    </message>
+    <message>
+        <source>Close: Esc</source>
+        <translation>Schließen: Esc</translation>
+    </message>
+    <message>
+        <source>Flags</source>
+        <translation>Auffälligkeiten</translation>
     </message>
     <message>
         <source>%1. The window tries again in two seconds.</source>
@@ -3248,8 +3280,8 @@ Noch ist nichts gewählt.</translation>
         <translation>Programm</translation>
     </message>
     <message>
-        <source>none has joined</source>
-        <translation>keine ist beigetreten</translation>
+        <source>none is connected</source>
+        <translation>keine ist verbunden</translation>
     </message>
     <message>
         <source>Answers: %1</source>
@@ -4478,6 +4510,10 @@ Noch ist nichts gewählt.</translation>
         <translation>Die Versuchsperson tritt zurück</translation>
     </message>
     <message>
+        <source>This ends the session of %1 permanently. The answers so far are kept, and the study&apos;s owner gives the place out again. To stop for today, press Esc and then Q. Which reason did the participant give?</source>
+        <translation>Das beendet den Versuch von %1 endgültig. Die bisherigen Antworten bleiben erhalten, und die Leitung der Studie vergibt den Platz wieder. Um nur für heute aufzuhören, drücken Sie Esc und dann Q. Welchen Grund hat die Versuchsperson genannt?</translation>
+    </message>
+    <message>
         <source>This ends the session of %1 permanently. The answers so far are kept, and another participant can take the place. To stop for today, press Esc and then Q. Which reason did the participant give?</source>
         <translation>Das beendet den Versuch von %1 endgültig. Die bisherigen Antworten bleiben erhalten, und eine andere Versuchsperson kann den Platz einnehmen. Um nur für heute aufzuhören, drücken Sie Esc und dann Q. Welchen Grund hat die Versuchsperson genannt?</translation>
     </message>
@@ -5304,6 +5340,10 @@ Noch ist nichts gewählt.</translation>
     <message>
         <source>Type a code for the next participant, such as %1.</source>
         <translation>Tippen Sie einen Code für die nächste Versuchsperson, zum Beispiel %1.</translation>
+    </message>
+    <message>
+        <source>This code %1. Type another code, such as %2.</source>
+        <translation>Dieser Code %1. Tippen Sie einen anderen Code, zum Beispiel %2.</translation>
     </message>
     <message>
         <source>This code %1. Type at most %2 letters and digits, such as %3.</source>

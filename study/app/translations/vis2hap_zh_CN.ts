@@ -88,6 +88,10 @@
         <translation>.</translation>
     </message>
     <message>
+        <source>%1 is no longer in the study&apos;s folder, so no answer is kept. Close the study and restore it from a backup.</source>
+        <translation>研究文件夹中已没有%1，因此不会保存任何回答。请关闭研究并从备份中恢复。</translation>
+    </message>
+    <message>
         <source>The disk of %1 cannot be asked for its room.</source>
         <translation>无法查询%1所在磁盘的剩余空间。</translation>
     </message>
@@ -282,6 +286,10 @@
     <message>
         <source>The participant has withdrawn</source>
         <translation>参与者已退出</translation>
+    </message>
+    <message>
+        <source>The session has ended. Stored answers: %1. The study&apos;s owner gives this place out again.</source>
+        <translation>实验已结束。已保存的回答：%1。这个名额由研究的所有者重新分配。</translation>
     </message>
     <message>
         <source>The session has ended. Stored answers: %1. Another participant can take this place.</source>
@@ -882,6 +890,22 @@
     <message>
         <source>check the path</source>
         <translation>请检查路径</translation>
+    </message>
+    <message>
+        <source>this is no SQLite database</source>
+        <translation>这不是SQLite数据库</translation>
+    </message>
+    <message>
+        <source>the study.db of a study folder</source>
+        <translation>研究文件夹中的study.db</translation>
+    </message>
+    <message>
+        <source>the study has its own %1, but no %2</source>
+        <translation>研究有自己的%1，但没有%2</translation>
+    </message>
+    <message>
+        <source>write them, too, so that every text describes the same ends of the scale</source>
+        <translation>请一并写上，使所有文字描述的量表两端一致</translation>
     </message>
     <message>
         <source>another program has the study open for writing (process %1)</source>
@@ -3172,12 +3196,20 @@ Nothing is chosen yet.</source>
         <translation>最近事件</translation>
     </message>
     <message>
-        <source>Flags</source>
-        <translation>异常提示</translation>
+        <source>This window only reads the study. It updates every two seconds.</source>
+        <translation>本窗口只读取研究，每两秒更新一次。</translation>
     </message>
     <message>
-        <source>This window only reads the study. It updates every two seconds.   ·   Missing: answers to voided presentations that have not been repeated yet.   ·   Close: Esc</source>
-        <translation>本窗口只读取研究，每两秒更新一次。   ·   缺失：作废后尚未重做的呈现的回答。   ·   关闭：Esc</translation>
+        <source>Missing: answers to voided presentations that have not been repeated yet.</source>
+        <translation>缺失：作废后尚未重做的呈现的回答。</translation>
+    </message>
+    <message>
+        <source>Close: Esc</source>
+        <translation>关闭：Esc</translation>
+    </message>
+    <message>
+        <source>Flags</source>
+        <translation>异常提示</translation>
     </message>
     <message>
         <source>%1. The window tries again in two seconds.</source>
@@ -3248,8 +3280,8 @@ Nothing is chosen yet.</source>
         <translation>程序</translation>
     </message>
     <message>
-        <source>none has joined</source>
-        <translation>没有工作站加入</translation>
+        <source>none is connected</source>
+        <translation>没有已连接的工作站</translation>
     </message>
     <message>
         <source>Answers: %1</source>
@@ -4478,6 +4510,10 @@ Nothing is chosen yet.</source>
         <translation>参与者退出实验</translation>
     </message>
     <message>
+        <source>This ends the session of %1 permanently. The answers so far are kept, and the study&apos;s owner gives the place out again. To stop for today, press Esc and then Q. Which reason did the participant give?</source>
+        <translation>这将永久结束%1的实验。已有的回答会保留，这个名额由研究的所有者重新分配。如果只是今天停止，请按Esc，再按Q。参与者给出了什么理由？</translation>
+    </message>
+    <message>
         <source>This ends the session of %1 permanently. The answers so far are kept, and another participant can take the place. To stop for today, press Esc and then Q. Which reason did the participant give?</source>
         <translation>这将永久结束%1的实验。已有的回答会保留，另一位参与者可以使用这个名额。如果只是今天停止，请按Esc，再按Q。参与者给出了什么理由？</translation>
     </message>
@@ -5304,6 +5340,10 @@ Nothing is chosen yet.</source>
     <message>
         <source>Type a code for the next participant, such as %1.</source>
         <translation>请输入下一位参与者的编号，例如%1。</translation>
+    </message>
+    <message>
+        <source>This code %1. Type another code, such as %2.</source>
+        <translation>这个编号%1。请输入另一个编号，例如%2。</translation>
     </message>
     <message>
         <source>This code %1. Type at most %2 letters and digits, such as %3.</source>

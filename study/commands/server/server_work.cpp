@@ -181,6 +181,10 @@ int showServer(const std::string& address)
     const database::ServerProgress seen = progressOf(database::serverAddressFrom(address));
     std::printf("places: %d free, %d started, %d finished; participants who withdrew: %d; answers: %d\n", seen.free, seen.started,
                 seen.finished, seen.withdrawn, seen.answers);
+    if (const auto held = heldPlaces(seen); !held.empty())
+        std::printf(
+            "places of participants who withdrew wait for the owner: %zu; `vis2hap server roles ADDRESS --release-held`\n",
+            held.size());
     std::printf("log head %s\n", protocols::printable(seen.head).c_str());
     if (seen.stations.empty()) std::printf("no station has joined lately\n");
     for (const auto& one : seen.stations)

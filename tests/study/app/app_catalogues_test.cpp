@@ -276,6 +276,19 @@ private Q_SLOTS:
         QVERIFY2(watch.elapsed() < 20'000, qPrintable(QString::number(watch.elapsed())));
     }
 
+    void aFileThatIsNoDatabaseIsRefusedInOneLanguage()
+    {
+        study::app::LanguageInUse language("vis2hap 0.6.0");
+        for (const char* tongue : {"de", "zh_CN"}) {
+            language.use(tongue);
+            const QString own = study::app::inOwnLanguage(
+                "/s/study.db: this is no SQLite database; expected the study.db of a study folder; check the path");
+            for (const char* english : {"this is", "expected", "folder", "check"})
+                QVERIFY2(!own.contains(english), qPrintable(own));
+            QVERIFY2(own.startsWith("/s/study.db: "), qPrintable(own));
+        }
+    }
+
     void everyRefusalOfASessionIsTranslated()
     {
         study::app::LanguageInUse language("vis2hap 0.6.0");

@@ -231,6 +231,8 @@ void AppMonitorTest::aStudyInAFolderHasNoStations()
     monitor.show();
     QVERIFY(monitor.findChild<QTreeWidget*>("monitorRows")->isVisible());
     QVERIFY(!monitor.findChild<QTreeWidget*>("stationRows")->isVisible());
+    const QString foot = monitor.findChild<QLabel*>("monitorHint")->text();
+    QVERIFY2(foot.contains("Missing: answers") && foot.endsWith(QStringLiteral("Close:\u00A0Esc")), qPrintable(foot));
     QVERIFY(!monitor.findChild<QLabel*>("stationsCaption")->isVisible());
 }
 

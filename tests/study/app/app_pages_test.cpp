@@ -247,6 +247,9 @@ void AppPagesTest::codesOfEveryScriptAreEnrolled()
     open.gui().click("enrolButton");
     QVERIFY(!open.window().session());
     QVERIFY2(open.message("studyMessage").contains("begins with a dot"), qPrintable(open.message("studyMessage")));
+    open.widget<QLineEdit>("participantField").setText("NA");  // it has no more than 64 letters
+    open.gui().click("enrolButton");
+    QVERIFY2(open.message("studyMessage").endsWith("Type another code, such as P01."), qPrintable(open.message("studyMessage")));
     open.widget<QLineEdit>("participantField").setText(participant);
     open.gui().click("enrolButton");
     QVERIFY(open.window().session());

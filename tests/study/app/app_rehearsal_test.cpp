@@ -137,6 +137,7 @@ private Q_SLOTS:
     void nothingOfItTouchesTheStudy();
     void manyRehearsalsGiveNothingAway();
     void aMissingImageOfTheStudyIsFound();
+    void aMissingDatabaseOfTheStudyIsFound();
     void aStudyOnAServerIsNotRehearsed();
     void aSessionThatWasLeftIsStillMissing();
     void whatIsMissingIsNamed();
@@ -239,6 +240,19 @@ void AppRehearsalTest::aMissingImageOfTheStudyIsFound()
     open.gui().pressKey(Qt::Key_F5);
     QCOMPARE(open.window().currentPage()->objectName(), QString("rehearsalPage"));
     QVERIFY(open.message("rehearsalMessage").contains("the stimulus is missing"));
+}
+
+void AppRehearsalTest::aMissingDatabaseOfTheStudyIsFound()
+{
+    const auto study = newStudy();
+    OpenWindow open(study, options(), {});
+    open.gui().pressKey(Qt::Key_F8);
+    QVERIFY(shownIn(open, "rehearsalComputer").startsWith("The disk is in order."));
+    fs::remove(study.database());
+    open.gui().pressKey(Qt::Key_F7);
+    QTRY_VERIFY2(shownIn(open, "rehearsalComputer").startsWith("study.db is no longer in the study's folder"),
+                 qPrintable(shownIn(open, "rehearsalComputer")));
+    QVERIFY(shownIn(open, "rehearsalResult").startsWith("Still missing:"));
 }
 
 void AppRehearsalTest::aStudyOnAServerIsNotRehearsed()

@@ -10,6 +10,7 @@
 #include <QTest>
 #include <QTimer>
 #include <QTreeWidget>
+#include <algorithm>
 #include <thread>
 
 #include "database/server/server_connection.h"
@@ -18,10 +19,14 @@
 #include "database/study_store.h"
 #include "study/app/pages/monitor_window.h"
 #include "study/app/pages/start_page.h"
+#include "study/app/pages/study_page.h"
 #include "study/app/server_bar.h"
+#include "study/records/stored_study.h"
+#include "study/records/study_status.h"
 #include "tests/support/error_text.h"
 #include "tests/support/open_window.h"
 #include "tests/support/played_session.h"
+#include "tests/support/program.h"
 #include "tests/support/server/cut_network.h"
 #include "tests/support/server/private_server.h"
 #include "tests/support/server/server_session.h"
@@ -90,11 +95,13 @@ private Q_SLOTS:
     void aSessionThatAnotherStationContinuedEndsOnThePage();
     void theSecondStationDoesNotEnrolTheSameCode();
     void aPlaceThatWaitsForTheOwnerIsShown();
+    void aWithdrawalAtAStationLeavesThePlaceToTheOwner();
     void aStationOffersNoRehearsal();
     void theBarSaysWhyTheServerTakesNothing();
     void aServerUnderAnotherNameGetsWhatWaits();
     void aWrongAddressIsOneLineOnTheStartPage();
     void theMonitorShowsStationsAtWorkLostAndWithEntries();
+    void theMonitorShowsEntriesOfAnEarlierConnection();
     void theMonitorFollowsSessionsAtTheStations();
     void aMonitorNeedsNoFolder();
     void aLoginWithoutTheRoleIsOneLineInTheMonitor();
@@ -250,16 +257,27 @@ void AppServerTest::aPlaceThatWaitsForTheOwnerIsShown()
             states << places.topLevelItem(row)->text(1) + " " + places.topLevelItem(row)->text(2);
         return states;
     };
+    const auto statusOfOwner = [&] {
+        return QString::fromStdString(
+            study::records::textOf(study::records::statusOf(study::records::openStudy(owner.folder), {})));
+    };
+    const QStringList serverStatus{"server", "status", QString::fromStdString(m_server->address("held"))};
+    const QString wait =
+        "places of participants who withdrew wait for the owner: 2; `vis2hap server roles ADDRESS --release-held`";
+    QVERIFY2(statusOfOwner().contains("slot  1  waits for the owner"), qPrintable(statusOfOwner()));
+    QVERIFY(support::mustRun(serverStatus).out.contains(wait));
     MonitorWindow monitor(owner.folder, {});
     monitor.show();
     {
         OpenWindow open({address});
         QCOMPARE(statesIn(open), QStringList({"P01 withdrawn, waits for the owner", "P02 withdrawn, waits for the owner"}));
         QVERIFY(!open.widget<QPushButton>("enrolButton").isEnabled());
-        QVERIFY(open.widget<QFrame>("enrolCard")
-                    .findChild<QLabel*>("cardHint")
-                    ->text()
-                    .contains("vis2hap server roles ADDRESS --release-held"));
+        const auto& hint = *open.widget<QFrame>("enrolCard").findChild<QLabel*>("cardHint");
+        QVERIFY(QString(hint.text()).remove(QChar(0x2060)).contains("vis2hap server roles ADDRESS --release-held"));
+        QVERIFY2(!hint.text().contains("--"), "a line could end within the option");
+        open.window().resize(800, 600);
+        qobject_cast<study::app::StudyPage*>(open.window().currentPage())->focusFirst();
+        QTRY_COMPARE(hint.visibleRegion().boundingRect(), hint.rect());
         open.window().requestSession(protocols::ParticipantId("P01"), study::app::MainWindow::Enrolment::NewOnly);
         QTRY_VERIFY2(open.message("studyMessage").contains("participant P01 has withdrawn"),
                      qPrintable(open.message("studyMessage")));
@@ -267,12 +285,35 @@ void AppServerTest::aPlaceThatWaitsForTheOwnerIsShown()
     QTRY_VERIFY_WITH_TIMEOUT(placeRow(monitor, 1).startsWith("1|P01|withdrawn, waits for the owner|"), waitMs);
     QTRY_COMPARE_WITH_TIMEOUT(rowsOf(monitor, "monitorRows").size(), 2, waitMs);
     QCOMPARE(releaseHeld(database::serverAddressFrom(m_server->address("held"))).size(), std::size_t{2});
+    QVERIFY2(statusOfOwner().contains("slot  1  free"), qPrintable(statusOfOwner()));
+    QVERIFY(!support::mustRun(serverStatus).out.contains("wait for the owner"));
     OpenWindow open({address});
     QCOMPARE(statesIn(open), QStringList({"P01 withdrawn, place freed", "– free", "P02 withdrawn, place freed", "– free"}));
     QVERIFY(open.widget<QPushButton>("enrolButton").isEnabled());
-    QVERIFY(!open.widget<QFrame>("enrolCard").findChild<QLabel*>("cardHint")->text().contains("--release-held"));
+    QVERIFY(!open.widget<QFrame>("enrolCard").findChild<QLabel*>("cardHint")->text().contains("server roles"));
     QTRY_COMPARE_WITH_TIMEOUT(rowsOf(monitor, "monitorRows").size(), 4, waitMs);
     QVERIFY(placeRow(monitor, 1).startsWith("1|P01|withdrawn|"));
+}
+
+/// The next participant at the station does not get the place.
+void AppServerTest::aWithdrawalAtAStationLeavesThePlaceToTheOwner()
+{
+    const database::StudyFolder owner = studyOnServer("left-place");
+    makeLogin("anna", "experimenter", "left-place");
+    OpenWindow open({m_server->address("left-place", "anna")});
+    open.enrolAndBegin();
+    open.playTo("Presenting", "Q2");
+    const auto isShown = [&](const QString& words) {
+        return std::ranges::any_of(textsIn(*open.window().currentPage()),
+                                   [&](const QString& text) { return text.contains(words); });
+    };
+    open.gui().pressKey(Qt::Key_W);
+    QVERIFY(isShown("the study's owner gives the place out again"));
+    QVERIFY(!isShown("another participant can take the place"));
+    QTest::keyClick(open.window().focusWidget(), Qt::Key_Escape);
+    open.perform(study::session::WithdrawnEvent{"no time"});
+    QVERIFY(isShown("The study's owner gives this place out again."));
+    QVERIFY(!isShown("Another participant can take this place."));
 }
 
 /// A station knows neither the images nor the codes of the pieces, and their names would tell the operator the fabrics.
@@ -294,7 +335,7 @@ void AppServerTest::aStationOffersNoRehearsal()
     open.gui().pressKey(Qt::Key_F8);
     QCOMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
     QVERIFY2(open.message("studyMessage").contains("no rehearsal at a station"), qPrintable(open.message("studyMessage")));
-    QCOMPARE(button.toolTip(), open.message("studyMessage"));
+    QCOMPARE(button.toolTip(), QString("<span>%1</span>").arg(open.message("studyMessage")));  // so that it breaks
     QCOMPARE(made, 0);
     QCOMPARE(open.window().study()->codesOnPieces(), QStringList());
 }
@@ -397,6 +438,23 @@ void AppServerTest::theMonitorShowsStationsAtWorkLostAndWithEntries()
     QTRY_VERIFY_WITH_TIMEOUT(placeRow(monitor, 1).startsWith("1|P01|welcome|"), waitMs);
 }
 
+/// A new connection has the row of the station, and what waits is that of the connection before it.
+void AppServerTest::theMonitorShowsEntriesOfAnEarlierConnection()
+{
+    const database::StudyFolder owner = studyOnServer("owed");
+    const PlayedStation left(m_server->address("owed"), "left");
+    left.giveSign(0);
+    left.server.run(
+        "INSERT INTO @schema@.server_owed(token, participant, station, login, queue_length) VALUES "
+        "(repeat('e', 64), 'P02', 'left', 'owner', 3), (repeat('f', 64), '', 'right', 'owner', 2)");
+    MonitorWindow monitor(owner.folder, {});
+    monitor.show();
+    QTRY_COMPARE_WITH_TIMEOUT(rowsOf(monitor, "stationRows").size(), qsizetype{3}, waitMs);
+    QVERIFY2(stationRow(monitor, "left").startsWith("left|connected|–|"), qPrintable(stationRow(monitor, "left")));
+    QCOMPARE(rowsOf(monitor, "stationRows").mid(1),
+             QStringList({"left|lost|P02||3 at that time|", "right|lost|–||2 at that time|"}));
+}
+
 void AppServerTest::theMonitorFollowsSessionsAtTheStations()
 {
     const database::StudyFolder owner = studyOnServer("followed");
@@ -408,7 +466,7 @@ void AppServerTest::theMonitorFollowsSessionsAtTheStations()
     monitor.show();
     const auto* flags = monitor.findChild<QLabel*>("flags");
     QTRY_COMPARE_WITH_TIMEOUT(flags->text(), QString("too fast: 0 answers"), waitMs);
-    QCOMPARE(rowsOf(monitor, "stationRows").value(0), QString("none has joined|||||"));
+    QCOMPARE(rowsOf(monitor, "stationRows").value(0), QString("none is connected|||||"));
     OpenWindow open({m_server->address("followed")});
     open.enrolAndBegin();
     open.playTo("Presenting", "Q2");
@@ -438,6 +496,7 @@ void AppServerTest::aMonitorNeedsNoFolder()
     QVERIFY(!monitor->findChild<QLabel*>("flags")->isVisible());  // they need the owner's folder
     const auto& rows = *monitor->findChild<QTreeWidget*>("monitorRows");
     for (const int unknown : {3, 5, 6, 7}) QVERIFY(rows.isColumnHidden(unknown));
+    QVERIFY(!monitor->findChild<QLabel*>("monitorHint")->text().contains("Missing"));
     shown.window.close();
 }
 

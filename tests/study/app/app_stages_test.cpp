@@ -87,6 +87,7 @@ private Q_SLOTS:
     void everyBreakShowsItsReason();
     void newQuestionsAreNamedWhereASittingEndsBeforeThem();
     void endsOfTheStudysOwnNeedNoSandpaper();
+    void endsOfTheStudysOwnAreSpokenToo();
     void laterSittingOffersItsPreparation();
     void laterSittingMaySkipItsPreparation();
     void killedSessionOffersThePreparationToo();
@@ -257,8 +258,32 @@ void AppStagesTest::endsOfTheStudysOwnNeedNoSandpaper()
     open.window().startSession(ParticipantId("P01"));
     open.playTo("ScaleTraining");
     const QString low = open.widget<QLabel>("lowAnchor").text();
-    QVERIFY2(!low.contains("sandpaper") && low.startsWith("Say: "), qPrintable(low));
+    QCOMPARE(low, QString("Say: “0 is the roughest of all.”"));
     QVERIFY(open.widget<QLabel>("highAnchor").text().contains("two pieces of the same fabric"));
+}
+
+void AppStagesTest::endsOfTheStudysOwnAreSpokenToo()
+{
+    StudyRecipe recipe = wholeStudy();
+    recipe.protocol.insert(recipe.protocol.find('{') + 1,
+                           R"("participant_texts": {"scale_low": "rough as bark", "scale_high": "smooth as glass"}, )");
+    const auto folder = newStudy(recipe);
+    {
+        OpenWindow open(folder);
+        open.window().startSession(ParticipantId("P01"));
+        open.playTo("ScaleTraining");
+        const auto &low = open.widget<QLabel>("lowAnchor"), &high = open.widget<QLabel>("highAnchor");
+        QCOMPARE(low.text(), QString("Say: “0 rough as bark”"));
+        QCOMPARE(high.text(), QString("Say: “10 smooth as glass”"));
+        for (const QLabel* end : {&low, &high}) QCOMPARE(end->alignment() & Qt::AlignVertical_Mask, Qt::Alignment(Qt::AlignTop));
+        open.playTo("Presenting", "S1");
+        open.window().close();
+    }
+    OpenWindow open(folder);
+    open.window().startSession(ParticipantId("P01"));
+    pressKey(open, Qt::Key_Return);
+    const QString lead = open.widget<QLabel>("pageLead").text();
+    QVERIFY2(lead.contains("Say: “0 rough as bark, 10 smooth as glass”"), qPrintable(lead));
 }
 
 void AppStagesTest::laterSittingOffersItsPreparation()

@@ -126,6 +126,25 @@ private Q_SLOTS:
         QVERIFY(!fs::exists(request.study));
     }
 
+    void ownEndsOfTheScaleWithUsualSentencesAreNamed()
+    {
+        const auto warningsWith = [&](const char* texts) {
+            protocols::writeWholeFile(at("ends.json"),
+                                      R"({"schema":"vis2hap.protocol/1","name":"ends","participants":1,"fabrics":3,
+  "conditions":["f"],"participant_texts":)" +
+                                          std::string(texts) + R"(,"phases":[{"questions":["Q2"],"scale":{"min":0,"max":10}}]})");
+            auto request = requested();
+            request.protocol = at("ends.json");
+            QStringList warnings;
+            for (const std::string& warning : makeStudy(request).warnings) warnings << QString::fromStdString(warning);
+            return warnings.filter("participant_texts: ");
+        };
+        QCOMPARE(warningsWith("{}"), QStringList());
+        const QStringList named = warningsWith(R"({"scale_low":"rough as bark"})");
+        QCOMPARE(named.size(), 1);
+        QVERIFY2(named[0].contains("scale_low, but no card_low, say_unrelated, say_ends; "), qPrintable(named[0]));
+    }
+
     void failingDiskLeavesNoStudy()
     {
         std::vector<std::size_t> syncs;

@@ -194,6 +194,16 @@ private Q_SLOTS:
         QCOMPARE(page.contains("You also need sandpaper"), isNeeded);
     }
 
+    void theCardDescribesTheSameEndsAsItsLine()
+    {
+        constexpr const char* protocol = R"({"schema":"vis2hap.protocol/1","name":"ends","participants":2,"fabrics":3,
+  "conditions":["v_grey","h&f"],"participant_texts":{"scale_low":"rough <as> bark","scale_high":"smooth as glass",
+  "card_high":"{number} is like glass."},"phases":[{"questions":["Q2"],"scale":{"min":0,"max":10}}]})";
+        const QString card = sheet(protocol, "scale-card.html");
+        QVERIFY2(!card.contains("sandpaper"), qPrintable(card));
+        QVERIFY2(card.contains("<b>0</b> rough &lt;as&gt; bark<br><b>10</b> is like glass.<br>"), qPrintable(card));
+    }
+
     void sheetsOfAnotherStudyDoNotStay()
     {
         const fs::path out = newPlace("sheets");

@@ -40,6 +40,15 @@ qint64 slowestWriteMs(const fs::path& folder)
 
 }  // namespace
 
+QString faultOfDatabase(const fs::path& database)
+{
+    std::error_code error;
+    if (fs::is_regular_file(database, error)) return {};
+    return AppText::tr(
+               "%1 is no longer in the study's folder, so no answer is kept. Close the study and restore it from a backup.")
+        .arg(QString::fromStdString(database.filename().string()));
+}
+
 QString faultOfDisk(const fs::path& folder)
 {
     std::error_code error;

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/utf8.h"
 
 namespace database {
 
@@ -63,6 +64,13 @@ void requireNoSemicolon(const std::string& name, const std::string& value, const
     if (value.find(';') != std::string::npos)
         throw protocols::badInput({"the value of " + name + " holds a semicolon", where, "a value without one",
                                    "give the file or folder another name"});
+}
+
+/// Such characters change on their way into another address.
+void requireVisible(const std::string& part, const std::string& where)
+{
+    if (!protocols::isKeptText(part))
+        throw protocols::badInput({"the address holds a character that nobody sees", where, form, "type the address again"});
 }
 
 /// The places of a text that may hold a password: from the first ":" after "//" to the last "@".
@@ -139,6 +147,9 @@ ServerAddress serverAddressFrom(const std::string& text)
     }
     for (const auto& [name, value] : address.settings) requireNoSemicolon(name, value, withoutPassword(text));
     requireNoSemicolon("port", address.port, withoutPassword(text));
+    for (const auto* part : {&address.host, &address.port, &address.database, &address.user})
+        requireVisible(*part, withoutPassword(text));
+    for (const auto& [name, value] : address.settings) requireVisible(value, withoutPassword(text));
     if (address.database.empty() || address.database.find_first_of("/@") != std::string::npos)
         throw unreadableAddress("the address names no database", text, "name the database after the host");
     if (!address.study.empty()) requireStudyName(address.study, withoutPassword(text));

@@ -41,6 +41,15 @@ private:
     VirtualClock m_monotonic, m_wall;
 };
 
+/// Pauses in a question. The pause is stored; what is read after it fails.
+void pauseBeforeReadsFail(OpenWindow& open, CountingVfs& disk)
+{
+    open.enrolAndBegin();
+    open.playTo("Presenting", "Q1");
+    disk.letReadsFailAfterNextSync();
+    open.perform(Paused{});
+}
+
 }  // namespace
 
 class AppFaultsTest : public tests::support::WindowTest {
@@ -155,10 +164,7 @@ void AppFaultsTest::logThatCannotBeReadEndsNoPause()
 {
     CountingVfs disk;
     OpenWindow open(newStudy(wholeStudy()));
-    open.enrolAndBegin();
-    open.playTo("Presenting", "Q1");
-    disk.letReadsFailAfterNextSync();
-    open.perform(Paused{});
+    pauseBeforeReadsFail(open, disk);
     QVERIFY(open.view().state.paused);
     const QString message = open.message();
     QVERIFY2(message.contains("last entry was stored") && message.contains("disk reported an error"), qPrintable(message));
@@ -223,10 +229,7 @@ void AppFaultsTest::studyPageShowsWhyItsProgressCannotBeRead()
 {
     CountingVfs disk;
     OpenWindow open(newStudy(wholeStudy()));
-    open.enrolAndBegin();
-    open.playTo("Presenting", "Q1");
-    disk.letReadsFailAfterNextSync();
-    open.perform(Paused{});
+    pauseBeforeReadsFail(open, disk);
     pressKey(open, Qt::Key_Q);
     QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
     const auto message = [&] { return open.message("studyMessage"); };

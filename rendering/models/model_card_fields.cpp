@@ -183,6 +183,7 @@ ModelCardFields readModelCardFields(const std::filesystem::path& model)
         card.summary.trainingCommand = json.at("training_command").get<std::string>();
         card.summary.trainedOnProceduralSet = json.at("procedural").get<bool>();
         card.summary.trainingSampleHashes = json.at("training_sample_hashes").get<std::vector<std::string>>();
+        std::ranges::sort(card.summary.trainingSampleHashes);
         card.datasetName = json.at("dataset").at("name").get<std::string>();
         card.datasetHash = json.at("dataset").at("sha256").get<std::string>();
         if (json.contains("from")) {

@@ -66,4 +66,14 @@ PhotographAtPitch photographAtPitch(const InputPhotograph& photograph, double mm
     return seen;
 }
 
+cv::Rect usedPart(const InputPhotograph& photograph, const Architecture& architecture)
+{
+    double factor = 1;
+    if (!architecture.sees && photograph.mmPerPixel) factor = *photograph.mmPerPixel / architecture.mmPerPixel;
+    if (!architecture.sees && !photograph.mmPerPixel)
+        factor = assumedMmPerPixel(photograph.photograph, architecture) / architecture.mmPerPixel;
+    const UsedSide across = usedSide(photograph.photograph.cols, factor), down = usedSide(photograph.photograph.rows, factor);
+    return {across.from, down.from, across.length, down.length};
+}
+
 }  // namespace rendering::models

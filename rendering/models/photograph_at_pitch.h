@@ -31,4 +31,7 @@ double finestWeaveMm(const Architecture& architecture);
 /// photographs cost little.
 PhotographAtPitch photographAtPitch(const InputPhotograph& photograph, double mmPerPixel);
 
+/// The part of a photograph, in its own pixels, whose signals generate() returns: all of it, or the middle of a large one.
+cv::Rect usedPart(const InputPhotograph& photograph, const Architecture& architecture);
+
 }  // namespace rendering::models

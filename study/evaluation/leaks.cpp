@@ -83,4 +83,17 @@ Leaks findLeaks(std::vector<PlacedSample>& samples, const PlanRequest& request)
     return leaks;
 }
 
+std::map<protocols::FabricId, int> photographsTrainedOn(const fabrics::Dataset& dataset,
+                                                        const std::vector<std::string>& trainedOn)
+{
+    std::map<protocols::FabricId, int> counts;
+    if (trainedOn.empty()) return counts;
+    for (const auto& fabric : dataset.fabrics)
+        for (const int index : fabrics::sampleIndices(dataset, fabric.id, Modality::Visual))
+            if (std::ranges::binary_search(
+                    trainedOn, protocols::sha256OfFile(fabrics::samplePath(dataset, fabric.id, Modality::Visual, index))))
+                ++counts[fabric.id];
+    return counts;
+}
+
 }  // namespace study::evaluation

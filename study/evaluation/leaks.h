@@ -2,6 +2,7 @@
 // duplicate files, and places on the fabric that occur in both parts.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,5 +31,10 @@ bool isHeldOut(const PlanRequest& request, const protocols::FabricId& fabric);
 /// Counts the leaks and marks the samples to leave out: those a model was trained on and, in the split by location, those that
 /// overlap a training sample.
 Leaks findLeaks(std::vector<PlacedSample>& samples, const PlanRequest& request);
+
+/// How many photographs of each fabric have the bytes of a file that a model was trained on. Fabrics without one are absent.
+/// `trainedOn`: SHA-256 of the files, sorted.
+std::map<protocols::FabricId, int> photographsTrainedOn(const rendering::fabrics::Dataset& dataset,
+                                                        const std::vector<std::string>& trainedOn);
 
 }  // namespace study::evaluation

@@ -11,9 +11,11 @@
 #include "protocols/files/number_text.h"
 #include "rendering/fabrics/sample_places.h"
 #include "rendering/models/model_card_fields.h"
+#include "rendering/models/photograph_at_pitch.h"
 #include "rendering/signals/grey.h"
 #include "rendering/signals/shape_from_shading.h"
 #include "stats/kernels/descriptive.h"
+#include "study/evaluation/leaks.h"
 #include "study/evaluation/pixel_ridge.h"
 
 namespace study::evaluation {
@@ -63,12 +65,13 @@ std::vector<SurfacePair> spread(const std::vector<SurfacePair>& pairs, int most)
     return chosen;
 }
 
-/// A surface of the size of its photograph. Points without a measurement are NaN, but the middle half of both sides, which every
-/// correlation covers, has enough others.
-cv::Mat surfaceOf(const fabrics::Dataset& dataset, const protocols::FabricId& fabric, int index, const cv::Mat& photograph)
+/// The part of a surface that belongs to this part of its photograph. Points without a measurement are NaN, but the middle half
+/// of both sides, which every correlation covers, has enough others.
+cv::Mat surfaceOf(const fabrics::Dataset& dataset, const protocols::FabricId& fabric, int index, const cv::Mat& photograph,
+                  const cv::Rect& part)
 {
     constexpr std::size_t fewestPoints = 100;
-    const cv::Mat surface = fabrics::readSurfaceOf(dataset, fabric, index, photograph.size()).value();
+    const cv::Mat surface = fabrics::readSurfaceOf(dataset, fabric, index, photograph.size()).value()(part).clone();
     const cv::Mat middle = surface(cv::Rect(surface.cols / 4, surface.rows / 4, (surface.cols + 1) / 2, (surface.rows + 1) / 2));
     const std::size_t measured = measuredCount(middle);
     if (measured < fewestPoints && measured < middle.total())
@@ -88,7 +91,7 @@ SumsOfFabric ridgeSums(const fabrics::Dataset& dataset, const std::map<protocols
         const int each = std::max(1, ridgeSamplesPerFabric / static_cast<int>(all.size()));
         for (const SurfacePair& pair : all) {
             const cv::Mat photograph = fabrics::readPhotograph(dataset, fabric, pair.index);
-            sums[fabric].add(photograph, surfaceOf(dataset, fabric, pair.index, photograph), each,
+            sums[fabric].add(photograph, surfaceOf(dataset, fabric, pair.index, photograph, {{}, photograph.size()}), each,
                              static_cast<std::uint64_t>(pair.index));
         }
     }
@@ -114,15 +117,16 @@ SurfaceCorrelation correlate(cv::Mat relief, const cv::Mat& surface, const std::
     return result;
 }
 
-void addTo(SurfaceCorrelation& sum, const SurfaceCorrelation& one, double share)
+/// `shareAt4Mm`: of the pairs whose scale is known.
+void addTo(SurfaceCorrelation& sum, const SurfaceCorrelation& one, double share, double shareAt4Mm)
 {
     sum.at16Px += share * one.at16Px;
-    if (one.at4Mm) sum.at4Mm = sum.at4Mm.value_or(0) + share * *one.at4Mm;
+    if (one.at4Mm) sum.at4Mm = sum.at4Mm.value_or(0) + shareAt4Mm * *one.at4Mm;
 }
 
 SurfaceRow rowOf(const fabrics::Dataset& dataset, const fabrics::FabricInfo& fabric, const std::string& light,
-                 const std::vector<SurfacePair>& pairs, const cv::Mat& weights, const models::GenerationOptions& options,
-                 const Generate& generate)
+                 const std::vector<SurfacePair>& pairs, const cv::Mat& weights, const models::Architecture& architecture,
+                 const models::GenerationOptions& options, const Generate& generate)
 {
     SurfaceRow row{fabric.id,
                    fabric.name,
@@ -130,20 +134,25 @@ SurfaceRow rowOf(const fabrics::Dataset& dataset, const fabrics::FabricInfo& fab
                    static_cast<int>(pairs.size()),
                    std::ranges::all_of(pairs, [](const SurfacePair& pair) { return pair.lightDeg.has_value(); }),
                    std::vector<SurfaceCorrelation>(std::size(allSeenReliefs))};
+    row.hasRidge = !weights.empty();
     std::vector<models::InputPhotograph> photographs;
     for (const SurfacePair& pair : pairs)
         photographs.push_back({fabrics::readPhotograph(dataset, fabric.id, pair.index), pair.mmPerPixel, pair.lightDeg});
     const auto answers = generate(photographs, options);
+    const auto scaled = std::ranges::count_if(pairs, [](const SurfacePair& pair) { return pair.mmPerPixel.has_value(); });
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        const cv::Mat& photograph = photographs[i].photograph;
+        // All sources are judged on the part that the generators use of a large photograph.
+        const cv::Rect part = models::usedPart(photographs[i], architecture);
+        const cv::Mat photograph = photographs[i].photograph(part).clone();
         const cv::Mat reliefs[] = {answers[i].heightMm, rendering::signals::shapeFromShading(photograph),
                                    rendering::signals::grey(photograph),
                                    weights.empty() ? cv::Mat() : ridgeRelief(photograph, weights)};
-        const cv::Mat surface = surfaceOf(dataset, fabric.id, pairs[i].index, photograph);
+        const cv::Mat surface = surfaceOf(dataset, fabric.id, pairs[i].index, photographs[i].photograph, part);
         row.points += surface.total();
         row.unmeasured += surface.total() - measuredCount(surface);
         for (std::size_t source = 0; source < std::size(reliefs); ++source)
-            addTo(row.correlations[source], correlate(reliefs[source], surface, pairs[i].mmPerPixel), 1.0 / double(pairs.size()));
+            addTo(row.correlations[source], correlate(reliefs[source], surface, pairs[i].mmPerPixel), 1.0 / double(pairs.size()),
+                  1.0 / double(scaled));
     }
     return row;
 }
@@ -208,6 +217,25 @@ std::string gapsOf(const std::vector<const SurfaceRow*>& rows)
     return lines;
 }
 
+std::vector<const SurfaceRow*> notTrainedOn(const std::vector<const SurfaceRow*>& rows)
+{
+    std::vector<const SurfaceRow*> others;
+    std::ranges::copy_if(rows, std::back_inserter(others), [](const SurfaceRow* row) { return row->trainedOn == 0; });
+    return others;
+}
+
+/// Names the fabrics that the model may remember; empty where there are none.
+std::string memoryOf(const std::vector<const SurfaceRow*>& rows)
+{
+    std::string names;
+    for (const SurfaceRow* row : rows)
+        if (row->trainedOn > 0) names += (names.empty() ? "" : ", ") + row->fabric.value;
+    if (names.empty()) return {};
+    const std::size_t others = notTrainedOn(rows).size();
+    return "  MEMORY: the model was trained on photographs of " + std::to_string(rows.size() - others) + " of these " +
+           std::to_string(rows.size()) + " fabrics (" + names + "); figures of these fabrics also measure memory\n";
+}
+
 /// The rows of each light, in the order of the report.
 std::vector<std::vector<const SurfaceRow*>> byLight(const SurfaceReport& surfaces)
 {
@@ -243,6 +271,11 @@ nlohmann::ordered_json meansJson(const std::vector<const SurfaceRow*>& rows)
             }
             json[nameOf(source)][isAt4Mm ? "at_4_mm" : "at_16_px"] = entry;
         }
+    const auto others = notTrainedOn(rows);
+    json["fabrics_trained_on"] = rows.size() - others.size();
+    if (others.size() == rows.size()) return json;
+    json["not_trained_on"] = others.empty() ? nlohmann::ordered_json(nullptr) : meansJson(others);
+    if (others.empty()) json["why"] = {{"not_trained_on", "the model was trained on photographs of every fabric"}};
     return json;
 }
 
@@ -265,14 +298,15 @@ std::string nameOf(SeenRelief source)
 
 SourceSummary summaryOf(const std::vector<const SurfaceRow*>& rows, SeenRelief source, bool isAt4Mm)
 {
-    if (source == SeenRelief::Ridge && rows.size() < 2) {
+    const bool isRidge = source == SeenRelief::Ridge;
+    if (isRidge && std::ranges::none_of(rows, [](const SurfaceRow* row) { return row->hasRidge; })) {
         const auto none = stats::Value::undefined("there is no other fabric to learn from");
         return {none, {none, none}, none, {none, none}};
     }
     std::vector<double> values, above;
     for (const SurfaceRow* row : rows) {
         const auto value = valueOf(*row, source, isAt4Mm), generated = valueOf(*row, SeenRelief::Generated, isAt4Mm);
-        if (!value || !generated) continue;
+        if (!value || !generated || (isRidge && !row->hasRidge)) continue;
         values.push_back(*value);
         above.push_back(*generated - *value);
     }
@@ -303,11 +337,13 @@ SurfaceReport evaluateSurfaces(const fabrics::Dataset& dataset, const Evaluation
     options.model = request.model.empty() ? models::shippedModel() : request.model;
     options.quality = request.quality;
     options.friction = false;
-    surfaces.model = models::readModelCardFields(options.model).summary.name;
+    const models::ModelCardFields card = models::readModelCardFields(options.model);
+    surfaces.model = card.summary.name;
     const SurfacePairs pairs = pairsOf(dataset);
     if (pairs.empty())
         throw protocols::badInput({"no photograph has its surface", dataset.folder.string(), "F01/surface/000.tiff",
                                    "import scans with `vis2hap import scans`"});
+    const auto trainedOn = photographsTrainedOn(dataset, card.summary.trainingSampleHashes);
     int total = 0, done = 0;
     for (const auto& [light, ofFabric] : pairs) total += static_cast<int>(ofFabric.size());
     for (const auto& [light, ofFabric] : pairs) {
@@ -317,7 +353,9 @@ SurfaceReport evaluateSurfaces(const fabrics::Dataset& dataset, const Evaluation
             if (own == ofFabric.end()) continue;
             surfaces.rows.push_back(rowOf(dataset, fabric, light,
                                           spread(own->second, request.samplesPerFabric.value_or(usualPhotographs)),
-                                          weightsWithout(sums, fabric.id), options, generate));
+                                          weightsWithout(sums, fabric.id), card.architecture, options, generate));
+            if (const auto seen = trainedOn.find(fabric.id); seen != trainedOn.end())
+                surfaces.rows.back().trainedOn = seen->second;
             if (report) report("reliefs and surfaces", ++done, total);
         }
     }
@@ -328,11 +366,9 @@ nlohmann::ordered_json surfacesJson(const SurfaceReport& surfaces)
 {
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     for (const SurfaceRow& row : surfaces.rows) {
-        nlohmann::ordered_json entry{{"fabric", row.fabric.value},
-                                     {"name", row.name},
-                                     {"light", row.light},
-                                     {"photographs", row.photographs},
-                                     {"lamp_told", row.lampTold}};
+        nlohmann::ordered_json entry{{"fabric", row.fabric.value}, {"name", row.name},
+                                     {"light", row.light},         {"photographs", row.photographs},
+                                     {"lamp_told", row.lampTold},  {"photographs_trained_on", row.trainedOn}};
         for (std::size_t i = 0; i < row.correlations.size(); ++i) {
             const auto& one = row.correlations[i];
             entry[nameOf(allSeenReliefs[i])] = {{"at_16_px", one.at16Px},
@@ -360,8 +396,10 @@ std::string surfacesText(const SurfaceReport& surfaces)
         const SurfaceRow& first = *rows.front();
         text += "\n" + (first.light.empty() ? std::string("light unknown") : first.light) + ", " +
                 std::to_string(first.photographs) + " photographs of each fabric" +
-                (first.lampTold ? ", the side of the lamp is told" : "") + "\n" + linesOf(rows, false) + linesOf(rows, true) +
-                gapsOf(rows);
+                (first.lampTold ? ", the side of the lamp is told" : "") + "\n" + memoryOf(rows) + linesOf(rows, false) +
+                linesOf(rows, true) + gapsOf(rows);
+        if (const auto others = notTrainedOn(rows); !others.empty() && others.size() < rows.size())
+            text += "  only the fabrics that the model was not trained on\n" + linesOf(others, false) + linesOf(others, true);
     }
     return text;
 }

@@ -32,6 +32,8 @@ struct SurfaceRow {
     bool lampTold = false;                         ///< the generators knew the side of the lamp of every photograph
     std::vector<SurfaceCorrelation> correlations;  ///< in the order of allSeenReliefs; Ridge is 0 without other fabrics
     std::size_t points = 0, unmeasured = 0;        ///< of the surfaces; those without a measured height were left out
+    int trainedOn = 0;  ///< photographs of the fabric, under any light, that the model was trained on: it may remember the fabric
+    bool hasRidge = true;  ///< other fabrics of the same light taught the regression
 };
 
 /// A source of relief over the fabrics of one light.
@@ -55,14 +57,16 @@ SourceSummary summaryOf(const std::vector<const SurfaceRow*>& rows, SeenRelief s
 bool hasSurfaces(const rendering::fabrics::Dataset& dataset);
 
 /// Compares the photographs that have a surface: at most `request.samplesPerFabric` of a fabric and light (4 if not set), evenly
-/// spread over its places. The ridge regression learns from all other fabrics under the same light. Photographs with the light
+/// spread over its places. Fabrics that the model was trained on stay in, and are marked: their figures also measure memory. The
+/// ridge regression learns from all other fabrics under the same light. Photographs with the light
 /// "one_lamp" tell the generators its side (samples.csv, light_deg); all others do not, as if nobody knew it. Points without a
 /// measured height are left out. Throws badInput for a surface of another size than its photograph, and for one of which hardly
 /// anything was measured.
 SurfaceReport evaluateSurfaces(const rendering::fabrics::Dataset& dataset, const EvaluationRequest& request,
                                const Report& report = {}, const Generate& generate = rendering::models::generate);
 
-/// The report as JSON, schema vis2hap.evaluation/1: "surfaces" has the fabrics, "surface_means" the means of each light.
+/// The report as JSON, schema vis2hap.evaluation/1: "surfaces" has the fabrics, "surface_means" the means of each light. Where
+/// the model was trained on some of the fabrics, "not_trained_on" has the means over the others.
 nlohmann::ordered_json surfacesJson(const SurfaceReport& surfaces);
 std::string surfacesText(const SurfaceReport& surfaces);
 

@@ -9,6 +9,8 @@
 #include "protocols/files/errors.h"
 #include "rendering/fabrics/sample_places.h"
 #include "rendering/models/model_card_fields.h"
+#include "rendering/models/photograph_at_pitch.h"
+#include "study/evaluation/leaks.h"
 
 namespace study::evaluation {
 
@@ -68,7 +70,10 @@ WeaveReport evaluateWeaves(const fabrics::Dataset& dataset, const EvaluationRequ
     options.model = request.model.empty() ? models::shippedModel() : request.model;
     options.quality = request.quality;
     options.friction = false;
-    weaves.model = models::readModelCardFields(options.model).summary.name;
+    const models::ModelCardFields card = models::readModelCardFields(options.model);
+    weaves.model = card.summary.name;
+    for (const auto& [fabric, count] : photographsTrainedOn(dataset, card.summary.trainingSampleHashes))
+        weaves.trainedOn += count;
     for (const auto& fabric : dataset.fabrics)
         for (const int index : fabrics::sampleIndices(dataset, fabric.id, Modality::Visual))
             weaves.photographs.push_back({fabric.id, fabric.name, index, {}, {}, 0, 0, 0, 0, {}});
@@ -86,7 +91,9 @@ WeaveReport evaluateWeaves(const fabrics::Dataset& dataset, const EvaluationRequ
                                    dataset.fabric(weaves.photographs[i].fabric).fibre});
         const auto answers = generate(photographs, options);
         for (std::size_t i = first; i < end; ++i) {
-            compareWaves(weaves.photographs[i], photographs[i - first].photograph, answers[i - first].heightMm);
+            const models::InputPhotograph& input = photographs[i - first];
+            compareWaves(weaves.photographs[i], input.photograph(models::usedPart(input, card.architecture)),
+                         answers[i - first].heightMm);
             weaves.photographs[i].facts = answers[i - first].photograph;
         }
         if (report) report("reliefs of photographs", static_cast<int>(end), static_cast<int>(weaves.photographs.size()));
@@ -108,10 +115,19 @@ nlohmann::ordered_json weavesJson(const WeaveReport& weaves)
         row["share_of_photograph"] = weave.comparable() ? nlohmann::ordered_json(weave.shareOfPhotograph) : nullptr;
         row["share_of_relief"] = weave.comparable() ? nlohmann::ordered_json(weave.shareOfRelief) : nullptr;
         row["kept"] = weave.photograph ? nlohmann::ordered_json(weave.kept()) : nullptr;
-        if (!weave.comparable()) row["why"] = {{"period_change", "the photograph or the relief has no clear wave"}};
+        constexpr const char* none = "the photograph or the relief has no clear wave";
+        if (!weave.comparable())
+            for (const char* field : {"period_change", "turn_deg", "share_of_photograph", "share_of_relief"})
+                row["why"][field] = none;
+        if (!weave.photograph) row["why"]["photograph"] = row["why"]["kept"] = "the photograph has no clear wave";
+        if (!weave.relief) row["why"]["relief"] = "the relief has no clear wave";
         rows.push_back(row);
     }
-    return {{"schema", "vis2hap.evaluation/1"}, {"dataset", weaves.dataset}, {"model", weaves.model}, {"weaves", rows}};
+    return {{"schema", "vis2hap.evaluation/1"},
+            {"dataset", weaves.dataset},
+            {"model", weaves.model},
+            {"photographs_trained_on", weaves.trainedOn},
+            {"weaves", rows}};
 }
 
 std::string weavesText(const WeaveReport& weaves)
@@ -119,6 +135,9 @@ std::string weavesText(const WeaveReport& weaves)
     std::string text = "Generated reliefs of photographs without measurements: model \"" + weaves.model + "\" on \"" +
                        weaves.dataset +
                        "\"\n  strongest wave of the photograph and of the relief, period and direction, on the same pixels\n";
+    if (weaves.trainedOn > 0)
+        text += "  MEMORY: the model was trained on " + std::to_string(weaves.trainedOn) + " of these " +
+                std::to_string(weaves.photographs.size()) + " photographs; what it made of them also measures memory\n";
     std::size_t width = 0;
     for (const WeaveComparison& weave : weaves.photographs) width = std::max(width, weave.name.size());
     int kept = 0, withWave = 0;

@@ -32,6 +32,7 @@ struct WeaveComparison {
 struct WeaveReport {
     std::string dataset, model;
     std::vector<WeaveComparison> photographs;
+    int trainedOn = 0;  ///< photographs that the model was trained on: what it made of them also measures memory
 };
 
 inline constexpr double mostPeriodChange = 0.05, mostTurnDeg = 5, leastShareRatio = 1.0 / 3, mostShareRatio = 2;

@@ -361,6 +361,13 @@ LabCloth readLabCloth(const Dataset& dataset, const Architecture& architecture, 
     return LabReader(dataset, architecture, options).read();
 }
 
+std::size_t heldOutAmong(const LabCloth& lab, const std::vector<std::string>& trainedOn)
+{
+    return static_cast<std::size_t>(std::ranges::count_if(trainedOn, [&](const std::string& hash) {
+        return lab.heldOutPlaces.contains(hash) || lab.heldOutFabrics.contains(hash);
+    }));
+}
+
 PictureSet scansOfHeldOut(const Dataset& scans, const LabCloth& lab)
 {
     const std::vector<ScanPicture> pictures = picturesOf(scans);

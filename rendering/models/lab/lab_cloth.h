@@ -81,6 +81,9 @@ struct LabOptions {
 /// was measured, or for fewer than fewestLabPhotographs photographs with something measured.
 LabCloth readLabCloth(const fabrics::Dataset& dataset, const Architecture& architecture, const LabOptions& options);
 
+/// How many photographs of both held-out parts are among `trainedOn`, the SHA-256 of training files.
+std::size_t heldOutAmong(const LabCloth& lab, const std::vector<std::string>& trainedOn);
+
 /// Pictures of `scans` that show what the lab holds out. Held-out photographs are known by the SHA-256 of their files. With one
 /// of a held-out fabric go all pictures of that fabric. With one of a held-out place go its group and what overlaps it.
 PictureSet scansOfHeldOut(const fabrics::Dataset& scans, const LabCloth& lab);

@@ -88,6 +88,14 @@ std::string choiceLine(const LabOutcome& outcome)
 
 }  // namespace
 
+std::string memoryOf(std::size_t heldOutSeen, const std::string& given)
+{
+    if (heldOutSeen == 0) return {};
+    return "MEMORY: " + given + " was trained on " + counted(static_cast<int>(heldOutSeen), "photograph") +
+           " that this call holds out, so the figures of held-out places and fabrics also measure memory. Take its --split-seed "
+           "and --hold-out, or start from the model before it.\n";
+}
+
 std::string labTable(const LabOutcome& outcome, const std::string& given, const std::string& adapted)
 {
     std::string text = paddedTo("", measureWidth) + paddedTo("before", valueWidth) + "after\n";
@@ -102,6 +110,7 @@ std::string labTable(const LabOutcome& outcome, const std::string& given, const 
                 change(outcome.shipped.relief)) +
             row("mean friction, error", percent(outcome.shipped.friction.before), percent(outcome.shipped.friction.after),
                 change(outcome.shipped.friction));
+    text += memoryOf(outcome.heldOutSeen, given);
     return text + factorLines(outcome, given, adapted) + choiceLine(outcome);
 }
 
@@ -113,7 +122,8 @@ nlohmann::ordered_json asJson(const LabOutcome& outcome)
             {"stated_friction_error", outcome.statedFrictionError},
             {"factors", {{"friction", outcome.factors.friction}, {"relief", outcome.factors.relief}}},
             {"share_of_the_step", outcome.share},
-            {"candidates", outcome.candidates}};
+            {"candidates", outcome.candidates},
+            {"held_out_trained_on", outcome.heldOutSeen}};
 }
 
 }  // namespace rendering::models

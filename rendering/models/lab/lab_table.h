@@ -18,7 +18,11 @@ struct LabOutcome {
     int step = 0;                    ///< whose weights were kept; 0 for the given weights
     double share = 1;                ///< share of the way from the given weights to those of the step
     int candidates = 0;              ///< among which they were chosen
+    std::size_t heldOutSeen = 0;     ///< held-out photographs that the given model was trained on (memoryOf())
 };
+
+/// One line with its end about held-out photographs that the given model was trained on; empty for none.
+std::string memoryOf(std::size_t heldOutSeen, const std::string& given);
 
 /// Several lines, each with its end. `given`, `adapted`: names of the models.
 std::string labTable(const LabOutcome& outcome, const std::string& given, const std::string& adapted);

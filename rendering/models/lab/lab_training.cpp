@@ -115,6 +115,7 @@ private:
         }
         for (const LabPhotograph& photograph : m_lab.photographs) registered += photograph.reliefMm.empty() ? 0 : 1;
         for (const std::string& note : m_lab.notes) m_out << note << "\n";
+        m_out << memoryOf(heldOutAmong(m_lab, m_start.summary.trainingSampleHashes), m_start.summary.name);
         m_out << "adapting " << m_start.summary.name << " to \"" << m_dataset.name
               << "\": " << countOf(m_lab.photographsOf(LabPart::Training).size(), "photograph") << " of "
               << countOf(fabrics, "fabric")
@@ -356,6 +357,7 @@ private:
         outcome.fabricsAfter = labFigures(fabrics);
         refuseWithoutGain(scoreOf({outcome.placesAfter, outcome.fabricsAfter}));
         outcome.heldOutFabrics = heldOutIds();
+        outcome.heldOutSeen = heldOutAmong(m_lab, m_start.summary.trainingSampleHashes);
         outcome.statedFrictionError = errorAsStated();
         outcome.factors = m_factors;
         outcome.step = m_kept.step;

@@ -200,6 +200,28 @@ private Q_SLOTS:
         QCOMPARE(trained, 13);
     }
 
+    /// The gain of a model that knows what is held out is memory.
+    void whatTheGivenModelRemembersIsNamed()
+    {
+        models::ModelCardFields card = cardAt("tiny.safetensors");
+        for (const fabrics::FabricInfo& fabric : m_lab.fabrics)
+            for (const int index : fabrics::sampleIndices(m_lab, fabric.id, fabrics::Modality::Visual))
+                card.summary.trainingSampleHashes.push_back(
+                    protocols::sha256OfFile(fabrics::samplePath(m_lab, fabric.id, fabrics::Modality::Visual, index)));
+        QVERIFY(QFile::copy(at("tiny.safetensors"), at("knowing.safetensors")));
+        fabric_files::write(models::cardOf(at("knowing.safetensors").toStdString()), models::cardText(card));
+        const auto adapted = [&](const char* from, const char* out) {
+            return runNetworks(adaptation(at(from), out, {"--steps", "2"}));
+        };
+        const Ended other = adapted("tiny.safetensors", "unknowing.safetensors"),
+                    ended = adapted("knowing.safetensors", "again.safetensors");
+        QVERIFY2(other.exitCode == 0, qPrintable(other.errors));
+        QVERIFY2(!other.output.contains("MEMORY"), qPrintable(other.output));
+        QVERIFY2(ended.exitCode == 0, qPrintable(ended.errors));
+        QCOMPARE(ended.output.count("MEMORY: tiny was trained on 8 photographs that this call holds out"), 2);
+        QCOMPARE(nlohmann::json::parse(cardAt("again.safetensors").validationJson).at("held_out_trained_on").get<int>(), 8);
+    }
+
     void killedAdaptationResumesToTheSameWeights()
     {
         const QStringList steps{"--steps", "6"};

@@ -3,13 +3,16 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "protocols/files/sha256.h"
 #include "rendering/fabrics/sample_places.h"
 #include "rendering/images/image_io.h"
+#include "rendering/models/model_card_fields.h"
 #include "study/evaluation/pixel_ridge.h"
 #include "study/evaluation/surfaces.h"
 #include "tests/rendering/refusal.h"
@@ -136,7 +139,9 @@ private Q_SLOTS:
         const SourceSummary at4Mm = summaryOf(all, SeenRelief::Generated, true);
         QCOMPARE(at4Mm.fabrics, 1);
         QVERIFY(*at4Mm.mean == 0.3 && !at4Mm.ci95.low.exists());
-        QVERIFY(!summaryOf({&rows[0]}, SeenRelief::Ridge, false).mean.exists());
+        SurfaceRow alone = rows[0];
+        alone.hasRidge = false;
+        QVERIFY(!summaryOf({&alone}, SeenRelief::Ridge, false).mean.exists());
 
         SurfaceReport report{"scans", "model", rows};
         const QString text = QString::fromStdString(surfacesText(report));
@@ -146,6 +151,20 @@ private Q_SLOTS:
         QCOMPARE(json.at("ridge").at("at_16_px").at("generated_minus").at("fabrics_above").get<int>(), 2);
         QVERIFY(json.at("generated").at("at_4_mm").at("ci95").at(0).is_null());
         QVERIFY(!json.at("generated").at("at_4_mm").at("why").at("ci95").get<std::string>().empty());
+    }
+
+    /// Half of the photographs without a scale once halved the correlation at 4 mm.
+    void aCorrelationAt4MmIsTheMeanOfThePhotographsWithAScale()
+    {
+        makeSet(2, {});
+        const auto all = evaluateSurfaces(m_dataset, {}, {}, knowsAll());
+        for (std::size_t i = 0; i < m_places.size(); i += 2) m_places[i].mmPerPixel.reset();
+        fabrics::writeSamplePlaces(m_dataset, m_places);
+        const auto some = evaluateSurfaces(m_dataset, {}, {}, knowsAll());
+        for (std::size_t fabric = 0; fabric < 2; ++fabric) {
+            const double was = *all.rows[fabric].correlations.front().at4Mm, is = *some.rows[fabric].correlations.front().at4Mm;
+            QVERIFY2(std::abs(is - was) < 0.02, qPrintable(QString("%1 %2").arg(was).arg(is)));
+        }
     }
 
     void onlyTheOneLampIsTold()
@@ -163,6 +182,43 @@ private Q_SLOTS:
         QCOMPARE(std::ranges::count(told, std::optional(135.0)), std::ptrdiff_t(m_places.size() / 2));
         for (const SurfaceRow& row : report.rows) QCOMPARE(row.lampTold, row.light == "one_lamp");
         QVERIFY(surfacesText(report).find("the side of the lamp is told") != std::string::npos);
+    }
+
+    /// Before, a model's own training fabrics looked like any others.
+    void fabricsThatTheModelWasTrainedOnAreMarked()
+    {
+        makeSet(fabricCount, {});
+        EvaluationRequest request;
+        request.model = m_dataset.folder / "model.safetensors";
+        const auto evaluatedWith = [&](const std::vector<std::string>& fabrics) {
+            models::ModelCardFields card = models::readModelCardFields(models::shippedModel());
+            for (const std::string& fabric : fabrics)
+                card.summary.trainingSampleHashes.push_back(protocols::sha256OfFile(
+                    fabrics::samplePath(m_dataset, FabricId(fabric), fabrics::Modality::Visual, places - 1)));
+            std::ofstream(models::cardOf(request.model)) << models::cardText(card);
+            return evaluateSurfaces(m_dataset, request, {}, knowsAll());
+        };
+        const auto none = evaluatedWith({});
+        QVERIFY(surfacesText(none).find("MEMORY") == std::string::npos);
+        QVERIFY(!surfacesJson(none).at("surface_means").at(0).contains("not_trained_on"));
+
+        const auto two = evaluatedWith({"F02", "F04"});
+        const QString text = QString::fromStdString(surfacesText(two));
+        QVERIFY2(text.contains("trained on photographs of 2 of these 4 fabrics (F02, F04)"), qPrintable(text));
+        QVERIFY2(text.contains("only the fabrics that the model was not trained on\n"), qPrintable(text));
+        QCOMPARE(text.count("  F02 cloth F02"), 2);
+        QCOMPARE(text.count("  F03 cloth F03"), 4);
+        const auto means = surfacesJson(two).at("surface_means").at(0);
+        QCOMPARE(means.at("fabrics_trained_on").get<int>(), 2);
+        QCOMPARE(means.at("generated").at("at_16_px").at("fabrics").get<int>(), 4);
+        QCOMPARE(means.at("not_trained_on").at("generated").at("at_16_px").at("fabrics").get<int>(), 2);
+        QCOMPARE(surfacesJson(two).at("surfaces").at(1).at("photographs_trained_on").get<int>(), 1);
+
+        // The regression of the only fabric left learned from the others.
+        const auto three = surfacesJson(evaluatedWith({"F01", "F02", "F04"})).at("surface_means").at(0).at("not_trained_on");
+        QVERIFY(three.at("ridge").at("at_16_px").at("mean").is_number());
+        const auto all = surfacesJson(evaluatedWith({"F01", "F02", "F03", "F04"})).at("surface_means").at(0);
+        QVERIFY(all.at("not_trained_on").is_null() && all.at("why").contains("not_trained_on"));
     }
 
     /// Before, one missing point made 0.00 of the fabric, and of the ridge of all others.

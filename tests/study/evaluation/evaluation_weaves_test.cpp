@@ -4,12 +4,15 @@
 #include <QTest>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 
+#include "protocols/files/sha256.h"
 #include "rendering/fabrics/dataset.h"
 #include "rendering/images/image_io.h"
+#include "rendering/models/model_card_fields.h"
 #include "study/evaluation/weaves.h"
 #include "tests/rendering/shared_data.h"
 
@@ -19,9 +22,9 @@ using namespace study::evaluation;
 
 namespace {
 
-cv::Mat waves(double periodPx, double directionDeg)
+cv::Mat waves(double periodPx, double directionDeg, cv::Size size = {200, 200})
 {
-    cv::Mat picture(200, 200, CV_8UC3);
+    cv::Mat picture(size, CV_8UC3);
     const double angle = directionDeg * std::numbers::pi / 180;
     for (int row = 0; row < picture.rows; ++row)
         for (int column = 0; column < picture.cols; ++column) {
@@ -90,6 +93,42 @@ private Q_SLOTS:
         QVERIFY(weaves.photographs[0].kept() && weaves.photographs[1].kept());
         QVERIFY(!weaves.photographs[2].photograph && !weaves.photographs[2].kept());
         QVERIFY(QString::fromStdString(weavesText(weaves)).contains("2 of 2 photographs"));
+    }
+
+    void photographsThatTheModelWasTrainedOnAreCounted()
+    {
+        QVERIFY(weavesText(evaluateWeaves(m_dataset, {}, {}, madeUp(1, false))).find("MEMORY") == std::string::npos);
+        EvaluationRequest request;
+        request.model = m_dataset.folder / "model.safetensors";
+        models::ModelCardFields card = models::readModelCardFields(models::shippedModel());
+        card.summary.trainingSampleHashes.push_back(
+            protocols::sha256OfFile(fabrics::samplePath(m_dataset, protocols::FabricId("F02"), fabrics::Modality::Visual, 0)));
+        std::ofstream(models::cardOf(request.model)) << models::cardText(card);
+        const WeaveReport weaves = evaluateWeaves(m_dataset, request, {}, madeUp(1, false));
+        QVERIFY(weavesText(weaves).find("trained on 1 of these 3 photographs") != std::string::npos);
+        QCOMPARE(weavesJson(weaves).at("photographs_trained_on").get<int>(), 1);
+    }
+
+    /// The generators use the middle of a large photograph. The whole was squeezed onto its relief: +25 % and 11° here.
+    void aLargePhotographIsComparedWhereItsReliefIs()
+    {
+        QTemporaryDir folder;
+        fabrics::Dataset large;
+        large.folder = folder.path().toStdString();
+        large.name = "large";
+        large.fabrics = {{protocols::FabricId("F01"), "oblique", ""}};
+        const auto file = fabrics::samplePath(large, protocols::FabricId("F01"), fabrics::Modality::Visual, 0);
+        std::filesystem::create_directories(file.parent_path());
+        rendering::writePng(file, waves(8, 154, {3000, 2000}));
+        const Generate middle = [](std::span<const models::InputPhotograph> photographs,
+                                   const models::GenerationOptions& options) {
+            std::vector<models::InputPhotograph> parts(photographs.begin(), photographs.end());
+            for (models::InputPhotograph& one : parts) one.photograph = one.photograph(cv::Rect(476, 0, 2048, 2000));
+            return madeUp(1, false)(parts, options);
+        };
+        const WeaveComparison one = evaluateWeaves(large, {}, {}, middle).photographs.front();
+        QVERIFY2(one.comparable() && one.turnDeg < 1 && std::abs(one.periodChange) < 0.01,
+                 qPrintable(QString("%1 %2").arg(one.periodChange).arg(one.turnDeg)));
     }
 
     void changedPeriodOrDirectionIsReported()

@@ -46,7 +46,7 @@ void readExtra(const protocols::CsvTable& table, std::size_t row, SamplePlace& p
 {
     for (const auto& [extra, name] : extraColumns) {
         const auto column = table.column(name);
-        if (!column || table.rows[row][*column].empty()) continue;
+        if (!column || protocols::isMissing(table.rows[row][*column])) continue;
         if (extra == Extra::Light) {
             place.light = table.rows[row][*column];
             continue;
@@ -128,16 +128,14 @@ std::vector<SamplePlace> readSamplePlaces(const Dataset& dataset)
     std::vector<SamplePlace> places;
     std::map<std::tuple<protocols::FabricId, Modality, int>, std::size_t> listed;
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
-        const auto optional = [&](std::size_t at) {
-            return table.rows[row][at].empty() ? std::nullopt : std::optional(protocols::numberAt(table, row, at));
-        };
+        const auto optional = [&](std::size_t at) { return protocols::numberOrMissing(table, row, at); };
         SamplePlace place{protocols::FabricId(table.rows[row][fabric]),
                           modalityAt(table, row, signal),
                           indexAt(table, row, index),
                           optional(x),
                           optional(y),
                           optional(rotation),
-                          table.rows[row][group]};
+                          protocols::isMissing(table.rows[row][group]) ? std::string() : table.rows[row][group]};
         readExtra(table, row, place);
         const auto [first, isNew] = listed.emplace(std::tuple(place.fabric, place.modality, place.index), row);
         if (!isNew)

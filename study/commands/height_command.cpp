@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
+#include <optional>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
@@ -34,9 +35,23 @@ struct HeightCall {
     std::vector<std::string> frames, gradients;
     std::string calibration, background, normals, mask, out, kind = "point", contact = "auto", quality = "full",
                                                              normalsY = "auto";
-    std::vector<double> pitch;
+    std::optional<signals::Pitch> pitch;
     double cutoffMm = 0;
 };
+
+/// "0.05" or "0.05,0.1". An empty part is refused; a list of CLI11 would skip it.
+signals::Pitch pitchFrom(const std::string& text)
+{
+    std::vector<double> numbers;
+    bool areGood = !text.ends_with(',');  // split() drops an empty last part
+    for (std::string& part : CLI::detail::split(text, ',')) {
+        areGood = areGood && aboveZero()(part).empty();
+        CLI::detail::lexical_cast(part, numbers.emplace_back());
+    }
+    if (!areGood || numbers.empty() || numbers.size() > 2)
+        throw CLI::ValidationError("--pitch", text + " is not one number above 0, or two with a comma between them");
+    return {numbers.front(), numbers.back()};
+}
 
 measuring::HeightOptions heightOptionsOf(const HeightCall& call)
 {
@@ -49,7 +64,7 @@ measuring::HeightOptions heightOptionsOf(const HeightCall& call)
 measuring::SlopeSampling samplingOf(const HeightCall& call)
 {
     measuring::SlopeSampling sampling;
-    if (!call.pitch.empty()) sampling.pitch = {call.pitch.front(), call.pitch.back()};
+    if (call.pitch) sampling.pitch = *call.pitch;
     sampling.kind = signals::slopeKindNamed(call.kind);
     sampling.mask = call.mask;
     return sampling;
@@ -97,7 +112,7 @@ int height(const HeightCall& call)
         throw protocols::badInput(
             {sources == 1 ? "frames need a calibration" : std::to_string(sources) + " sources of heights are named", "",
              "frames with --calibration, or --gradients, or --normals", "name one of these"});
-    if (!call.frames.empty() && (!call.mask.empty() || !call.pitch.empty() || call.kind != "point"))
+    if (!call.frames.empty() && (!call.mask.empty() || call.pitch || call.kind != "point"))
         throw protocols::badInput({"--mask, --pitch and --kind apply to --gradients and --normals only, not to frames",
                                    call.frames.front(), "frames and --calibration",
                                    "leave them out; --contact takes a mask of the contact"});
@@ -137,10 +152,9 @@ void addHeight(CLI::App& app, Action& action)
         ->add_option("--normals-y", call->normalsY,
                      "direction of y in the normal map: up, down, or auto (the one whose slopes fit a surface)")
         ->check(CLI::IsMember({"auto", "up", "down"}));
-    command->add_option("--pitch", call->pitch, "mm between pixels along x,y (one number: both directions; default 1)")
-        ->delimiter(',')
-        ->expected(1, 2)
-        ->check(aboveZero());
+    command->add_option_function<std::string>(
+        "--pitch", [call](const std::string& text) { call->pitch = pitchFrom(text); },
+        "mm between pixels along x,y (one number: both directions; default 1)");
     command->add_option("--mask", call->mask,
                         "image, 0 where gradients or normals were not measured; these places, and NaN, are filled smoothly");
     command->add_option("--cutoff", call->cutoffMm, "mm; removes waves longer than this")->check(aboveZero());

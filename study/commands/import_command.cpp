@@ -10,6 +10,7 @@
 #include "protocols/files/safe_text.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/fabrics/recordings/import.h"
+#include "rendering/fabrics/recordings/photograph_files.h"
 #include "rendering/images/image_io.h"
 #include "rendering/scans/import_scans.h"
 #include "rendering/signals/friction_trace.h"
@@ -93,7 +94,9 @@ rendering::fabrics::ImportedSensor sensorFrom(const std::filesystem::path& file)
                                        "calibrate this sensor, or name its own background"});
     };
     const auto background = file.parent_path() / (file.stem().string() + "-background.png");
-    if (std::filesystem::exists(background)) sensor.untouched = rendering::readPng(background);
+    // A calibration of 16-bit frames has such a background; frames are imported with 8 bits.
+    if (std::filesystem::exists(background))
+        sensor.untouched = rendering::fabrics::inEightBits(rendering::readPng(background), background);
     return sensor;
 }
 

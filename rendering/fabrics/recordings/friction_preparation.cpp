@@ -171,11 +171,20 @@ void requirePlausibleRate(double stepS, const RawRecord& record)
                                         : "state the unit of time in the column's name, such as time_ms, time_us or time_ns"});
 }
 
-void requirePlausibleSpeed(const RawRecord& record)
+/// Rows at rest or in a ramp are cut from the record, so they must not count for its speed either.
+std::optional<double> speedIn(const RawRecord& record, RowRange rows)
 {
-    if (!record.speedMmPerS || (*record.speedMmPerS >= leastSpeedMmPerS && *record.speedMmPerS <= mostSpeedMmPerS)) return;
-    throw protocols::badInput({"the speed is " + fourFigures(*record.speedMmPerS) + " mm/s", record.where,
-                               "0.001 to 100,000 mm/s", "correct the speed in the file or in its name"});
+    if (record.speedsMmPerS.size() != record.timeS.size() || rows.count() == 0) return record.speedMmPerS;
+    const auto begin = record.speedsMmPerS.begin();
+    const double sum = std::accumulate(begin + std::ptrdiff_t(rows.begin), begin + std::ptrdiff_t(rows.end), 0.0);
+    return record.speedMmPerS ? std::optional(std::abs(sum / double(rows.count()))) : std::nullopt;
+}
+
+void requirePlausibleSpeed(std::optional<double> speedMmPerS, const RawRecord& record)
+{
+    if (!speedMmPerS || (*speedMmPerS >= leastSpeedMmPerS && *speedMmPerS <= mostSpeedMmPerS)) return;
+    throw protocols::badInput({"the speed is " + fourFigures(*speedMmPerS) + " mm/s", record.where, "0.001 to 100,000 mm/s",
+                               "correct the speed in the file or in its name"});
 }
 
 /// A cable that is out, or a wrong column, is no friction of 0.
@@ -282,7 +291,7 @@ std::string fourFigures(double value)
 PreparedRecord prepare(const RawRecord& record, const FrictionOptions& options)
 {
     requirePlausibleRate(timeBaseOf(record.timeS, record.where).stepS, record);
-    requirePlausibleSpeed(record);
+    requirePlausibleSpeed(record.speedMmPerS, record);
     PreparedRecord result;
     result.timeS = record.timeS;
     subtract(result.timeS, record.timeS.front());
@@ -297,6 +306,8 @@ PreparedRecord prepare(const RawRecord& record, const FrictionOptions& options)
     const auto first = second.empty() ? std::vector<double>{} : result.tangentialN;
     for (std::size_t i = 0; i < second.size(); ++i) result.tangentialN[i] = std::hypot(result.tangentialN[i], second[i]);
     result.slide = slideOf(result, record, options);
+    result.speedMmPerS = speedIn(record, result.slide.steady);
+    requirePlausibleSpeed(result.speedMmPerS, record);
     const Kept kept = keptOf(result, record.where);
     resample(result, kept, record.where, options.rateHz);
     requirePlausibleRate(result.stepS, record);

@@ -27,8 +27,9 @@ struct PreparedRecord {
     std::size_t leftOut = 0;  ///< samples of the steady part with too little normal force
 
     // The kept part.
-    TimeBase base;           ///< time base of the steady part's stamps
-    std::string resampling;  ///< "none", "linear between neighbours", "mean over each period"
+    std::optional<double> speedMmPerS;  ///< mean over its rows where they have speeds, else that of the record
+    TimeBase base;                      ///< time base of the steady part's stamps
+    std::string resampling;             ///< "none", "linear between neighbours", "mean over each period"
     double stepS = 0;
     std::vector<double> values, evenNormalN;  ///< at even steps
     double mean = 0;                          ///< mean coefficient, or mean of the quantity

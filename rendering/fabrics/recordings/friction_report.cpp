@@ -73,7 +73,7 @@ std::string preparationJson(const RawRecord& record, const FrictionOptions& opti
                       {"rows", record.timeS.size()},
                       {"quantity", record.normalN.empty() ? record.quantity : "mu"},
                       {"meaning", record.meaning}};
-    if (record.speedMmPerS) json["speed_mm_per_s"] = *record.speedMmPerS;  // readFriction() reads it
+    if (prepared.speedMmPerS) json["speed_mm_per_s"] = *prepared.speedMmPerS;  // readFriction() reads it
     if (!record.normalN.empty()) {
         json["axes"] = {{"normal", jsonOf(options.normal)}, {"tangential", ordered_json::array()}};
         for (const auto& axis : options.tangential) json["axes"]["tangential"].push_back(jsonOf(std::optional(axis)));

@@ -65,12 +65,12 @@ bool hasFriction(const Dataset& dataset)
                        [&](const FabricInfo& fabric) { return !sampleIndices(dataset, fabric.id, Modality::Friction).empty(); });
 }
 
-std::string remarkOnSpeed(const RawRecord& record, const Dataset& dataset)
+std::string remarkOnSpeed(const PreparedRecord& prepared, const Dataset& dataset)
 {
     const std::string known = fourFigures(dataset.friction.speedMmPerS) + " mm/s";
-    if (!record.speedMmPerS) return ", speed not stated (the data set's " + known + " is assumed)";
-    const std::string own = fourFigures(*record.speedMmPerS) + " mm/s";
-    if (std::abs(*record.speedMmPerS / dataset.friction.speedMmPerS - 1) < 0.01) return ", " + own;
+    if (!prepared.speedMmPerS) return ", speed not stated (the data set's " + known + " is assumed)";
+    const std::string own = fourFigures(*prepared.speedMmPerS) + " mm/s";
+    if (std::abs(*prepared.speedMmPerS / dataset.friction.speedMmPerS - 1) < 0.01) return ", " + own;
     return ", " + own + " (the data set states " + known + "; this record keeps its own)";
 }
 
@@ -97,9 +97,9 @@ std::string frictionCsv(const PreparedRecord& prepared, const std::string& quant
 FrictionRecording recordingOf(const RawRecord& record, const PreparedRecord& prepared, FrictionRecording known)
 {
     known.sampleRateHz = std::round(1 / prepared.stepS * 1e6) / 1e6;
-    if (!record.speedMmPerS) return known;
-    known.speedMmPerS = *record.speedMmPerS;
-    const double lengthMm = *record.speedMmPerS * prepared.stepS * double(prepared.values.size());
+    if (!prepared.speedMmPerS) return known;
+    known.speedMmPerS = *prepared.speedMmPerS;
+    const double lengthMm = *prepared.speedMmPerS * prepared.stepS * double(prepared.values.size());
     known.lengthMm = std::round(lengthMm * 1e3) / 1e3;
     if (!(known.lengthMm > 0 && known.lengthMm <= mostLengthMm))
         throw protocols::badInput({"the stroke is " + fourFigures(lengthMm) + " mm long", record.where, "0.001 mm to 100 km",
@@ -127,7 +127,7 @@ std::vector<std::string> importFrictionFiles(const ImportRequest& request, Impor
             const std::string title = titleOf(dataset.fabric(fabric), slot.index);
             if (!request.plots.empty())
                 stage.keepPlot({fabric.value + "-" + slot.file.stem().string() + ".svg", frictionPlot(title, record, done)});
-            lines.push_back(title + ": " + describe(record, done) + remarkOnSpeed(record, dataset) + describeCuts(done));
+            lines.push_back(title + ": " + describe(record, done) + remarkOnSpeed(done, dataset) + describeCuts(done));
         }
     return lines;
 }

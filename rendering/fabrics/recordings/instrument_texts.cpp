@@ -141,7 +141,10 @@ RawRecord tribometerRecord(const StepTable& step, const std::string& where, cons
     const std::vector<double> discSpeed = speed.empty() ? step.column("Disc Speed 1") : speed;
     if (!discSpeed.empty()) {
         const double mean = std::accumulate(discSpeed.begin(), discSpeed.end(), 0.0) / double(discSpeed.size());
-        if (std::abs(mean) >= leastDiscMmPerS && std::isfinite(mean)) record.speedMmPerS = std::abs(mean);
+        if (std::abs(mean) >= leastDiscMmPerS && std::isfinite(mean)) {
+            record.speedMmPerS = std::abs(mean);
+            record.speedsMmPerS = discSpeed;
+        }
     }
     return record;
 }

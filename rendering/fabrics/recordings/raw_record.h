@@ -19,7 +19,8 @@ struct RawRecord {
     std::vector<double> values = {};             ///< the quantity, or the tangential force where `normalN` is given
     std::vector<double> secondTangentialN = {};  ///< second tangential axis; empty where there is only one
     std::vector<double> normalN = {};            ///< with the sign of the sensor; empty unless both forces are known
-    std::optional<double> speedMmPerS = {};
+    std::optional<double> speedMmPerS = {};      ///< of the whole record; PreparedRecord has that of the kept rows
+    std::vector<double> speedsMmPerS = {};       ///< of each row, where the instrument recorded it; with the sign of its drive
 };
 
 }  // namespace rendering::fabrics

@@ -285,6 +285,19 @@ private Q_SLOTS:
         QVERIFY(contains(refusalOf([&] { readSamplePlaces(m_dataset); }), "column mm_per_pixel"));
     }
 
+    /// As R writes them. A group "NA" would hold every sample of unknown place.
+    void missingPlacesMayBeWrittenAsNa()
+    {
+        write(m_dataset.folder / "samples.csv",
+              "fabric,signal,index,x_mm,y_mm,rotation_deg,group,mm_per_pixel,light\nF01,visual,0,NA,NaN,NA,NA,NA,NA\n"
+              "F01,visual,1,2.5,1,NA,NA,0.1,colour\n");
+        const auto places = readSamplePlaces(m_dataset);
+        QVERIFY(!places[0].xMm && !places[0].yMm && !places[0].rotationDeg && !places[0].mmPerPixel && places[0].light.empty());
+        QCOMPARE(places[0].group, std::string("F01/visual/0"));
+        QCOMPARE(places[1].group, std::string("F01/visual/1"));
+        QCOMPARE(places[1].xMm, std::optional(2.5));
+    }
+
     /// Before, the last row counted in trainings and evaluations.
     void aSampleThatIsListedTwiceIsRefusedWithBothLines()
     {

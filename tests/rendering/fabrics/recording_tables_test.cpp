@@ -319,6 +319,19 @@ private Q_SLOTS:
         QVERIFY(!contains(read(m_out / "F01/friction/002.json"), "speed_mm_per_s"));
     }
 
+    /// The disc rests for 2 s, then turns for 8 s. The rest is cut, but it made 4 mm/s of 5.
+    void theSpeedIsThatOfTheKeptRows()
+    {
+        std::string rows;
+        for (int i = 0; i < 1000; ++i)
+            rows += std::to_string(i * 0.01) + "\t" + std::to_string(i < 200 ? 0.0 : 0.4 + 0.1 * (i % 10 < 5)) + "\t\t\t" +
+                    (i < 200 ? "0" : "5") + "\r\n";
+        m_options.trim = Selection::Stated;
+        m_options.trimInterval = {2, 9.99};
+        importedAs(ImportKind::Tribometer, "Z_1.txt", tribometerFile(rows));
+        QCOMPARE(readDataset(m_out).friction.speedMmPerS, 5.0);
+    }
+
     void theSpeedBesideARecordIsChecked_data()
     {
         QTest::addColumn<QString>("json");

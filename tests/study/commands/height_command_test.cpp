@@ -110,6 +110,16 @@ private Q_SLOTS:
         support::mustRun({"render", set, "--condition", "h", "--out", images});
         QVERIFY(QFile::exists(images + "/F01/h.png"));
 
+        // A calibration of 16-bit frames has a background of 16 bits; the data set could not be read.
+        const QString wide = m_folder.filePath("wide.json"), wideSet = m_folder.filePath("wide-set");
+        QVERIFY(QFile::copy(m_sensor, wide));
+        cv::Mat background;
+        rendering::readPng((m_presses + "/background.png").toStdString()).convertTo(background, CV_16U, 257);
+        rendering::writePng(m_folder.filePath("wide-background.png").toStdString(), background);
+        support::mustRun({"import", "gelsight", m_folder.filePath("frames"), "--calibration", wide, "--out", wideSet});
+        support::mustRun({"fabrics", "check", wideSet});
+        QCOMPARE(rendering::readPng((wideSet + "/tactile-reference.png").toStdString()).type(), CV_8UC3);
+
         // With another calibration, the data set would contain frames of two sensors.
         const auto refused = support::runProgram(
             {"import", "gelsight", m_folder.filePath("frames"), "--calibration", m_folder.filePath("tested.json"), "--out", set});
@@ -330,6 +340,10 @@ private Q_SLOTS:
                                                         "--pitch",       "3",
                                                         "--out",         "x"}
                                          << "--pitch";
+        for (const char* pitch : {"0.02,,0.05", "0.02,", "0.02,0.05,0.1", "0.02,x", "0,0.05"})
+            QTest::addRow("pitch %s", pitch)
+                << QStringList{"height", "--gradients", "a.npy", "b.npy", "--pitch", pitch, "--out", "x"}
+                << "one number above 0, or two";
         QTest::newRow("folder as calibration")
             << QStringList{"height", m_presses + "/press_1.png", "--calibration", m_presses, "--out", m_folder.filePath("x")}
             << "cannot be read";

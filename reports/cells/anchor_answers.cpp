@@ -18,11 +18,25 @@ auto presentationOf(const StudyResponse& response)
     return std::tie(response.participant, response.fabric, response.condition, response.repetition);
 }
 
-std::optional<stats::RatingReliability> ratingsTwice(const StudyData& data, const std::string& question,
-                                                     const NumberOnScale& scale)
+/// A retest may come in a session of its own, which `repetition` names.
+auto inAnySession(const StudyResponse& response)
+{
+    return std::tie(response.participant, response.fabric, response.condition, response.instruction);
+}
+
+/// "36 repeated answers have no first answer to the same presentation"; empty where no answer came twice.
+std::string withoutFirst(const StudyData& data, const std::string& question)
+{
+    const auto repeated = std::ranges::count(data.repeatedResponses, question, &StudyResponse::question);
+    if (repeated == 0) return {};
+    return counted(static_cast<std::size_t>(repeated), "repeated answer") + (repeated == 1 ? " has" : " have") +
+           " no first answer to the same presentation";
+}
+
+std::optional<stats::RatingReliability> ratingsTwice(const StudyData& data, const QuestionInfo& info, const NumberOnScale& scale)
 {
     std::vector<stats::RatingPairs> participants;
-    for (const auto& [participant, pairs] : answersTwice(data, question)) {
+    for (const auto& [participant, pairs] : answersTwice(data, info.id)) {
         auto& own = participants.emplace_back();
         for (const auto& [first, second] : pairs) {
             const auto* before = std::get_if<RatedAnswer>(&first->content);
@@ -32,7 +46,12 @@ std::optional<stats::RatingReliability> ratingsTwice(const StudyData& data, cons
     }
     if (participants.empty()) return std::nullopt;
     const auto [low, high] = data.equivalenceBounds;
-    return stats::ratingReliability(participants, scale.max, {.low = low, .high = high});
+    stats::RatingReliability found = stats::ratingReliability(participants, scale.max, {.low = low, .high = high});
+    if (info.scaleAssumed) {
+        const auto none = stats::Value::undefined("nobody stated the scale");
+        found.meanCeiling = {none, {none, none}};
+    }
+    return found;
 }
 
 /// Choices that came twice can lack what is compared: right and wrong alone do not say whether two wrong choices are the same.
@@ -62,9 +81,11 @@ void compareChoices(const StudyData& data, const QuestionInfo& info, QuestionAnc
     if (compared > 0)
         anchors.choices = stats::choiceReliability(participants, anchors.alternatives, anchors.compared);
     else if (twice > 0)
-        anchors.noChoices = counted(twice, "choice") +
-                            " came twice, but of none both answers are known; right and wrong alone do not say whether two "
-                            "wrong answers are the same";
+        anchors.noPairs = counted(twice, "choice") +
+                          " came twice, but of none both answers are known; right and wrong alone do not say whether two "
+                          "wrong answers are the same";
+    else
+        anchors.noPairs = withoutFirst(data, info.id);
 }
 
 std::optional<AnchorFloor> floorOf(const StudyData& data, const AnswerCells& cells, const std::string& question)
@@ -75,11 +96,13 @@ std::optional<AnchorFloor> floorOf(const StudyData& data, const AnswerCells& cel
     for (const StudyResponse& response : data.mismatchedResponses) {
         const auto* rated = std::get_if<RatedAnswer>(&response.content);
         if (response.question != question || rated == nullptr) continue;
-        floor.condition = response.condition;
+        if (std::ranges::find(floor.conditions, response.condition) == floor.conditions.end())
+            floor.conditions.push_back(response.condition);
         ratings.push_back(rated->rating);
         byParticipant[response.participant].push_back(rated->rating);
     }
     if (ratings.empty()) return std::nullopt;
+    std::ranges::sort(floor.conditions);
     std::vector<double> means;
     for (const auto& [participant, own] : byParticipant) means.push_back(*stats::meanOf(own));
     floor.ratings = ratings.size();
@@ -112,14 +135,26 @@ std::optional<AnchorFloor> floorOf(const StudyData& data, const AnswerCells& cel
 std::map<std::string, std::vector<AnswersTwice>> answersTwice(const StudyData& data, const std::string& question)
 {
     std::map<std::tuple<std::string, std::string, std::string, std::string>, const StudyResponse*> repeated;
+    std::map<std::tuple<std::string, std::string, std::string, std::string>, std::vector<const StudyResponse*>> firsts, seconds;
     for (const StudyResponse& response : data.repeatedResponses)
-        if (response.question == question) repeated[presentationOf(response)] = &response;
+        if (response.question == question) {
+            repeated[presentationOf(response)] = &response;
+            seconds[inAnySession(response)].push_back(&response);
+        }
+    for (const StudyResponse& response : data.responses)
+        if (response.question == question) firsts[inAnySession(response)].push_back(&response);
+    const auto secondOf = [&](const StudyResponse& response) -> const StudyResponse* {
+        if (const auto again = repeated.find(presentationOf(response)); again != repeated.end()) return again->second;
+        const auto later = seconds.find(inAnySession(response));
+        const bool isOne = later != seconds.end() && later->second.size() == 1 && firsts[inAnySession(response)].size() == 1;
+        return isOne ? later->second.front() : nullptr;
+    };
     std::map<std::string, std::vector<AnswersTwice>> pairs;
     for (const StudyResponse& response : data.responses) {
         if (response.question != question) continue;
-        const auto again = repeated.find(presentationOf(response));
-        if (again == repeated.end()) continue;
-        AnswersTwice pair{&response, again->second};
+        const StudyResponse* again = secondOf(response);
+        if (again == nullptr) continue;
+        AnswersTwice pair{&response, again};
         if (pair.first->trial && pair.second->trial && *pair.second->trial < *pair.first->trial)
             std::swap(pair.first, pair.second);
         pairs[response.participant].push_back(pair);
@@ -158,12 +193,13 @@ std::vector<QuestionAnchors> anchorsOf(const StudyData& data, const AnswerCells&
                        },
                        [&](const NumberOnScale& scale) {
                            anchors.floor = floorOf(data, cells, question.id);
-                           anchors.ratings = ratingsTwice(data, question.id, scale);
+                           anchors.ratings = ratingsTwice(data, question, scale);
+                           if (!anchors.ratings) anchors.noPairs = withoutFirst(data, question.id);
                        },
                        [](const OpenWords&) {},
                    },
                    scoringOf(question.kind));
-        if (anchors.floor || anchors.ratings || anchors.choices || !anchors.noChoices.empty()) all.push_back(std::move(anchors));
+        if (anchors.floor || anchors.ratings || anchors.choices || !anchors.noPairs.empty()) all.push_back(std::move(anchors));
     }
     return all;
 }

@@ -18,7 +18,7 @@ namespace reports {
 
 /// Ratings of the image of one fabric with another fabric on the tray.
 struct AnchorFloor {
-    std::string condition;  ///< of the images
+    std::vector<std::string> conditions;  ///< of the images, in the order of their names
     std::size_t ratings = 0;
     std::size_t participants = 0;
     stats::Value mean;                  ///< over ratings, as for a condition
@@ -36,7 +36,7 @@ struct QuestionAnchors {
     std::optional<AnchorFloor> floor = {};                 ///< of a rating with mismatched presentations
     std::optional<stats::RatingReliability> ratings = {};  ///< of a rating with repeated presentations
     std::optional<stats::ChoiceReliability> choices = {};  ///< of a choice with repeated presentations
-    std::string noChoices = {};                            ///< why there are none, although choices came twice; else empty
+    std::string noPairs = {};                              ///< why there are none, although answers came twice; else empty
     stats::ChoicesCompared compared = {};                  ///< comparedBy()
     int alternatives = 0;                                  ///< of `choices`
 };
@@ -45,7 +45,8 @@ struct QuestionAnchors {
 /// so that of the list may be the second.
 using AnswersTwice = std::pair<const StudyResponse*, const StudyResponse*>;
 
-/// The pairs of each participant. Where one of the two presentations has no answer that counts there is no pair.
+/// The pairs of each participant. Where one of the two presentations has no answer that counts there is no pair. A second answer
+/// of another session or repetition belongs to the first one where the participant has one of each for the presentation.
 std::map<std::string, std::vector<AnswersTwice>> answersTwice(const StudyData& data, const std::string& question);
 
 /// Whether two answers to this question agree where both are right or both are wrong: its choices came again beside other foils,

@@ -189,6 +189,8 @@ private:
         columns.value = index;
         columns.info.kind = kind;
         columns.info.alternativesAssumed = isAssumed(id, kind);
+        columns.info.scaleAssumed =
+            std::holds_alternative<protocols::Rating>(kind) && !m_options.scale && inProtocol(id) == nullptr;
     }
 
     /// Whether neither caller nor protocol nor export states the number of alternatives.

@@ -20,6 +20,12 @@ std::vector<std::string> answerNotes(const AnswerRows& rows, const AnswerColumns
     if (!assumed.empty())
         note("the choices of " + listed(assumed) + " are tested against 1/" + std::to_string(usualAlternatives) +
              ", the default of this program; name the number of alternatives by --alternatives or --protocol");
+    std::vector<std::string> onUsualScale;
+    for (const QuestionInfo& question : data.questions)
+        if (question.scaleAssumed) onUsualScale.push_back(question.id);
+    if (!onUsualScale.empty() && !found.hasOtherScale)
+        note("the ratings of " + listed(onUsualScale) +
+             " are read on a scale of 0 to 10, the default of this program; name another by --scale LOW,HIGH or --protocol");
     if (found.hasOtherScale) note("some ratings are outside 0 to 10; name their scale by --scale LOW,HIGH or by --protocol");
     for (const auto& [question, scores] : found.scores)
         if (const std::string contradictions = scores.note(); !contradictions.empty()) note(contradictions);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "protocols/files/errors.h"
@@ -28,14 +30,27 @@ void writeZeroOrOne(std::string& cell)
     if (std::ranges::find(wordsForWrong, word) != wordsForWrong.end()) cell = "0";
 }
 
-void rename(CsvTable& table, const std::string& meaning, const std::string& name)
+/// Every column is named as in the file: `--map Q2=Q1 --map Q3=Q2` moves two columns.
+void renameColumns(CsvTable& table, const std::vector<std::pair<std::string, std::string>>& names)
 {
-    const auto column = table.column(name);
-    if (!column)
-        throw protocols::badInput({"there is no column \"" + name + "\"", table.where + ", header row",
-                                   "one of " + listed(table.columns), "name the columns by --map MEANING=COLUMN"});
-    if (const auto taken = table.column(meaning); taken && taken != column) table.columns[*taken] += " (in the file)";
-    table.columns[*column] = meaning;
+    std::map<std::size_t, std::string> meanings;
+    std::set<std::string> given;
+    const auto refuseTwice = [&](const std::string& what) {
+        throw protocols::badInput(
+            {what, table.where + ", header row", "one --map for each column and each meaning", "leave out one of the two --map"});
+    };
+    for (const auto& [meaning, name] : names) {
+        const auto column = table.column(name);
+        if (!column)
+            throw protocols::badInput({"there is no column \"" + name + "\"", table.where + ", header row",
+                                       "one of " + listed(table.columns), "name the columns by --map MEANING=COLUMN"});
+        if (!meanings.emplace(*column, meaning).second) refuseTwice("the column \"" + name + "\" is given two meanings");
+        if (!given.insert(meaning).second) refuseTwice("two columns are given the meaning \"" + meaning + "\"");
+    }
+    for (const std::string& meaning : given)
+        if (const auto taken = table.column(meaning); taken && !meanings.contains(*taken))
+            table.columns[*taken] += " (in the file)";
+    for (const auto& [column, meaning] : meanings) table.columns[column] = meaning;
 }
 
 /// "P01 " and "P01" are one participant, whom one blank would make two of.
@@ -126,7 +141,7 @@ std::string wordsForScores()
 AnswerRows readAnswerRows(const std::filesystem::path& file, const AnswerRowsOptions& options, int alternatives)
 {
     protocols::ForeignTable foreign = protocols::readForeignTable(file, options.encoding);
-    for (const auto& [meaning, name] : options.names) rename(foreign.table, meaning, name);
+    renameColumns(foreign.table, options.names);
     CsvTable& table = foreign.table;
     trimNames(table);
     nameTheOnlyQuestion(table);

@@ -41,7 +41,7 @@ std::vector<std::string> designLimits(const StudyData& data, Depth depth)
     if (depth == Depth::Quick)
         limits.push_back(
             "This is a quick report. It has no analyses with one fabric, one participant or the flagged participants "
-            "left out, and no ordinal models. No claim rests on them.");
+            "left out, no ordinal models, and no sheet of friction images. No claim rests on them.");
     return limits;
 }
 

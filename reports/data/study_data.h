@@ -102,6 +102,7 @@ struct QuestionInfo {
     std::size_t presentations = 0;                   ///< to a participant, with catch trials and anchors; 0: those of all cells
     std::vector<SentenceWording> wordings = {};      ///< several ones; empty where `text` is the only one
     bool alternativesAssumed = false;                ///< nobody stated how many alternatives a choice had: the default is taken
+    bool scaleAssumed = false;                       ///< nobody stated the scale of the ratings: 0 to 10 is taken
 };
 
 /// A version of an amended protocol.

@@ -128,7 +128,7 @@ void drawAnchors(PlotFrame& plot, const std::vector<RatingQuestion>& questions, 
             plot.drawing().line({plot.left(), y}, {plot.rightEdge(), y}, seriesColour(k), 1.6, dashes);
             ends.push_back({y, name + (isNamed ? " " + questions[k].id() : std::string()), seriesColour(k)});
         };
-        if (anchors->floor) draw(anchors->floor->mean, "floor", "2 4");
+        if (anchors->floor) draw(anchors->floor->meanOfParticipants, "floor", "2 4");
         if (anchors->ratings) draw(anchors->ratings->meanCeiling.value, "ceiling", "8 5");
     }
     drawLineNames(plot, std::move(ends));
@@ -146,7 +146,7 @@ std::string anchorsCaption(const std::vector<RatingQuestion>& questions, const S
     std::string text;
     if (hasSome([](const QuestionAnchors& one) { return one.floor.has_value(); }))
         text += " Dotted lines: floor, the mean rating with another fabric on the tray.";
-    if (hasSome([](const QuestionAnchors& one) { return one.ratings.has_value(); }))
+    if (hasSome([](const QuestionAnchors& one) { return one.ratings && one.ratings->meanCeiling.value.exists(); }))
         text += " Dashed lines: ceiling, the highest mean that the noise of repeated answers allows.";
     return text;
 }

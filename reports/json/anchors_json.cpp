@@ -21,7 +21,12 @@ Json floorRow(const AnchorFloor& floor)
     row["participants"] = floor.participants;
     put(row, "ci95", floor.ci95);
     put(row, "mean_of_participants", floor.meanOfParticipants);
-    row["condition"] = floor.condition;
+    if (floor.conditions.size() == 1) {
+        row["condition"] = floor.conditions.front();
+    } else {
+        putNull(row, "condition", "images of several conditions were mismatched");
+        row["conditions"] = floor.conditions;
+    }
     row["lowest_condition"] = floor.lowest;
     put(row, "lowest_mean", floor.lowestMean);
     put(row, "share_above_lowest", floor.shareAbove);
@@ -101,7 +106,7 @@ nlohmann::ordered_json anchorsMember(const StudyAnalysis& analysis)
         if (anchors.floor) row["mismatched"] = floorRow(*anchors.floor);
         if (anchors.ratings) row["repeated"] = repeatedRow(*anchors.ratings, analysis.data.equivalenceBounds);
         if (anchors.choices) row["repeated"] = repeatedRow(*anchors.choices, anchors.compared, anchors.alternatives);
-        if (!anchors.noChoices.empty()) putNull(row, "repeated", anchors.noChoices);
+        if (!anchors.noPairs.empty()) putNull(row, "repeated", anchors.noPairs);
         part["anchors"].push_back(std::move(row));
     }
     return part;

@@ -29,7 +29,8 @@ std::string anchorLabels(const std::vector<std::string>& conditions)
 
 std::string floorSentences(const std::string& question, const AnchorFloor& floor)
 {
-    const std::string images = floor.condition.empty() ? "images" : htmlLabel(floor.condition) + " images";
+    const bool isNamed = std::ranges::none_of(floor.conditions, [](const std::string& one) { return one.empty(); });
+    const std::string images = isNamed ? anchorLabels(floor.conditions) + " images" : "images";
     std::string text = question + " floor: with another fabric on the tray, " + images + " were rated " +
                        valueWithInterval(floor.meanOfParticipants, floor.ci95, 1) + " on average (" +
                        counted(floor.ratings, "rating") + ").";
@@ -52,10 +53,13 @@ std::string reliabilitySentences(const std::string& question, const stats::Ratin
     else
         text += " There is no ICC: " + protocols::escapedMarkup(found.icc.value.why()) + ".";
     if (found.withinSd.value.exists())
-        text += " A rating varies around the participant&rsquo;s own mean with an SD of " +
-                valueWithInterval(found.withinSd.value, found.withinSd.ci95, 2) +
-                " points. So the mean rating of a rendering can reach at most " +
-                valueWithInterval(found.meanCeiling.value, found.meanCeiling.ci95, 1) + ".";
+        text +=
+            " A rating varies around the participant&rsquo;s own mean with an SD of " +
+            valueWithInterval(found.withinSd.value, found.withinSd.ci95, 2) + " points." +
+            (found.meanCeiling.value.exists()
+                 ? " So the mean rating of a rendering can reach at most " +
+                       valueWithInterval(found.meanCeiling.value, found.meanCeiling.ci95, 1) + "."
+                 : " How high a mean rating can be is unknown: " + protocols::escapedMarkup(found.meanCeiling.value.why()) + ".");
     if (found.bias.estimate.exists()) {
         text +=
             " Second ratings differ from first ones by " + valueWithInterval(found.bias.estimate, found.bias.ci, 2) + " points";
@@ -70,7 +74,7 @@ std::string reliabilitySentences(const std::string& question, const stats::Ratin
 std::string choiceSentences(const std::string& question, const QuestionAnchors& anchors)
 {
     std::string text = question + " test&ndash;retest: ";
-    if (!anchors.choices) return text + protocols::escapedMarkup(anchors.noChoices) + ".";
+    if (!anchors.choices) return text + protocols::escapedMarkup(anchors.noPairs) + ".";
     const stats::ChoiceReliability& found = *anchors.choices;
     if (anchors.compared == stats::ChoicesCompared::Outcomes)
         text += counted(found.pairs, "choice") + " came twice, the second time beside other foils; " +
@@ -110,6 +114,9 @@ std::string ratingAnchorsText(const StudyAnalysis& analysis)
         const std::string question = "<b>" + protocols::escapedMarkup(anchors.question) + "</b>";
         if (anchors.floor) items.push_back(floorSentences(question, *anchors.floor));
         if (anchors.ratings) items.push_back(reliabilitySentences(question, *anchors.ratings));
+        const bool isRating = anchors.alternatives == 0;
+        if (isRating && !anchors.noPairs.empty())
+            items.push_back(question + " test&ndash;retest: " + protocols::escapedMarkup(anchors.noPairs) + ".");
     }
     return listedAnchors(items);
 }
@@ -119,7 +126,7 @@ std::string choiceAnchorsText(const StudyAnalysis& analysis)
     std::vector<std::string> items;
     for (const auto& question : questionsWith<ChoiceAnalysis>(analysis))
         if (const QuestionAnchors* anchors = anchorsOf(analysis.anchors, question.id());
-            anchors != nullptr && (anchors->choices || !anchors->noChoices.empty()))
+            anchors != nullptr && (anchors->choices || !anchors->noPairs.empty()))
             items.push_back(choiceSentences("<b>" + protocols::escapedMarkup(question.id()) + "</b>", *anchors));
     return listedAnchors(items);
 }

@@ -172,7 +172,12 @@ std::string smallStudySentence(const StudyData& data)
 {
     const std::size_t participants = answeringParticipants(data), fabrics = data.fabrics.size();
     if (participants == 1) return "With 1 participant this study cannot show what holds for others.";
-    if (canSpeakForOtherFabrics(data) || data.conditions.size() < 2) return {};
+    // One condition is compared with chance only.
+    const bool hasClaims = data.conditions.size() > 1 || std::ranges::any_of(data.questions, [](const QuestionInfo& question) {
+                               const Scoring scoring = scoringOf(question.kind);
+                               return std::holds_alternative<RightOrWrong>(scoring);
+                           });
+    if (canSpeakForOtherFabrics(data) || !hasClaims) return {};
     if (fabrics >= fewestFabrics)
         return "With " + counted(participants, "participant") +
                " the claims for fabrics like these are not reliable: without any difference, such small studies claim one far "

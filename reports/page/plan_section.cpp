@@ -103,7 +103,10 @@ std::string usualRuleOf(const StudyData& data)
 /// Why the bounds are the default of this program.
 std::string whyUsualBounds(const StudyData& data)
 {
-    if (!data.plannedDesign) return "No protocol and no option stated any.";
+    const bool isAssumed = std::ranges::any_of(data.questions, [](const QuestionInfo& one) { return one.scaleAssumed; });
+    if (!data.plannedDesign)
+        return isAssumed ? "No protocol and no option stated any, nor the scale: 0 to 10 is assumed."
+                         : "No protocol and no option stated any.";
     return withCapital(statedBy(PlanOrigin::Protocol, data, "")) + " states none.";
 }
 

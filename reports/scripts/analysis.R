@@ -178,6 +178,8 @@ jackknife <- function(own, statistic, there, back) {
   if (!all(is.finite(pseudo))) return(c(NA, NA))
   back(of(own) + c(-1, 1) * qt(0.975, n - 1) * sd(pseudo) / sqrt(n))
 }
+# All participants show the same: an interval of one point would claim that the value is known exactly.
+unlessPoint <- function(ends) if (isTRUE(diff(ends) > 1e-9)) ends else c(NA_real_, NA_real_)
 anchorRatings <- function(question, top) {
   own <- anchorsOf(question, "repeated")
   own$x <- as.numeric(own$first)
@@ -185,8 +187,8 @@ anchorRatings <- function(question, top) {
   icc <- intraclass(own$x, own$y)
   noise <- withinSd(own$x, own$y)
   shifts <- c(tapply(own$y - own$x, own$participant, mean))
-  iccEnds <- jackknife(own, intraclass, atanh, tanh)
-  sdEnds <- jackknife(own, withinSd, log, exp)
+  iccEnds <- unlessPoint(jackknife(own, intraclass, atanh, tanh))
+  sdEnds <- unlessPoint(jackknife(own, withinSd, log, exp))
   ends <- testOf(shifts)$conf.int
   list(pairs = nrow(own), icc = icc, icc_ci95_low = iccEnds[1], icc_ci95_high = iccEnds[2], within_sd = noise,
        within_sd_ci95_low = sdEnds[1], within_sd_ci95_high = sdEnds[2], mean_difference = mean(shifts), ci95_low = ends[1],
@@ -229,8 +231,7 @@ anchorWords <- function(question) {
   words <- do.call(rbind, c(list(data.frame(participant = character(), x = numeric(), y = numeric())),
                             lapply(enough, beyondChance)))
   kappa <- kappaOfWords(words$x, words$y)
-  ends <- jackknife(words, kappaOfWords, atanh, tanh)
-  if (!isTRUE(diff(ends) > 1e-9)) ends <- c(NA_real_, NA_real_)  # all participants show the same
+  ends <- unlessPoint(jackknife(words, kappaOfWords, atanh, tanh))
   list(pairs = nrow(own), agreement = share[1], agreement_ci95_low = share[2], agreement_ci95_high = share[3],
        kappa = kappa, kappa_ci95_low = ends[1], kappa_ci95_high = ends[2],
        ceiling_of_proportion = (1 + sqrt(max(0, kappa))) / 2)

@@ -202,6 +202,11 @@ def jackknife(own, statistic, there, back):
         return math.nan, math.nan
 
 
+def unless_point(ends):
+    """All participants show the same: an interval of one point would claim that the value is known exactly."""
+    return ends if ends[1] - ends[0] > 1e-9 else (math.nan, math.nan)
+
+
 def twice(question):
     own = defaultdict(list)
     for row in anchors:
@@ -228,8 +233,8 @@ def anchor_ratings(question, top):
     shifts = [mean([second - first for first, second in of_one]) for of_one in own]
     result = {"pairs": len(pairs), "icc": icc, "within_sd": noise, "mean_difference": mean(shifts),
               "ceiling_of_correlation": math.sqrt(at_least_0(icc)), "ceiling_of_mean": top - noise / math.sqrt(2 * math.pi)}
-    result["icc_ci95_low"], result["icc_ci95_high"] = jackknife(own, intraclass, math.atanh, math.tanh)
-    result["within_sd_ci95_low"], result["within_sd_ci95_high"] = jackknife(own, within_sd, math.log, math.exp)
+    result["icc_ci95_low"], result["icc_ci95_high"] = unless_point(jackknife(own, intraclass, math.atanh, math.tanh))
+    result["within_sd_ci95_low"], result["within_sd_ci95_high"] = unless_point(jackknife(own, within_sd, math.log, math.exp))
     result["ci95_low"], result["ci95_high"] = interval(shifts, 0.95)
     return result
 
@@ -277,9 +282,7 @@ def anchor_words(question):
     share, low, high = share_of_pairs([[float(first == second) for first, second in pairs] for pairs in own])
     enough = [pairs for pairs in own if len(pairs) > 1]
     kappa = kappa_of_words(enough)
-    ends = jackknife([[pairs] for pairs in enough], kappa_of_words, math.atanh, math.tanh)
-    if not ends[1] - ends[0] > 1e-9:  # all participants show the same
-        ends = math.nan, math.nan
+    ends = unless_point(jackknife([[pairs] for pairs in enough], kappa_of_words, math.atanh, math.tanh))
     return {"pairs": sum(map(len, own)), "agreement": share, "agreement_ci95_low": low, "agreement_ci95_high": high,
             "kappa": kappa, "kappa_ci95_low": ends[0], "kappa_ci95_high": ends[1],
             "ceiling_of_proportion": (1 + math.sqrt(at_least_0(kappa))) / 2}

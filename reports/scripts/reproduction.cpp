@@ -241,9 +241,9 @@ void addAnchorNumbers(std::string& text, const StudyAnalysis& analysis, const Qu
             .put("ceiling_of_proportion", anchors.choices->shareCeiling.value);
     if (!anchors.ratings) return;
     for (const QuestionInfo& question : analysis.data.questions)
-        if (const auto scoring = scoringOf(question.kind); question.id == anchors.question)
-            NumberRows(text, "anchor_ratings", anchors.question, "", "")
-                .within(std::get<NumberOnScale>(scoring).min, protocols::shortest(std::get<NumberOnScale>(scoring).max))
+        if (const auto scoring = scoringOf(question.kind); question.id == anchors.question) {
+            NumberRows rows(text, "anchor_ratings", anchors.question, "", "");
+            rows.within(std::get<NumberOnScale>(scoring).min, protocols::shortest(std::get<NumberOnScale>(scoring).max))
                 .count("pairs", anchors.ratings->pairs)
                 .put("icc", anchors.ratings->icc.value)
                 .ends("icc_ci95", anchors.ratings->icc.ci95)
@@ -251,8 +251,10 @@ void addAnchorNumbers(std::string& text, const StudyAnalysis& analysis, const Qu
                 .ends("within_sd_ci95", anchors.ratings->withinSd.ci95)
                 .put("mean_difference", anchors.ratings->bias.estimate)
                 .ends("ci95", anchors.ratings->bias.ci)
-                .put("ceiling_of_correlation", anchors.ratings->correlationCeiling.value)
-                .put("ceiling_of_mean", anchors.ratings->meanCeiling.value);
+                .put("ceiling_of_correlation", anchors.ratings->correlationCeiling.value);
+            // Without a scale there is none; the scripts would take the assumed end.
+            if (anchors.ratings->meanCeiling.value.exists()) rows.put("ceiling_of_mean", anchors.ratings->meanCeiling.value);
+        }
 }
 
 std::string scaleOf(const StudyData& data)

@@ -89,9 +89,9 @@ Table anchorsTable(const StudyAnalysis& analysis)
         else
             row.resize(row.size() + 4, blankCell());
         row.push_back(anchors.floor ? numberCell(anchors.floor->shareAbove, 2) : blankCell());
-        const stats::Value none = stats::Value::undefined(anchors.noChoices);
+        const stats::Value none = stats::Value::undefined(anchors.noPairs);
         const stats::Estimate noEstimate{none, {none, none}};
-        const bool isWithout = !anchors.noChoices.empty();  // choices came twice, and nothing of them can be compared
+        const bool isWithout = !anchors.noPairs.empty();  // choices came twice, and nothing of them can be compared
         const stats::Estimate* ceiling = isWithout ? &noEstimate : ceilingOf(anchors);
         row.push_back(isWithout            ? countCell(0)
                       : ceiling == nullptr ? blankCell()

@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::size_t fewestForIntervals = 3;
 constexpr double tailOf95 = 0.025;
-/// A rare word that nobody repeats gives each participant a kappa of 0. The jackknife then has no width, which is no exactness.
-constexpr double narrowestOfWords = 1e-9;
+/// An interval that is narrower is one point.
+constexpr double narrowestInterval = 1e-9;
 
 using RetestedParticipants = std::vector<RatingPairs>;
 
@@ -186,6 +186,13 @@ Value kappaOfWords(const std::vector<RepeatedChoices>& participants, std::size_t
     return (agreeing - byChance) / (pairs - byChance);
 }
 
+/// An interval of one point would claim that the value is known exactly.
+Interval unlessPoint(const Interval& interval, const std::string& what)
+{
+    if (!interval.low.exists() || *interval.high - *interval.low > narrowestInterval) return interval;
+    return noInterval("all participants show the same " + what + ", so that nothing tells how exact it is");
+}
+
 /// Of a kappa that exists. The jackknife has one reason for all statistics, which need not hold for words.
 Interval intervalOfWords(double kappa, std::size_t participants, const std::function<Value(std::size_t)>& without)
 {
@@ -194,8 +201,7 @@ Interval intervalOfWords(double kappa, std::size_t participants, const std::func
         return participants < fewestForIntervals || kappa == 1
                    ? interval
                    : noInterval("without one of the participants there is no kappa, or none between -1 and 1");
-    const bool isPoint = !(*interval.high - *interval.low > narrowestOfWords);
-    return isPoint ? noInterval("all participants show the same kappa, so that nothing tells how exact it is") : interval;
+    return unlessPoint(interval, "kappa");
 }
 
 Estimate wordKappa(std::span<const RepeatedChoices> all)
@@ -223,8 +229,8 @@ RatingReliability ratingReliability(std::span<const RatingPairs> all, double sca
     RatingReliability result;
     result.pairs = pairs.size();
     result.participants = participants.size();
-    result.icc = {iccOf(pairs), jackknifeInterval(participants, iccOf, {std::atanh, std::tanh})};
-    result.withinSd = {withinSdOf(pairs), jackknifeInterval(participants, withinSdOf, {std::log, std::exp})};
+    result.icc = {iccOf(pairs), unlessPoint(jackknifeInterval(participants, iccOf, {std::atanh, std::tanh}), "ICC")};
+    result.withinSd = {withinSdOf(pairs), unlessPoint(jackknifeInterval(participants, withinSdOf, {std::log, std::exp}), "SD")};
     const std::vector<double> means = meanDifferences(participants);
     result.bias = oneSampleTTest(means);
     result.biasEquivalence = equivalenceTest(TKind::OneSample, means, {}, bounds);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "protocols/condition.h"
 #include "protocols/files/number_text.h"
@@ -228,6 +229,7 @@ std::vector<std::pair<std::size_t, std::size_t>> contrastsOf(const json& options
     const json& list = options.at("contrasts");
     if (!list.is_array() || list.empty()) throw RequestFault("contrasts must be an array of pairs [a, b] of conditions");
     checkSize("contrasts", static_cast<double>(list.size()), mostContrasts);
+    std::set<std::pair<std::size_t, std::size_t>> seen;
     for (const json& pair : list) {
         if (!pair.is_array() || pair.size() != 2) throw RequestFault("contrasts must hold pairs [a, b] of conditions");
         std::array<std::size_t, 2> places{};
@@ -239,6 +241,9 @@ std::vector<std::pair<std::size_t, std::size_t>> contrastsOf(const json& options
             places[i] = *place;
         }
         if (places[0] == places[1]) throw RequestFault("a contrast compares \"" + conditions[places[0]] + "\" with itself");
+        if (!seen.insert(std::minmax(places[0], places[1])).second)
+            throw RequestFault("contrasts repeat \"" + conditions[places[0]] + "\" and \"" + conditions[places[1]] +
+                               "\", which would count twice in Holm's correction");
         pairs.emplace_back(places[0], places[1]);
     }
     return pairs;

@@ -96,7 +96,8 @@ void putEquivalence(ordered_json& json, const ColumnComparison& comparison, cons
     put(json, "p_lower", test.pLower);
     put(json, "p_upper", test.pUpper);
     put(json, "ci90", test.ci);
-    json["equivalent"] = test.equivalent;
+    json["equivalent"] = test.why.empty() ? ordered_json(test.equivalent) : ordered_json();
+    if (!test.why.empty()) json["why"]["equivalent"] = test.why;
     json["verdict"] = test.verdict();
 }
 
@@ -122,7 +123,8 @@ void putWilcoxon(ordered_json& json, const ColumnComparison& comparison, const s
     json["why"]["df"] = "the signed-rank statistic has no degrees of freedom";
     const bool isExact = test.pExact.exists();
     put(json, "p", isExact ? test.pExact : test.pNormalCorrected);
-    json["p_is"] = isExact ? "exact" : "normal approximation with continuity correction";
+    if (isExact || test.pNormalCorrected.exists())
+        json["p_is"] = isExact ? "exact" : "normal approximation with continuity correction";
     put(json, "log10_p", log10OfP(test));
     put(json, "mean_difference", difference.estimate);
     putInterval(json, difference.ci, comparison.tail);

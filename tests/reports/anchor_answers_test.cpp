@@ -235,11 +235,56 @@ private Q_SLOTS:
             data.mismatchedResponses.push_back(builders::rated("P02", "F01", "b", "Q2", rating));
         const auto anchors = anchorsOf(data, AnswerCells(data));
         const AnchorFloor& floor = *anchors.at(0).floor;
-        QCOMPARE(floor.condition, std::string("b"));
+        QCOMPARE(floor.conditions, std::vector<std::string>{"b"});
         QCOMPARE(*floor.mean, 3.5);
         QCOMPARE(floor.lowest, std::string("a"));
         QCOMPARE(*floor.shareAbove, 0.5);
         QCOMPARE(floor.notAbove, std::vector<std::string>{"a"});
+    }
+
+    /// Half of the images were rated 7, the others 1: the mean is that of neither condition.
+    void aFloorOfSeveralConditionsNamesThemAll()
+    {
+        StudyData data = builders::emptyStudy(2, 1, {"a", "b"}, {{"Q2", "", builders::onScale}});
+        for (const char* person : {"P01", "P02"})
+            for (const char* condition : {"a", "b"}) {
+                data.responses.push_back(builders::rated(person, "F01", condition, "Q2", 5));
+                data.mismatchedResponses.push_back(
+                    builders::rated(person, "F01", condition, "Q2", std::string(condition) == "a" ? 7 : 1));
+            }
+        const StudyAnalysis analysis = analyse(data, {.depth = Depth::Quick});
+        QCOMPARE(analysis.anchors.at(0).floor->conditions, (std::vector<std::string>{"a", "b"}));
+        QVERIFY(ratingAnchorsText(analysis).find("a and b images were rated 4.0") != std::string::npos);
+        const auto row = resultsJson(analysis, {})["anchors"][0]["mismatched"];
+        QVERIFY(row["condition"].is_null() && row["why"].contains("condition"));
+        QCOMPARE(row["conditions"].size(), std::size_t{2});
+    }
+
+    /// The usual design: the second ratings are those of another day. They vanished without a word.
+    void aRetestInAnotherSessionFindsItsFirstAnswers()
+    {
+        StudyData data = noisyStudy(6, 1, 1, 0);
+        const auto whole = anchorsOf(data, AnswerCells(data)).at(0).ratings;
+        for (StudyResponse& response : data.responses) response.repetition = "session 1";
+        for (StudyResponse& response : data.repeatedResponses) response.repetition = "session 2";
+        QCOMPARE(anchorsOf(data, AnswerCells(data)).at(0).ratings->pairs, whole->pairs);
+        for (StudyResponse& response : data.repeatedResponses) response.fabric = "another " + response.fabric;
+        const StudyAnalysis analysis = analyse(data, {.depth = Depth::Quick});
+        const std::string reason = "36 repeated answers have no first answer to the same presentation";
+        QVERIFY(ratingAnchorsText(analysis).find(reason) != std::string::npos);
+        QCOMPARE(resultsJson(analysis, {})["anchors"][0]["why"]["repeated"].get<std::string>(), reason);
+    }
+
+    /// Ratings of 1 to 5, or of 0 to 100, once had a ceiling of 9.8.
+    void aScaleThatNobodyStatedHasNoCeiling()
+    {
+        StudyData data = noisyStudy(6, 1, 1, 0);
+        data.questions.front().scaleAssumed = true;
+        const auto found = anchorsOf(data, AnswerCells(data)).at(0).ratings;
+        QVERIFY(found->icc.value.exists() && !found->meanCeiling.value.exists());
+        const StudyAnalysis analysis = analyse(data, {.depth = Depth::Quick});
+        QVERIFY(ratingAnchorsText(analysis).find("is unknown: nobody stated the scale") != std::string::npos);
+        for (const Figure& figure : reportFigures(analysis)) QVERIFY(figure.caption.find("ceiling") == std::string::npos);
     }
 
     void noAnalysisOfConditionsUsesThem()

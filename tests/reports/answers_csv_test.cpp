@@ -291,6 +291,7 @@ private Q_SLOTS:
         QTemporaryDir folder;
         QStringList notes;
         reports::AnswersCsvOptions options;
+        options.scale = protocols::RatingScale{};
         options.note = [&](const std::string& sentence) { notes << QString::fromStdString(sentence); };
         const auto wide = written(folder, header + "P1,F1,a,1,5\nP1,F1,b,0,6\n");
         QVERIFY(reports::readAnswersCsv(wide, options).questions[0].alternativesAssumed);
@@ -319,6 +320,7 @@ private Q_SLOTS:
         QStringList notes;
         reports::AnswersCsvOptions options;
         options.alternatives = 3;
+        options.scale = protocols::RatingScale{};
         options.note = [&](const std::string& sentence) { notes << QString::fromStdString(sentence); };
         const auto data = reports::readAnswersCsv(
             written(

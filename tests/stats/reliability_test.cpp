@@ -111,6 +111,17 @@ private Q_SLOTS:
         QCOMPARE(*choiceReliability(std::vector<RepeatedChoices>{{4, 1}}, 2).shareCeiling.value, 0.5);
     }
 
+    /// Four participants, each with one pair alike and one that differs by 1: "0.50 (95 % interval 0.50 to 0.50)".
+    void anIntervalOfOnePointIsNone()
+    {
+        const std::vector<RatingPairs> participants{{{3, 3}, {5, 6}}, {{4, 4}, {7, 6}}, {{2, 2}, {6, 7}}, {{8, 8}, {4, 3}}};
+        const RatingReliability found = ratingReliability(participants, 10, {.low = -0.5, .high = 0.5});
+        QCOMPARE(*found.withinSd.value, 0.5);
+        QVERIFY(!found.withinSd.ci95.low.exists() && !found.meanCeiling.ci95.high.exists());
+        QVERIFY(found.withinSd.ci95.low.why().find("all participants show the same SD") != std::string::npos);
+        QVERIFY(found.meanCeiling.value.exists() && found.icc.ci95.low.exists());
+    }
+
     // python3: m=3; r,w,n=9,5,20; a=(r+w)/n; b=(r+w/(m-1))/n; a, (m*b-1)/(m-1), (1+(2*a-1)**.5)/2
     //   0.7 0.36249999999999993 0.816227766016838
     void outcomesAgreeBeyondGuessing()

@@ -249,6 +249,8 @@ private Q_SLOTS:
         QVERIFY(answer["claims"][0]["a"] == "h_g&f_g" && answer["claims"][2]["a"] == "h+f@fast");
         QVERIFY(says(answerTo("claims", rows, {{"contrasts", json::parse(R"([["h_g&f_g", "h_g+f_g"]])")}}), "error",
                      "compares \"h_g&f_g\" with itself"));
+        QVERIFY(says(answerTo("claims", rows, {{"contrasts", json::parse(R"([["h", "h_g&f_g"], ["h_g+f_g", "h"]])")}}), "error",
+                     "would count twice in Holm's correction"));
     }
 
     /// Under condition "a" one of the two low fabrics is missing for each person. All conditions are alike.

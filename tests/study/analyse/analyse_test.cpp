@@ -346,6 +346,17 @@ private Q_SLOTS:
         }
     }
 
+    /// Two equal columns: a script read "not equivalent" of a difference of 0.
+    void aTestThatThereIsNotDecidesNothing()
+    {
+        using study::analyse::ColumnTest;
+        const std::vector<double> same{1, 2, 3, 4};
+        const json tost = study::analyse::compareColumns({ColumnTest::Equivalence}, same, same);
+        QVERIFY2(tost["equivalent"].is_null() && !tost["why"]["equivalent"].get<std::string>().empty(), tost.dump().c_str());
+        const json ranks = study::analyse::compareColumns({ColumnTest::Wilcoxon}, same, same);
+        QVERIFY2(ranks["p"].is_null() && !ranks.contains("p_is"), ranks.dump().c_str());
+    }
+
     /// One surface, once in 8 and once in 16 bits: its grey values differ 257 times.
     void imagesOfDifferentDepthAreNotCompared()
     {

@@ -66,10 +66,15 @@ void requireNoSemicolon(const std::string& name, const std::string& value, const
                                    "give the file or folder another name"});
 }
 
-/// Such characters change on their way into another address.
+/// Qt changes such characters on their way into another address. Unicode assigns none of them to a letter.
+bool hasNonCharacter(const std::string& part)
+{
+    return std::ranges::any_of(QString::fromStdString(part).toUcs4(), [](uint one) { return QChar::isNonCharacter(one); });
+}
+
 void requireVisible(const std::string& part, const std::string& where)
 {
-    if (!protocols::isKeptText(part))
+    if (!protocols::isKeptText(part) || hasNonCharacter(part))
         throw protocols::badInput({"the address holds a character that nobody sees", where, form, "type the address again"});
 }
 

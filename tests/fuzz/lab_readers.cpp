@@ -222,7 +222,7 @@ std::vector<Reader> labReaders(const fs::path& folder)
         {"server-address",
          {"postgresql://ada@lab.example:5433/lab?study=stripes&sslmode=verify-full", "postgresql://[::1]/lab",
           "postgresql:///lab?host=/run/postgresql", "postgresql://a%40b@h/d%20e?study=x&application_name=%F0%9F%98%80",
-          "postgresql://a@h/lab;\xEF\xBF\xBF&x"},
+          "postgresql://a@h/lab;\xEF\xBF\xBF&x", "postgresql://a@h/lab;\xEF\xB7\xAF&x"},
          readAddress}};
 }
 

@@ -171,18 +171,20 @@ std::vector<CardScale> cardScalesOf(const protocols::Protocol& protocol)
     return cards;
 }
 
-/// Whether participants learn a scale without words whose ends are the usual ones: sandpaper against silk, and two pieces of one
-/// fabric. An end with a text of the study has materials of its own, or none.
-bool needsUsualEnds(const protocols::Protocol& protocol, const std::vector<CardScale>& cards)
+/// What participants touch to learn a scale without words; empty where there is none. A text of the study may translate the usual
+/// one or name other materials, so the usual ones are always named.
+QString materialsOfEnds(const protocols::Protocol& protocol, const std::vector<CardScale>& cards)
 {
-    const bool isNumbersOnly = std::ranges::any_of(cards, [](const CardScale& card) { return card.scale.labels.empty(); });
-    const auto isOwn = [&](const char* onCard, const char* atLine) {
-        return protocol.participantTexts.contains(onCard) || protocol.participantTexts.contains(atLine);
-    };
-    return isNumbersOnly && !(isOwn("card_low", "scale_low") && isOwn("card_high", "scale_high"));
+    if (std::ranges::none_of(cards, [](const CardScale& card) { return card.scale.labels.empty(); })) return {};
+    for (const char* key : {"card_low", "scale_low", "card_high", "scale_high"})
+        if (protocol.participantTexts.contains(key))
+            return SheetText::tr(
+                "You also need the materials for the two ends of the scale. The usual ones are sandpaper, silk and "
+                "a second piece of one fabric. Your study's own texts may name others.");
+    return SheetText::tr("You also need sandpaper, silk and a second piece of one fabric, for the two ends of the scale.");
 }
 
-Markup preparationPage(const database::StudyFacts& facts, const std::vector<LabelSet>& sets, bool hasUsualEnds,
+Markup preparationPage(const database::StudyFacts& facts, const std::vector<LabelSet>& sets, const QString& materialsOfEnds,
                        const PrintedHead& printed)
 {
     std::string body =
@@ -195,9 +197,7 @@ Markup preparationPage(const database::StudyFacts& facts, const std::vector<Labe
             body += "<tr><td><b>" + protocols::escapedMarkup(code) + "</b></td><td>" + protocols::escapedMarkup(fabric.value) +
                     "</td><td>" + protocols::escapedMarkup(nameOfFabric(facts, fabric)) + "</td></tr>\n";
         body += "</table>\n";
-        if (hasUsualEnds)
-            body += paragraph(
-                SheetText::tr("You also need sandpaper, silk and a second piece of one fabric, for the two ends of the scale."));
+        if (!materialsOfEnds.isEmpty()) body += paragraph(materialsOfEnds);
         if (!facts.familiarisation.empty()) {
             QStringList names;
             for (const auto& item : facts.familiarisation) names << QString::fromStdString(item.name);
@@ -353,7 +353,7 @@ void writeSheets(const database::StudyStore& store, const std::filesystem::path&
     const std::pair<const char*, Markup> sheets[] = {
         {"labels.html", labelsPage(facts, sets, printed)},
         {"session.html", sessionPage(facts, printed)},
-        {"preparation.html", preparationPage(facts, sets, needsUsualEnds(protocol, cards), printed)},
+        {"preparation.html", preparationPage(facts, sets, materialsOfEnds(protocol, cards), printed)},
         {"scale-card.html", cards.empty() ? "" : scaleCards(facts, protocol, cards, printed)},
         {"instructions.html", hasInstructions(protocol) ? instructionsPage(store, protocol, facts.name, printed) : ""}};
     protocols::FolderDraft draft(out, protocols::Earlier::FilesJoined);

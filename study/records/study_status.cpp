@@ -214,10 +214,9 @@ ordered_json statusOf(const database::StudyStore& store, const database::Passphr
     json["slots"] = slotsOf(store, counts);
     json["withdrawn"] = withdrawnOf(store, counts);
     std::map<std::string, int> kinds{{"human", 0}, {"scripted", 0}, {"simulated", 0}}, states;
-    for (const auto& slot : store.slots()) {
-        ++states[nameOf(slot.state)];
+    for (const auto& slot : store.slots())
         if (slot.state != database::SlotState::Free) ++kinds[nameOf(slot.kind)];
-    }
+    for (const auto& slot : json["slots"]) ++states[slot.contains("held") ? "held" : slot.at("state").get<std::string>()];
     json["kinds"] = kinds;
     json["states"] = states;
     json.update(plannedBalanceIn(facts));

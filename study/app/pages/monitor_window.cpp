@@ -47,7 +47,9 @@ QStringList cellsOf(const MonitorOverview::StationRow& station)
                                                : MonitorWindow::tr("unknown"),
             station.participant.isEmpty() ? QStringLiteral("–") : station.participant,
             station.secondsSinceSign ? signText(*station.secondsSinceSign) : QString(),
-            isConnected ? QString::number(station.waiting) : MonitorWindow::tr("%1 at that time").arg(station.waiting),
+            isConnected                ? QString::number(station.waiting)
+            : station.secondsSinceSign ? MonitorWindow::tr("%1 at that time").arg(station.waiting)
+                                       : MonitorWindow::tr("may wait"),
             station.program};
 }
 

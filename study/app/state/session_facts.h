@@ -30,7 +30,7 @@ struct SessionFacts {
     KeyBindings keys = {};                  ///< extra keys of the operator's acts
     std::optional<double> mmPerPixel = {};  ///< scale of the display, mm per pixel, if the operator measured it
     protocols::TextsByKey said = {};        ///< what the operator says to the participant, in the participant's language
-    bool hasOwnLowEnd = false;              ///< the study has a text of its own for this end of the scale, so its own materials
+    bool hasOwnLowEnd = false;              ///< the study words this end of the scale itself; it may name other materials
     bool hasOwnHighEnd = false;
 
     /// The sentence with this key (protocols::usualParticipantTexts()), with values for its names in braces.

@@ -88,10 +88,6 @@
         <translation>,</translation>
     </message>
     <message>
-        <source>%1 is no longer in the study&apos;s folder, so no answer is kept. Close the study and restore it from a backup.</source>
-        <translation>%1 ist nicht mehr im Ordner der Studie, also bleibt keine Antwort erhalten. Schließen Sie die Studie und stellen Sie sie aus einer Sicherung wieder her.</translation>
-    </message>
-    <message>
         <source>The disk of %1 cannot be asked for its room.</source>
         <translation>Der freie Platz auf dem Datenträger von %1 lässt sich nicht abfragen.</translation>
     </message>
@@ -543,6 +539,10 @@
     <message>
         <source>in progress</source>
         <translation>läuft</translation>
+    </message>
+    <message>
+        <source>%1 is no longer in the study&apos;s folder, so no answer can be stored. Close the study, then run vis2hap rescue on its folder: closing keeps every stored answer in a rescue file.</source>
+        <translation>%1 liegt nicht mehr im Ordner der Studie; deshalb kann keine Antwort gespeichert werden. Schließen Sie die Studie, und rufen Sie dann vis2hap rescue mit ihrem Ordner auf: Beim Schließen kommt jede gespeicherte Antwort in eine Rettungsdatei.</translation>
     </message>
 </context>
 <context>
@@ -3287,6 +3287,10 @@ Noch ist nichts gewählt.</translation>
         <source>Answers: %1</source>
         <translation>Antworten: %1</translation>
     </message>
+    <message>
+        <source>may wait</source>
+        <translation>können warten</translation>
+    </message>
 </context>
 <context>
     <name>study::app::NewStudyPage</name>
@@ -4751,10 +4755,6 @@ Noch ist nichts gewählt.</translation>
         <translation>Lassen Sie die Versuchsperson zwei Proben desselben Stoffs fühlen. Sagen Sie: „%1“</translation>
     </message>
     <message>
-        <source>Say: “%1”</source>
-        <translation>Sagen Sie: „%1“</translation>
-    </message>
-    <message>
         <source>Ask: “%1”</source>
         <translation>Fragen Sie: „%1“</translation>
     </message>
@@ -4797,6 +4797,14 @@ Noch ist nichts gewählt.</translation>
     <message>
         <source>%1 Press G to skip this if the participant already knows the scale.</source>
         <translation>%1 Drücken Sie G, um das zu überspringen, wenn die Versuchsperson die Skala schon kennt.</translation>
+    </message>
+    <message>
+        <source>Let the participant touch your study&apos;s materials for this end (the usual ones: sandpaper, then silk). Say: “%1”</source>
+        <translation>Lassen Sie die Versuchsperson die Materialien Ihrer Studie für dieses Ende fühlen (üblich: Schleifpapier, dann Seide). Sagen Sie: „%1“</translation>
+    </message>
+    <message>
+        <source>Let the participant touch your study&apos;s materials for this end (the usual ones: two pieces of the same fabric). Say: “%1”</source>
+        <translation>Lassen Sie die Versuchsperson die Materialien Ihrer Studie für dieses Ende fühlen (üblich: zwei Proben desselben Stoffs). Sagen Sie: „%1“</translation>
     </message>
 </context>
 <context>
@@ -5767,6 +5775,10 @@ Noch ist nichts gewählt.</translation>
         <source>, </source>
         <comment>between the names of a list</comment>
         <translation>, </translation>
+    </message>
+    <message>
+        <source>You also need the materials for the two ends of the scale. The usual ones are sandpaper, silk and a second piece of one fabric. Your study&apos;s own texts may name others.</source>
+        <translation>Sie brauchen auch die Materialien für die beiden Enden der Skala. Üblich sind Schleifpapier, Seide und eine zweite Probe eines Stoffs. Die eigenen Texte Ihrer Studie nennen vielleicht andere.</translation>
     </message>
 </context>
 </TS>

@@ -88,10 +88,6 @@
         <translation>.</translation>
     </message>
     <message>
-        <source>%1 is no longer in the study&apos;s folder, so no answer is kept. Close the study and restore it from a backup.</source>
-        <translation>研究文件夹中已没有%1，因此不会保存任何回答。请关闭研究并从备份中恢复。</translation>
-    </message>
-    <message>
         <source>The disk of %1 cannot be asked for its room.</source>
         <translation>无法查询%1所在磁盘的剩余空间。</translation>
     </message>
@@ -543,6 +539,10 @@
     <message>
         <source>in progress</source>
         <translation>进行中</translation>
+    </message>
+    <message>
+        <source>%1 is no longer in the study&apos;s folder, so no answer can be stored. Close the study, then run vis2hap rescue on its folder: closing keeps every stored answer in a rescue file.</source>
+        <translation>研究文件夹中已没有%1，因此无法保存任何回答。请关闭研究，然后对该文件夹运行vis2hap rescue：关闭时，已保存的所有回答都会写入一个救援文件。</translation>
     </message>
 </context>
 <context>
@@ -3287,6 +3287,10 @@ Nothing is chosen yet.</source>
         <source>Answers: %1</source>
         <translation>回答：%1</translation>
     </message>
+    <message>
+        <source>may wait</source>
+        <translation>可能有等待的条目</translation>
+    </message>
 </context>
 <context>
     <name>study::app::NewStudyPage</name>
@@ -4751,10 +4755,6 @@ Nothing is chosen yet.</source>
         <translation>让参与者摸两块相同的布料，并说：“%1”</translation>
     </message>
     <message>
-        <source>Say: “%1”</source>
-        <translation>请说：“%1”</translation>
-    </message>
-    <message>
         <source>Ask: “%1”</source>
         <translation>请问：“%1”</translation>
     </message>
@@ -4797,6 +4797,14 @@ Nothing is chosen yet.</source>
     <message>
         <source>%1 Press G to skip this if the participant already knows the scale.</source>
         <translation>%1如果参与者已掌握量表，按G跳过。</translation>
+    </message>
+    <message>
+        <source>Let the participant touch your study&apos;s materials for this end (the usual ones: sandpaper, then silk). Say: “%1”</source>
+        <translation>让参与者摸本研究为这一端准备的材料（通常是先砂纸，再丝绸），并说：“%1”</translation>
+    </message>
+    <message>
+        <source>Let the participant touch your study&apos;s materials for this end (the usual ones: two pieces of the same fabric). Say: “%1”</source>
+        <translation>让参与者摸本研究为这一端准备的材料（通常是两块相同的布料），并说：“%1”</translation>
     </message>
 </context>
 <context>
@@ -5767,6 +5775,10 @@ Nothing is chosen yet.</source>
         <source>, </source>
         <comment>between the names of a list</comment>
         <translation>、</translation>
+    </message>
+    <message>
+        <source>You also need the materials for the two ends of the scale. The usual ones are sandpaper, silk and a second piece of one fabric. Your study&apos;s own texts may name others.</source>
+        <translation>还需要量表两端所用的材料，通常是砂纸、丝绸和一种布料的第二块样品。本研究自己的文字可能指定其他材料。</translation>
     </message>
 </context>
 </TS>

@@ -44,9 +44,10 @@ QString faultOfDatabase(const fs::path& database)
 {
     std::error_code error;
     if (fs::is_regular_file(database, error)) return {};
-    return AppText::tr(
-               "%1 is no longer in the study's folder, so no answer is kept. Close the study and restore it from a backup.")
-        .arg(QString::fromStdString(database.filename().string()));
+    return AppText::
+        tr("%1 is no longer in the study's folder, so no answer can be stored. Close the study, then run vis2hap rescue on its "
+           "folder: closing keeps every stored answer in a rescue file.")
+            .arg(QString::fromStdString(database.filename().string()));
 }
 
 QString faultOfDisk(const fs::path& folder)

@@ -11,8 +11,8 @@ namespace study::app {
 /// must reach the disk, the slowest within 200 ms. Leaves no file behind.
 QString faultOfDisk(const std::filesystem::path& folder);
 
-/// What is wrong with the file of this folder that keeps the answers; empty if it is there. An open study goes on to write into
-/// a file that was removed, and its answers are lost as it closes.
+/// What is wrong with the file of this folder that keeps the answers; empty if it is there. As it closes, an open study whose
+/// file was removed keeps its answers in a rescue file.
 QString faultOfDatabase(const std::filesystem::path& database);
 
 /// What is wrong with the clocks, as a sentence; empty if nothing is. `lastWallTime`: the latest time that the study holds, ISO

@@ -73,8 +73,9 @@ std::string otherDisplaySentence(const database::StudyStore& store, const databa
     if (others.empty()) return {};
     std::string names;
     for (const std::string& name : others) names += (names.empty() ? "" : ", ") + name;
-    return reports::counted(sittings, "sitting") + " used another display" + (namesThem ? " (" + names + ")" : std::string()) +
-           " than the one whose response was measured (" + measured + ").";
+    const auto named = [&](const std::string& name) { return namesThem ? " (" + name + ")" : std::string(); };
+    return reports::counted(sittings, "sitting") + " used another display" + named(names) +
+           " than the one whose response was measured" + named(measured) + ".";
 }
 
 }  // namespace study::records

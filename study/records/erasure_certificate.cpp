@@ -75,10 +75,13 @@ std::filesystem::path writeErasureCertificate(const database::StudyStore& store,
              counted(record.answers, "answer") + ", " + counted(record.notes, "note") + ", " + counted(record.facts, "fact") +
                  (record.fingerSamples > 0 ? ", " + std::to_string(record.fingerSamples) + " samples of the finger on the display"
                                            : std::string()));
-    text += line("What stays",
-                 "the code of the participant, the number of the running order, and the times of enrolment and of "
-                 "changes of its state" +
-                     std::string(erasure.answersToo ? "" : "; answers and notes"));
+    text +=
+        line("What stays",
+             std::string("the code of the participant, the number of the running order, the state, and the time of enrolment") +
+                 (erasure.answersToo ? "" : "; the steps of the sessions with their times, answers and notes"));
+    if (erasure.answersToo)
+        text += line("Each step of the sessions keeps an entry without content and time",
+                     "its number, sitting, kind (such as answered), trial, attempt and question");
     text += line("Ordered by", erasure.who);
     text += line("Reason", erasure.why);
     text += line("Time", record.wallTime);

@@ -108,7 +108,12 @@ ordered_json jsonOf(const BenchRow& row)
                       {"error", numberOrNull(row.error)},
                       {"error_is", row.errorUnit},
                       {"note", noteOf(row)}};
-    for (const auto& [peer, milliseconds] : row.peers) json["peers"][peer] = numberOrNull(milliseconds);
+    if (!row.milliseconds) json["why"]["ms"] = "this row has no time of its own";
+    if (!row.error) json["why"]["error"] = "this row has no known result to compare with";
+    for (const auto& [peer, milliseconds] : row.peers) {
+        json["peers"][peer] = numberOrNull(milliseconds);
+        if (!milliseconds) json["why"]["peers"] = "a peer without a number is not installed, or --peers was not given";
+    }
     for (const auto& [peer, difference] : row.peersDiffer) json["peers_differ"][peer] = difference;
     if (row.quartiles) json["ms_quartiles"] = {row.quartiles->low, row.quartiles->high};
     if (row.megabytes) json["mb"] = *row.megabytes;
@@ -117,6 +122,10 @@ ordered_json jsonOf(const BenchRow& row)
         json["promise"] = {{"peer", row.promise->peer}, {"at_most", row.promise->most}};
         json["promise"]["ratio"] = numberOrNull(row.promise->ratio);
         json["promise"]["met"] = row.promise->ratio ? ordered_json(row.promise->isMet()) : ordered_json();
+        if (!row.promise->ratio) {
+            constexpr const char* why = "the peer has no time here";
+            json["promise"]["why"] = {{"ratio", why}, {"met", why}};
+        }
     }
     return json;
 }

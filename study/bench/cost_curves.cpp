@@ -168,6 +168,8 @@ std::string number(double value, const char* format)
     return text;
 }
 
+constexpr const char* tooFewSizes = "an exponent needs two sizes, its interval three";
+
 }  // namespace
 
 void fitExponent(CostCurve& curve)
@@ -238,14 +240,14 @@ ordered_json jsonOf(const CostCurve& curve)
 {
     ordered_json json{{"work", curve.work}, {"size_is", curve.sizeIs}, {"linear", curve.isLinear}};
     json["exponent"] = curve.exponent ? ordered_json(*curve.exponent) : ordered_json();
-    if (curve.ci95)
-        json["exponent_ci95"] = {curve.ci95->low, curve.ci95->high};
-    else
-        json["exponent_ci95"] = nullptr;
+    json["exponent_ci95"] = curve.ci95 ? ordered_json{curve.ci95->low, curve.ci95->high} : ordered_json();
+    if (!curve.exponent) json["why"]["exponent"] = tooFewSizes;
+    if (!curve.ci95) json["why"]["exponent_ci95"] = tooFewSizes;
     json["points"] = ordered_json::array();
     for (const CostPoint& point : curve.points) {
         json["points"].push_back({{"size", point.size}, {"ms", point.milliseconds}});
         json["points"].back()["mb"] = point.megabytes ? ordered_json(*point.megabytes) : ordered_json();
+        if (!point.megabytes) json["points"].back()["why"] = {{"mb", "the memory of this size was not measured"}};
     }
     return json;
 }

@@ -3,6 +3,8 @@
 #include <fstream>
 #include <thread>
 
+#include "protocols/files/sha256.h"
+
 namespace study::bench {
 
 namespace {
@@ -20,6 +22,16 @@ std::string systemName()
     return {};
 }
 
+/// "AMD EPYC 7763 64-Core Processor" of "model name : …"; empty where the system states none.
+std::string processorName()
+{
+    std::ifstream cpus("/proc/cpuinfo");
+    for (std::string line; std::getline(cpus, line);)
+        if (line.starts_with("model name"))
+            if (const auto colon = line.find(": "); colon != std::string::npos) return line.substr(colon + 2);
+    return {};
+}
+
 }  // namespace
 
 std::string machineInWords()
@@ -27,6 +39,12 @@ std::string machineInWords()
     const unsigned cores = std::thread::hardware_concurrency();
     const std::string system = systemName();
     return std::to_string(cores) + (cores == 1 ? " core" : " cores") + (system.empty() ? "" : ", " + system);
+}
+
+std::string processorHash()
+{
+    const std::string processor = processorName();
+    return processor.empty() ? processor : protocols::sha256(processor).substr(0, 12);
 }
 
 }  // namespace study::bench

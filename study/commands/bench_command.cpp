@@ -115,12 +115,14 @@ nlohmann::ordered_json jsonOf(const Measured& measured)
     for (const auto& row : measured.rows) table.push_back(bench::jsonOf(row));
     for (const auto& curve : measured.curves) grown.push_back(bench::jsonOf(curve));
     const auto spread = bench::spreadPercent(measured.rows);
-    return {{"schema", "vis2hap.bench/2"},
-            {"machine", bench::machineInWords()},
-            {"spread_percent", spread ? nlohmann::ordered_json(*spread) : nlohmann::ordered_json()},
-            {"noisy", spread.value_or(0) > noisyPercent},
-            {"rows", table},
-            {"curves", grown}};
+    nlohmann::ordered_json json{{"schema", "vis2hap.bench/2"},
+                                {"machine", bench::machineInWords()},
+                                {"spread_percent", spread ? nlohmann::ordered_json(*spread) : nlohmann::ordered_json()},
+                                {"noisy", spread.value_or(0) > noisyPercent},
+                                {"rows", table},
+                                {"curves", grown}};
+    if (!spread) json["why"] = {{"spread_percent", "no stage was timed several times"}};
+    return json;
 }
 
 void print(const Measured& measured)
@@ -158,7 +160,9 @@ int runShardOfCurves(const BenchCall& call)
     for (const auto& curve : bench::costCurves([&running](const std::string& part) { running.show(part); }, share))
         values.push_back(bench::jsonOf(curve));
     running.clear();
-    writeShard(call.shard, benchName, {{"stage", curves}, {"machine", bench::machineInWords()}}, {{"curves", values}});
+    writeShard(call.shard, benchName,
+               {{"stage", curves}, {"machine", bench::machineInWords()}, {"processor", bench::processorHash()}},
+               {{"curves", values}});
     return 0;
 }
 

@@ -55,7 +55,7 @@ int exportStudy(const ExportCall& call)
         std::printf("  removed %s of an earlier export: these answers were erased since\n", protocols::printable(name).c_str());
     if (!written.left.empty())
         std::printf("note: %s also holds %s, which this export did not write: an earlier one may hold what was erased since\n",
-                    protocols::printable(out).c_str(), reports::listed(written.left).c_str());
+                    protocols::printable(out).c_str(), protocols::printable(reports::listed(written.left)).c_str());
     std::printf("  log head %s\n", head.c_str());
     if (withLog) std::printf("  log.csv holds the log, acts.csv what was exported and saved; log.txt says how to check both\n");
     if (isPublic)

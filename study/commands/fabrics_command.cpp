@@ -58,7 +58,9 @@ int make(const MakeCall& call)
 
 int checkDataset(const std::string& folder)
 {
-    const auto [faults, notes] = rendering::fabrics::findingsOfDataset(folder);
+    Progress progress("samples");
+    const auto [faults, notes] =
+        rendering::fabrics::findingsOfDataset(folder, [&](int done, int total) { progress.show(done, total); });
     for (const auto& note : notes) std::printf("note: %s\n", protocols::printable(note).c_str());
     for (const auto& fault : faults) std::printf("%s\n", protocols::printable(fault).c_str());
     std::printf(

@@ -33,7 +33,8 @@ int erase(const std::string& study, const database::Erasure& erasure)
                 erasure.answersToo ? "facts, debriefing, answers and notes" : "facts and debriefing",
                 erasure.participant.value.c_str());
     for (const auto& file : record.found) std::printf("  still in %s\n", protocols::printable(file).c_str());
-    for (const auto& file : record.unread) std::printf("  not searched, because it could not be read: %s\n", file.c_str());
+    for (const auto& file : record.unread)
+        std::printf("  not searched, because it could not be read: %s\n", protocols::printable(file).c_str());
     if (record.shortTexts > 0)
         std::printf("  not searched for: %s of less than 8 bytes\n", reports::counted(record.shortTexts, "removed text").c_str());
     if (record.sharedTexts > 0)

@@ -83,6 +83,7 @@ std::unique_ptr<QCoreApplication> surroundingsFor(Surroundings kind, int& argc, 
     if (kind == Surroundings::Core) return std::make_unique<QCoreApplication>(argc, argv);
     if (kind == Surroundings::Window && !screenIsThere()) throw screenFault("");
     const bool isSeen = kind != Surroundings::Offscreen && screenIsThere();
+    if (kind == Surroundings::Offscreen) qputenv("QT_QPA_PLATFORM", "offscreen");  // the named desktop may be gone
     if (!isSeen && std::getenv("QT_QPA_PLATFORM") == nullptr) qputenv("QT_QPA_PLATFORM", "offscreen");
     qInstallMessageHandler(endWithoutScreen);
     QGuiApplication::setDesktopFileName(QStringLiteral("vis2hap"));  // Wayland finds the icon of the window by it

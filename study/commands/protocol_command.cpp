@@ -22,12 +22,18 @@ struct ProtocolCall {
     JsonTarget target;
 };
 
+std::vector<std::string> remarksOf(const protocols::CheckedProtocol& checked)
+{
+    return checked.protocol ? making::remarksOn(*checked.protocol) : std::vector<std::string>();
+}
+
 nlohmann::ordered_json jsonOf(const ProtocolCall& call, const protocols::CheckedProtocol& checked)
 {
     nlohmann::ordered_json json{{"schema", "vis2hap.protocol_check/1"}, {"file", call.file}, {"sound", checked.faults.empty()}};
     json["faults"] = nlohmann::ordered_json::array();
     for (const protocols::ProtocolFault& fault : checked.faults)
         json["faults"].push_back({{"line", fault.line}, {"column", fault.column}, {"fault", fault.text}});
+    json["notes"] = remarksOf(checked);
     return json;
 }
 
@@ -42,12 +48,15 @@ int check(const ProtocolCall& call)
     for (const protocols::ProtocolFault& fault : checked.faults)
         std::printf("%s:%zu:%zu: %s\n", protocols::printable(call.file).c_str(), fault.line, fault.column,
                     protocols::printable(fault.text).c_str());
+    for (const std::string& remark : remarksOf(checked))
+        std::printf("%s: note: %s\n", protocols::printable(call.file).c_str(), protocols::printable(remark).c_str());
     if (checked.faults.empty())
         std::printf("%s: no fault; `vis2hap protocol show %s` draws the session\n", protocols::printable(call.file).c_str(),
                     protocols::shellWord(call.file).c_str());
     else
         std::printf("%s: %zu %s; protocols/protocol.schema.json describes each field, and protocols/examples has examples\n",
-                    call.file.c_str(), checked.faults.size(), checked.faults.size() == 1 ? "fault" : "faults");
+                    protocols::printable(call.file).c_str(), checked.faults.size(),
+                    checked.faults.size() == 1 ? "fault" : "faults");
     return checked.faults.empty() ? 0 : badFile;
 }
 

@@ -122,6 +122,17 @@ std::string foundText(const rendering::RenderedFabrics& rendering)
     return text + "  ranges of maps that the cache knew: " + std::to_string(rendering.keptRanges) + "\n";
 }
 
+/// "15 fabrics", or how many each condition has where some lack its signals or the asked sample.
+std::string rangeText(const rendering::fabrics::Dataset& dataset, const rendering::RenderedFabrics& rendering)
+{
+    std::string without;
+    for (const auto& condition : rendering.conditions)
+        if (condition.rangeOver.size() < dataset.fabrics.size())
+            without += "; " + condition.condition.value + " over " + std::to_string(condition.rangeOver.size()) +
+                       ", because the others lack its signals or this sample";
+    return std::to_string(dataset.fabrics.size()) + " fabrics" + without;
+}
+
 int render(const RenderCall& call, StageTimes stages)
 {
     stages.begin("reading the data set");
@@ -166,9 +177,9 @@ int render(const RenderCall& call, StageTimes stages)
           rendering::mixedQuantities(rendering), rendering::describe(rendering::imageFaults(rendering), rendering)})
         for (const auto& warning : warnings) std::fprintf(stderr, "warning: %s\n", protocols::printable(warning).c_str());
     for (const auto& line : rendering::describeMaps(rendering)) std::printf("%s\n", protocols::printable(line).c_str());
-    std::printf(
-        "%s: friction images of %zu fabrics x %zu conditions; render.json has the ranges over %zu fabrics; traces run along x\n",
-        call.out.c_str(), request.fabrics.size(), request.conditions.size(), dataset.fabrics.size());
+    std::printf("%s: friction images of %zu fabrics x %zu conditions; render.json has the ranges over %s; traces run along x\n",
+                protocols::printable(call.out).c_str(), request.fabrics.size(), request.conditions.size(),
+                protocols::printable(rangeText(dataset, rendering)).c_str());
     stages.end();
     stages.print(foundText(rendering));
     return 0;

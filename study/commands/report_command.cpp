@@ -123,7 +123,9 @@ int report(const ReportCall& call, StageTimes times)
     if (store) state.emplace(*store);
     std::optional<reports::StudyData> data = dataFor(call, store);
     if (!data) {
+        times.begin("writing the blinded report");
         reports::writeProgressReport(records::blindedReport(*store), call.out);
+        times.end();
         state->record("report", call.out);
         std::printf("%s/index.html: progress, balance and flags; the rest needs the owner's passphrase\n",
                     protocols::printable(call.out).c_str());

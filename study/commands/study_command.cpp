@@ -76,7 +76,7 @@ int makeNew(const making::NewStudy& request, StageTimes& stages, bool goesToServ
     std::printf("  %d presentations and %d answers for each participant: about %.0f minutes in %s, at %g s a presentation\n",
                 protocol.presentations(), protocol.answersPerParticipant(), protocol.minutesPerParticipant(),
                 sittingsText(protocol.sittingsPerParticipant()).c_str(), protocol.secondsPerPresentation);
-    std::printf("  %s\n", records::displayResponseSentence(made.facts).c_str());
+    std::printf("  %s\n", protocols::printable(records::displayResponseSentence(made.facts)).c_str());
     if (!made.facts.familiarisation.empty())
         std::printf("  fabrics for familiarisation: %s\n", protocols::printable(listOf(made.facts.familiarisation)).c_str());
     std::printf("balance of other running orders by the same rules (those of this study are sealed):\n%s",

@@ -128,10 +128,14 @@ ordered_json jsonOf(const LeakReport& report)
     ordered_json why = ordered_json::object();
     if (!report.hasTruth)
         why["guessers"] = why["least_share_found"] = why["least_share_of"] = notCounted;
-    else if (leastShareFound(report.power()).is_null())
-        why[report.power() ? "least_share_found" : "least_share_of"] =
-            report.power() ? "too few trials" : "nothing could be guessed at";
+    else if (report.power() && leastShareFound(report.power()).is_null())
+        why["least_share_found"] = "too few trials";
+    else if (!report.power())
+        why["least_share_found"] = why["least_share_of"] = "nothing could be guessed at";
     const auto& station = report.stationKey;
+    ordered_json stationKey{{"readable", station.isReadable}, {"images", station.images}, {"pieces_named", station.named}};
+    stationKey["pieces_right"] = report.hasTruth ? ordered_json(station.hits) : ordered_json();
+    if (!report.hasTruth) stationKey["why"] = {{"pieces_right", notCounted}};
     return {
         {"schema", "vis2hap.leak-check/1"},
         {"study", report.study},
@@ -148,11 +152,7 @@ ordered_json jsonOf(const LeakReport& report)
         {"findings", report.findings},
         {"open_modes", report.modes},
         {"guessers", report.hasTruth ? guesses : ordered_json()},
-        {"station_key",
-         {{"readable", station.isReadable},
-          {"images", station.images},
-          {"pieces_named", station.named},
-          {"pieces_right", report.hasTruth ? ordered_json(station.hits) : ordered_json()}}},
+        {"station_key", stationKey},
         {"verdicts",
          {{"operator", verdictOfOperator(report)}, {"station_key", verdictOfStation(report)}, {"owner", verdictOfOwner(report)}}},
         {"notes", {answersAreEvidence, redrawnWithPresentDraws, memoryTells}},

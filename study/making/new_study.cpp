@@ -11,12 +11,11 @@
 #include "protocols/files/safe_text.h"
 #include "protocols/files/sha256.h"
 #include "protocols/orders/allocation.h"
-#include "protocols/usual_texts.h"
 #include "rendering/display/stimulus_bank.h"
-#include "study/analyse/power/planned_power.h"
 #include "study/making/made_with.h"
 #include "study/making/planned_work.h"
 #include "study/making/prompt_files.h"
+#include "study/making/session_plan.h"
 #include "study/making/study_images.h"
 #include "study/making/study_material.h"
 #include "study/session/clock.h"
@@ -166,9 +165,7 @@ MadeStudy makeStudy(const NewStudy& request, const StudyProgress& progress)
     begin("signals and friction images");
     const StudyImages images = imagesFor(request, material, made.facts, progress);
     noteImages(images, made);
-    if (std::string warning = analyse::boundsWarning(material.protocol); !warning.empty())
-        made.warnings.push_back(std::move(warning));
-    if (std::string note = protocols::noteOnOwnEnds(material.protocol); !note.empty()) made.warnings.push_back(std::move(note));
+    for (std::string& remark : remarksOn(material.protocol)) made.warnings.push_back(std::move(remark));
     begin("images for familiarisation");
     const FamiliarisationImages familiarisation = familiarisationFor(request, material);
 

@@ -7,6 +7,7 @@
 #include "protocols/files/number_text.h"
 #include "protocols/orders/counterbalancing.h"
 #include "protocols/records/balance.h"
+#include "protocols/usual_texts.h"
 #include "reports/text/plain_words.h"
 #include "stats/power/power.h"
 #include "study/analyse/power/planned_power.h"
@@ -56,6 +57,7 @@ ordered_json phaseJson(const Protocol& protocol, const Phase& phase)
                        {"repeated", phase.anchors.repeated * phase.runs()},
                        {"condition", phase.anchors.mismatched > 0 ? ordered_json(anchorConditionOf(protocol, phase.anchors).value)
                                                                   : ordered_json()}};
+    if (phase.anchors.mismatched == 0) json["anchors"]["why"] = {{"condition", "no anchor is mismatched"}};
     json["minutes"] = presentations * protocol.secondsPerPresentation / 60;
     return json;
 }
@@ -73,7 +75,7 @@ ordered_json detected(const std::string& question, const std::string& claim, con
 {
     ordered_json json{{"question", question}, {"claim", claim}, {"unit", unit}};
     json["smallest"] = effect.exists() ? ordered_json(*effect) : ordered_json();
-    if (!effect.exists()) json["why"] = effect.why();
+    if (!effect.exists()) json["why"] = {{"smallest", effect.why()}};
     return json;
 }
 
@@ -171,6 +173,13 @@ ordered_json detectableEffects(const Protocol& protocol)
     return rows;
 }
 
+std::vector<std::string> remarksOn(const Protocol& protocol)
+{
+    std::vector<std::string> remarks{analyse::boundsWarning(protocol), protocols::noteOnOwnEnds(protocol)};
+    std::erase(remarks, std::string());
+    return remarks;
+}
+
 std::string textOf(const ordered_json& plan)
 {
     std::string text = word(plan, "name") + "\n" + counted(plan["participants"], "participant") + ", " +
@@ -191,7 +200,8 @@ std::string textOf(const ordered_json& plan)
     text += "\nwhat the study can detect with a power of 80 %, under the usual assumptions (`vis2hap power` prints them):\n";
     for (const auto& row : plan["detects"])
         text += "  " + word(row, "question") + ", " + word(row, "claim") + ": " +
-                (row["smallest"].is_null() ? word(row, "why") : fixed(row["smallest"], 2) + " " + word(row, "unit")) + "\n";
+                (row["smallest"].is_null() ? word(row["why"], "smallest") : fixed(row["smallest"], 2) + " " + word(row, "unit")) +
+                "\n";
     return text;
 }
 

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "protocols/protocol.h"
 
@@ -17,6 +18,10 @@ nlohmann::ordered_json sessionPlan(const protocols::Protocol& protocol);
 
 /// Its part "detects", which needs no running order.
 nlohmann::ordered_json detectableEffects(const protocols::Protocol& protocol);
+
+/// What a sound protocol leaves in doubt: bounds of equivalence that its study can hardly meet, texts that its own ends of the
+/// scale still lack. `study new` prints these lines, too.
+std::vector<std::string> remarksOn(const protocols::Protocol& protocol);
 
 /// The same object as lines for people.
 std::string textOf(const nlohmann::ordered_json& sessionPlan);

@@ -77,10 +77,6 @@ void readModel(const NewStudy& request, StudyMaterial& material)
     material.control = request.control;
     if (!request.control.empty())
         (void)models::readModelCardFields(request.control);  // refuses weights without a card before any work
-    if (request.model.empty() && !material.dataset.procedural)
-        material.stamps.push_back(
-            "The shipped weights generated the signals. They were trained on drawn fabrics and on scanned cloth, not on this "
-            "data set.");
 }
 
 void readDisplayResponse(const NewStudy& request, StudyMaterial& material)
@@ -120,6 +116,10 @@ StudyMaterial materialFor(const NewStudy& request)
     const auto chosen =
         chooseSamples(material.dataset, material.fabrics, signals, material.model ? &material.model->summary : nullptr,
                       request.seed, request.allowTrainingSamples);
+    if (material.model && request.model.empty() && !material.dataset.procedural && !chosen.someTrainedOn)
+        material.stamps.push_back(
+            "The shipped weights generated the signals. They were trained on drawn fabrics and on scanned cloth, not on this "
+            "data set.");
     if (chosen.someTrainedOn)
         material.stamps.push_back(
             "Some samples shown in this study were among the training samples of the generators (--allow-training-samples).");

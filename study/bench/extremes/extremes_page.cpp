@@ -70,6 +70,7 @@ ordered_json jsonOf(const ExtremeAnswer& answer, const ExtremeCase& asked, doubl
     if (!answer.refusal.empty()) json["why"]["answer"] = answer.refusal;
     const auto digits = correctDigits(answer.decimal, asked.truth);
     json["digits"] = digits ? ordered_json(*digits) : ordered_json();
+    if (!digits) json["why"]["digits"] = "there are no digits to compare";
     json["ms"] = milliseconds;
     return json;
 }

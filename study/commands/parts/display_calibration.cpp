@@ -55,10 +55,10 @@ int calibrateDisplay(const DisplayCalibration& call)
     protocols::writeWholeFile(call.out, json);
     if (!call.picture.empty()) protocols::writeWholeFile(call.picture, responseDrawing(response));
     printResponse(response);
-    std::printf("%s: %s\n", call.out.c_str(), measuredText(response.setting).c_str());
+    std::printf("%s: %s\n", protocols::printable(call.out).c_str(), protocols::printable(measuredText(response.setting)).c_str());
     std::printf(
         "next: `vis2hap study new STUDY --dataset DATASET --response %s` makes equal steps of a map equal steps of friction\n",
-        call.out.c_str());
+        protocols::shellWord(call.out).c_str());
     return 0;
 }
 

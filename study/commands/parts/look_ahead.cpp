@@ -24,7 +24,7 @@ app::SessionOutlook lookAhead(const protocols::Protocol& protocol)
         if (row.at("smallest").is_number())
             one.smallest = row.at("smallest").get<double>();
         else
-            one.why = row.value("why", std::string());
+            one.why = row.at("why").at("smallest").get<std::string>();
         outlook.detects.push_back(one);
     }
     outlook.isBalanceDrawn = protocol.presentations() * static_cast<long long>(protocol.participants) <= mostDrawn;

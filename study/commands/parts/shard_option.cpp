@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/files/whole_file.h"
 #include "study/commands/parts/version_text.h"
 
@@ -55,7 +56,7 @@ void writeShard(const ShardOption& option, const std::string& command, nlohmann:
     const std::filesystem::path file = fileOf(option, command, share);
     shards::writeShard(file, {versionText(), command, std::move(options), share, std::move(values)});
     std::printf("wrote shard %s to %s; join all shards with `vis2hap merge`\n", shards::textOf(share).c_str(),
-                file.string().c_str());
+                protocols::printable(file.string()).c_str());
 }
 
 }  // namespace study::commands

@@ -196,7 +196,10 @@ private Q_SLOTS:
         const BenchRow row{"ssim", "double", 21.5, {}, "-", "goal 30 ms", {{"R", 40.26}, {"scipy", {}}}};
         const auto json = jsonOf(row);
         QCOMPARE(json.dump(), R"({"stage":"ssim","quality":"double","ms":21.5,"error":null,"error_is":"-",)"
-                              R"("note":"goal 30 ms, R 40.3 ms, scipy not installed","peers":{"R":40.26,"scipy":null},)"
+                              R"("note":"goal 30 ms, R 40.3 ms, scipy not installed",)"
+                              R"("why":{"error":"this row has no known result to compare with",)"
+                              R"("peers":"a peer without a number is not installed, or --peers was not given"},)"
+                              R"("peers":{"R":40.26,"scipy":null},)"
                               R"("on_front":false})");
         BenchRow promised{"paired t", "double", 2, {}, "", "", {{"scipy", 7.0}}};
         promised.quartiles = study::bench::Quartiles{1.5, 3};

@@ -81,6 +81,23 @@ private Q_SLOTS:
         QCOMPARE(json["faults"][1]["column"], 19);
     }
 
+    /// `study new` printed these lines, but not `check`, where the file can still be changed.
+    void whatASoundFileLeavesInDoubtIsSaid()
+    {
+        const char* oneEnd = R"({"schema":"vis2hap.protocol/1","name":"Own end","participants":10,"fabrics":7,
+            "conditions":["v_grey","h&f"],"participant_texts":{"scale_low":"smooth as glass"},
+            "phases":[{"questions":["Q2"],"scale":{"min":0,"max":10}}]})";
+        const QString file = written("one\x1b[31mend.json", oneEnd);
+        const auto said = support::mustRun({"protocol", "check", file});
+        QVERIFY2(said.out.contains("note: participant_texts: the study has its own scale_low, but no "), qPrintable(said.out));
+        QVERIFY2(said.out.contains("note: equivalence within ") && said.out.contains("no fault"), qPrintable(said.out));
+        QVERIFY(!said.out.contains('\x1b'));
+        const auto json = support::mustRun({"protocol", "check", file, "--json"});
+        QCOMPARE(Json::parse(json.out.toStdString())["notes"].size(), std::size_t(2));
+        const auto faulty = support::runProgram({"protocol", "check", written("two\x1b[31mfaults.json", tenFaults)});
+        QVERIFY(faulty.exitCode == 2 && !faulty.out.contains('\x1b'));
+    }
+
     void everyExampleIsSoundAndShown()
     {
         int examples = 0;

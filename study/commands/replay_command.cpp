@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <tuple>
 
 #include "database/disk/server_note.h"
 #include "database/keys.h"
@@ -47,6 +48,15 @@ private:
     app::GuiOperator m_hands;
 };
 
+/// By running order, and in one running order those who withdrew first: their successor then finds the place free. Scripts
+/// without one follow as they are named.
+void sortByPlace(std::vector<players::Script>& scripts)
+{
+    std::ranges::stable_sort(scripts, {}, [](const players::Script& script) {
+        return script.slot ? std::tuple(0, *script.slot, script.withdraws() ? 0 : 1) : std::tuple(1, 0, 0);
+    });
+}
+
 std::vector<players::Script> readScripts(const std::vector<std::string>& files, const protocols::Protocol& protocol)
 {
     std::vector<players::Script> scripts;
@@ -57,7 +67,22 @@ std::vector<players::Script> readScripts(const std::vector<std::string>& files, 
             throw protocols::badInput({"participant " + scripts.back().participant.value + " has two scripts", file,
                                        "one script for each participant", "leave one of them out"});
     }
+    sortByPlace(scripts);
     return scripts;
+}
+
+/// A blinded script knows its trials by number only: in another running order its answers would belong to other images.
+void requireItsPlace(const SessionStore& store, const players::Script& script)
+{
+    if (!script.slot) return;
+    const auto slots = store.slots();
+    const auto free = std::ranges::find(slots, SlotState::Free, &database::Slot::state);
+    const int next = free == slots.end() ? 0 : free->number;
+    if (next == *script.slot || next == 0) return;
+    throw protocols::badInput({"the answers of " + script.participant.value + " belong to running order " +
+                                   std::to_string(*script.slot) + ", and the next free one is " + std::to_string(next),
+                               script.where, "the scripts of all participants of that study, in a study without others",
+                               "replay them together; of a script that names fabrics and conditions, \"slot\" may be taken out"});
 }
 
 constexpr int paperParticipants = 10;
@@ -149,6 +174,7 @@ void playDirectly(const std::vector<players::Script>& scripts, const std::filesy
         if (finishedAlready(slot, script)) continue;
         session::requireKeptProtocol(store);  // this and the station key before the participant takes a place
         rendering::PresentedImages& images = open.images();
+        if (slot.state == SlotState::Free) requireItsPlace(store, script);
         store.enrol(script.participant, ParticipantKind::Scripted);
         const auto logged = store.events(script.participant);
         session::VirtualClock clock;
@@ -174,6 +200,7 @@ void playThroughWindow(const std::vector<players::Script>& scripts, const std::f
         if (finishedAlready(slot, script)) continue;
         session::requireKeptProtocol(store);  // this and the station key before the participant takes a place
         window.study()->images();
+        if (slot.state == SlotState::Free) requireItsPlace(store, script);
         store.enrol(script.participant, ParticipantKind::Scripted);
         const auto logged = store.events(script.participant);
         window.show();

@@ -303,6 +303,11 @@ const ScriptedAnswer* Script::answerTo(const protocols::QuestionId& question, co
     return nullptr;
 }
 
+bool Script::withdraws() const
+{
+    return std::ranges::any_of(events, [](const ScriptedEvent& event) { return event.what == ScriptedEvent::What::Withdraw; });
+}
+
 Script scriptFromJson(std::string_view text, const std::string& where, const protocols::Protocol& protocol)
 {
     const protocols::JsonDocument document(text, where);
@@ -313,6 +318,7 @@ Script scriptFromJson(std::string_view text, const std::string& where, const pro
     script.where = where;
     script.participant = protocols::ParticipantId(root.text("participant"));
     protocols::requireGoodId(script.participant.value, "a participant", where + ", " + document.placeOf("/participant"));
+    if (root.has("slot")) script.slot = root.whole("slot", 1);
     if (!root["answers"].is_array()) throw root.fault("answers", "the list of answers is missing", "\"answers\": [...]");
     if (root.has("events") && !root["events"].is_array())
         throw root.fault("events", "the events are no list", "\"events\": [...]");

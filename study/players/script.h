@@ -75,8 +75,11 @@ struct ScriptedEvent {
 struct Script {
     std::string where;  ///< the file, for errors
     protocols::ParticipantId participant;
+    std::optional<int> slot = {};  ///< running order that the answers were given in, from 1; none: any
     std::vector<ScriptedAnswer> answers;
     std::vector<ScriptedEvent> events;
+
+    bool withdraws() const;
 
     /// The answer for this attempt, occurrence and instruction, else for any attempt, any occurrence, any instruction. A
     /// repetition that has none gets the answer to the first presentation. Else null.

@@ -179,6 +179,7 @@ void writeScripts(const database::StudyStore& store, const records::Naming* nami
         if (erased.contains(enrolment.participant)) continue;
         ordered_json script{{"schema", scriptSchema},
                             {"participant", enrolment.participant.value},
+                            {"slot", enrolment.slot},
                             {"answers", ordered_json::array()},
                             {"events", ordered_json::array()}};
         const auto log = store.events(enrolment.participant);

@@ -340,6 +340,30 @@ private Q_SLOTS:
                 QCOMPARE(cellAt(again, row, column), cellAt(first, row, column));
     }
 
+    /// A shell sorts P10 before P8. A blinded script in another running order gave its answers to other images, without a word.
+    void scriptsReplayInTheirRunningOrders()
+    {
+        const json rated = json::array({rating({"Q2"})});
+        const QString of = study(rated), other = at("in-any-order"), alone = at("alone");
+        mustRun({"export", of, "--out", of + "-scripts", "--format", "script"});
+        for (const QString& folder : {other, alone}) buildStudy(folder.toStdString(), {.protocol = protocolOf(rated)});
+        QStringList call{"replay", other};
+        for (const char* person : {"P03", "P05", "P01", "P04", "P02"}) call << of + "-scripts/" + person + ".json";
+        mustRun(call);
+        for (const QString& folder : {of, other}) {
+            mustRun({"unblind", folder, "--who", "M", "--why", "done"});
+            mustRun({"export", folder, "--out", folder + "-open"});
+        }
+        const Rows first = *csvRows(bytesOf(of + "-open/answers.csv")), again = *csvRows(bytesOf(other + "-open/answers.csv"));
+        QCOMPARE(again.size(), first.size());
+        for (std::size_t row = 1; row < first.size(); ++row)
+            for (const char* column : {"participant", "trial", "fabric", "condition", "rating"})
+                QCOMPARE(cellAt(again, row, column), cellAt(first, row, column));
+        const auto refused = runProgram({"replay", alone, of + "-scripts/P03.json"});
+        QCOMPARE(refused.exitCode, 2);
+        QVERIFY2(refused.err.contains("belong to running order 2, and the next free one is 1"), qPrintable(refused.err));
+    }
+
     void theCodebookHasTheWordsOfALikertScale()
     {
         json likert = rating({"Q2"});

@@ -95,13 +95,14 @@ LogHead headOfActs(const StudyStore& store)
     return last.next() ? LogHead{last.value(0).toLongLong(), fromQt(last.value(1))} : LogHead{};
 }
 
-std::vector<Act> copiesSince(const StudyStore& store, std::int64_t sequence)
+std::vector<Act> copiesSince(const StudyStore& store, std::int64_t sequence, const protocols::ParticipantId& about)
 {
     std::vector<Act> copies;
     for (Act& act : actsOf(store)) {
         const bool isReadable = !act.head.hash.empty();
-        const bool leavesCopy =
-            !isReadable || act.kind == "export" || act.kind == "backup" || act.kind == "report" || act.kind == serverAct;
+        const bool isAboutThem = act.kind == personExport && (about.value.empty() || act.note == about.value);
+        const bool leavesCopy = !isReadable || act.kind == "export" || act.kind == "backup" || act.kind == "report" ||
+                                act.kind == serverAct || isAboutThem;
         if (leavesCopy && !act.path.empty() && act.head.sequence >= sequence) copies.push_back(std::move(act));
     }
     return copies;

@@ -25,6 +25,9 @@ struct Act {
     std::string note = {};           ///< what the act found wrong; empty for most acts
 };
 
+/// Kind of the act that hands the data of one person over; its note is the code of the participant.
+inline constexpr const char* personExport = "export of one person";
+
 /// The JSON of an act in its chain.
 std::string detailsOf(const Act& act);
 
@@ -42,8 +45,8 @@ std::vector<ChainedAct> chainedActsOf(const StudyStore& store);
 LogHead headOfActs(const StudyStore& store);
 
 /// The exports, backups, reports and stays on a server that were recorded when the log had entry `sequence`: they may hold its
-/// content.
-std::vector<Act> copiesSince(const StudyStore& store, std::int64_t sequence);
+/// content. `about`: without exports of the data of other people; empty: with all.
+std::vector<Act> copiesSince(const StudyStore& store, std::int64_t sequence, const protocols::ParticipantId& about = {});
 
 /// One line for each fault of the chain, and for each act whose head is not in the log.
 std::vector<std::string> faultsOfActs(const StudyStore& store);

@@ -16,7 +16,13 @@ bool isSamePresentation(const FingerRecord& a, const FingerRecord& b)
     return a.participant == b.participant && a.trial == b.trial && a.attempt == b.attempt;
 }
 
-/// Adds the row to the record. A clock that went back between two rows must not make the samples go back.
+/// Whether the row was measured by another clock than the samples before it: each sitting begins its own, at any time.
+bool isOfAnotherClock(const FingerRecord& record, const QSqlQuery& row)
+{
+    return !record.samples.empty() && row.value(4).toLongLong() < record.samples.back().atNs;
+}
+
+/// Adds the row to the record. Samples that do not come later are left out.
 void addRow(FingerRecord& record, const QSqlQuery& row)
 {
     const auto samples = fingerSamplesFrom(fromQt(row.value(6)), row.value(4).toLongLong());
@@ -51,7 +57,7 @@ void eachFingerRecord(const StudyStore& store, const protocols::ParticipantId& p
                           row.value(3).toInt() != 0,
                           {},
                           0};
-        if (current && !isSamePresentation(*current, next)) {
+        if (current && (!isSamePresentation(*current, next) || isOfAnotherClock(*current, row))) {
             take(*current);
             current.reset();
         }

@@ -9,7 +9,7 @@
 
 namespace database {
 
-/// All samples of one presentation.
+/// Samples of one presentation, by one clock. A presentation that went on in another sitting may have two records.
 struct FingerRecord {
     protocols::ParticipantId participant;
     protocols::TrialNumber trial;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "database/evidence/acts.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/safe_text.h"
@@ -104,7 +105,7 @@ int exportPerson(const ExportCall& call)
     records::writeParticipantData(store, data, draft.path());
     draft.outdates({"your-finger-samples.csv"});  // of an earlier export, before an erasure
     draft.putInPlace();
-    state.record("export", call.out);
+    state.record(database::personExport, call.out, call.participant);
     std::printf("%s: data of %s: %s%s\n", protocols::printable(call.out).c_str(), protocols::printable(call.participant).c_str(),
                 countsOf(data).c_str(),
                 data["blinded"].get<bool>() ? ", blinded (no condition, no fabric, nothing about right or wrong)" : "");

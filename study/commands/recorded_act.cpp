@@ -58,9 +58,9 @@ const database::LogHead& StateForFiles::end()
     return m_head;
 }
 
-void StateForFiles::record(const std::string& kind, const std::filesystem::path& path)
+void StateForFiles::record(const std::string& kind, const std::filesystem::path& path, const std::string& note)
 {
-    recordAct(m_store, kind, path, {}, end());
+    recordAct(m_store, kind, path, note, end());
 }
 
 void noteIfReadByAll(const std::filesystem::path& secret)

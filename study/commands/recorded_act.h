@@ -31,7 +31,7 @@ public:
     const database::LogHead& end();
     /// Ends the state and records the act with its head. Call it before the first
     /// word on the screen: a reader such as `head` may close the pipe at any line.
-    void record(const std::string& kind, const std::filesystem::path& path);
+    void record(const std::string& kind, const std::filesystem::path& path, const std::string& note = {});
 
 private:
     const database::StudyStore& m_store;

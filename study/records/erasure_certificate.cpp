@@ -31,7 +31,7 @@ std::string copiesOf(const database::StudyStore& store, const protocols::Partici
     if (entries.empty()) return "The participant has no entry in the log, so no recorded copy holds data about them.\n";
     std::string text;
     bool wasOnServer = false;
-    for (const auto& act : copiesSince(store, entries.front().sequence)) {
+    for (const auto& act : copiesSince(store, entries.front().sequence, participant)) {
         wasOnServer = wasOnServer || act.kind == database::serverAct;
         text += "  " +
                 protocols::printable(act.kind + " " + act.path + " on " + act.host + ", " + act.wallTime + ", by " + act.who) +

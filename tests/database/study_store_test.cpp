@@ -382,6 +382,17 @@ private Q_SLOTS:
         QCOMPARE(records[0].leftOut, 4);
         QVERIFY(!records[0].voided && records[0].attempt == 1);
         QCOMPARE(fingerSampleCount(store, s01), 4);
+
+        // The next sitting went on with the presentation, on a computer whose clock starts lower: its samples vanished.
+        StudyStore::Append later = answerOf(store, "Q4", 30);
+        const std::vector<protocols::FingerSample> restarted{{5000000, 1.0, 2.0, 0.5}, {12300000, 1.5, 2.5, 0.5}};
+        later.event.sitting = 2;
+        later.finger = {later.answers[0].trial, restarted, 0};
+        store.append(later);
+        records.clear();
+        eachFingerRecord(store, {}, [&](const FingerRecord& record) { records.push_back(record); });
+        QCOMPARE(records.size(), 2u);
+        QVERIFY(records[0].samples == samples && records[1].samples == restarted);
         QCOMPARE(fingerSampleCount(store, protocols::ParticipantId("S02")), 0);
         QVERIFY(store.faults().empty());
         QVERIFY(RawSqlite(folder.database()).run("UPDATE finger_samples SET count = 1").find("append-only") != std::string::npos);

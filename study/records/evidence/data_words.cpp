@@ -71,7 +71,7 @@ constexpr ColumnWords allColumnWords[] = {
     {"responses", "alternatives", "fabrics on the tray", WithAnswers},
     {"responses", "choice", "answer: chosen piece, same or different, or words", WithAnswers},
     {"responses", "rating_tenths", "answer: a number on the scale, in tenths", WithAnswers},
-    {"responses", "ready_at", "when the presentation was ready", WithAnswers},
+    {"responses", "ready_at", "when the question was ready", WithAnswers},
     {"responses", "touched_at", "when the participant touched the glass", WithAnswers},
     {"responses", "answered_at", "when the participant answered", WithAnswers},
     {"responses", "stored_at", "when the answer was stored", WithAnswers},

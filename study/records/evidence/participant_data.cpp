@@ -228,7 +228,7 @@ ordered_json copyRows(const Person& person)
 {
     ordered_json rows = ordered_json::array();
     if (person.events.empty()) return rows;
-    for (const auto& act : copiesSince(person.store, person.events.front().sequence))
+    for (const auto& act : copiesSince(person.store, person.events.front().sequence, person.enrolment.participant))
         rows.push_back({{"act", act.kind}, {"time", act.wallTime}, {"host", act.host}, {"path", act.path}});
     return rows;
 }

@@ -196,6 +196,20 @@ private Q_SLOTS:
         QVERIFY2(refused.err.contains("need a folder of their own"), qPrintable(refused.err));
     }
 
+    /// The folder holds nothing about anybody else, and its name may hold a person's.
+    void aHandOverIsNoCopyOfOtherPeoplesData()
+    {
+        const QString study = playedStudy();
+        mustRun({"export", study, "--participant", "P2", "--out", at("of P2, Anna")});
+        const auto copiesOf = [&](const char* person) {
+            const QString out = at(QString("copies of ") + person);
+            mustRun({"export", study, "--participant", person, "--out", out});
+            return QString::fromStdString(jsonOf(out + "/your-data.json")["copies"].dump());
+        };
+        QVERIFY(!copiesOf("P1").contains("Anna"));
+        QVERIFY2(copiesOf("P2").contains("of P2, Anna"), qPrintable(copiesOf("P2")));
+    }
+
     /// A replay of the folder would bring the answers back.
     void aScriptOfErasedAnswersLeavesTheFolder()
     {

@@ -407,6 +407,9 @@ std::vector<std::string> fixedPartsChanged(const Protocol& kept, const Protocol&
     if (kept.conditions != changed.conditions || kept.ownImages != changed.ownImages || kept.ownPrograms != changed.ownPrograms)
         parts.emplace_back("conditions");
     if (fixedPhasesOf(kept) != fixedPhasesOf(changed)) parts.emplace_back("phases");
+    // Repetitions lie a block after their originals.
+    const bool hasRepetitions = std::ranges::any_of(kept.phases, [](const Phase& phase) { return phase.anchors.repeated > 0; });
+    if (hasRepetitions && kept.breakAfterPresentations != changed.breakAfterPresentations) parts.emplace_back("break_after");
     if (kept.swatchCodes != changed.swatchCodes) parts.emplace_back("swatches");
     if (kept.prompts != changed.prompts) parts.emplace_back("prompts");  // the study holds the recordings of its first protocol
     if (kept.familiarisationFabrics != changed.familiarisationFabrics) parts.emplace_back("familiarisation_fabrics");

@@ -177,7 +177,8 @@ QuestionClaims claimsOf(const StudyData& data, const AnswerCells& cells, const s
             claims.aboveChance.push_back({data.conditions[c], Generalisation::FabricsLikeThese, ofAlike[c]});
         }
     }
-    claims.omnibus = {{Generalisation::TheseFabrics, testOf(anova)}, {Generalisation::FabricsLikeThese, model.condition}};
+    claims.omnibus = {{Generalisation::TheseFabrics, testOf(anova)},
+                      {Generalisation::FabricsLikeThese, stats::conditionForOthers(model)}};
     return claims;
 }
 

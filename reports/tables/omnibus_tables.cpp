@@ -101,7 +101,7 @@ stats::Value fittedOr(const std::string& why, const stats::Value& value)
 
 OmnibusRow linearModelRow(const std::string& name, const stats::RatingModel& fitted)
 {
-    const std::string& why = fitted.model.why;
+    const std::string why = fitted.model.why.empty() ? stats::whyNotForOthers(fitted.leftOut) : fitted.model.why;
     const stats::FTest& test = fitted.condition;
     return {name,
             wordsOf(stats::Generalisation::FabricsLikeThese),
@@ -117,12 +117,14 @@ OmnibusRow linearModelRow(const std::string& name, const stats::RatingModel& fit
 OmnibusRow logisticRow(const std::string& name, const std::string& holdsFor, const stats::ChoiceModel& fitted)
 {
     const stats::LogisticMixedModel& model = fitted.model;
+    const bool isForOthers = holdsFor == wordsOf(stats::Generalisation::FabricsLikeThese);
+    const std::string why = model.why.empty() && isForOthers ? stats::whyNotForOthers(fitted.leftOut) : model.why;
     return {name,
             holdsFor,
-            model.why.empty() ? model.rows : 0,
-            fittedOr(model.why, model.chiSquared),
-            dfText(fittedOr(model.why, model.df)),
-            fittedOr(model.why, model.p),
+            why.empty() ? model.rows : 0,
+            fittedOr(why, model.chiSquared),
+            dfText(fittedOr(why, model.df)),
+            fittedOr(why, model.p),
             model.logP,
             blankCell(),
             noteOn(fitted)};

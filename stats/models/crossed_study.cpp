@@ -22,10 +22,12 @@ CrossedStudy present(const CrossedStudy& study, std::vector<LeftOut>& leftOut)
     return result;
 }
 
+constexpr const char* oneLevelOnly = "has one level only";
+
 /// The reason why the variance between the levels of a group cannot be estimated; empty where it can.
 std::string reasonAgainst(const Factor& group, std::size_t rows)
 {
-    if (group.levels.size() < 2) return "has one level only";
+    if (group.levels.size() < 2) return oneLevelOnly;
     if (group.levels.size() >= rows) return "has a level for every value, as the residual";
     return {};
 }
@@ -106,6 +108,22 @@ RatingModel fitRatings(const CrossedStudy& whole, const MixedModelOptions& optio
     result.model.missing = whole.values.size() - study.values.size();
     result.condition = effectTest(result.model);
     return result;
+}
+
+std::string whyNotForOthers(const std::vector<LeftOut>& leftOut)
+{
+    for (const LeftOut& effect : leftOut)
+        if (effect.why == oneLevelOnly && (effect.name == "fabric" || effect.name == "participant"))
+            return "there is one " + effect.name + " only: a result for fabrics like these needs at least 2";
+    return {};
+}
+
+FTest conditionForOthers(const RatingModel& model)
+{
+    const std::string why = whyNotForOthers(model.leftOut);
+    if (why.empty()) return model.condition;
+    const Value none = Value::undefined(why);
+    return {why, none, none, none, none, none};
 }
 
 OrdinalRatingModel fitOrdinal(const CrossedStudy& whole, const OrdinalOptions& options)

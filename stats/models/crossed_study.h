@@ -38,6 +38,13 @@ struct RatingModel {
 /// left out are left out.
 RatingModel fitRatings(const CrossedStudy& study, const MixedModelOptions& options = {});
 
+/// Why a model without these effects holds for nobody and nothing else: it saw one participant, or one fabric. Empty where it saw
+/// several.
+std::string whyNotForOthers(const std::vector<LeftOut>& leftOut);
+
+/// The test of all conditions as one for fabrics like these; none where whyNotForOthers() has a reason.
+FTest conditionForOthers(const RatingModel& model);
+
 struct ChoiceModel {
     std::string formula;
     LogisticMixedModel model;

@@ -252,7 +252,7 @@ ordered_json omnibusJson(const ClaimFamily& family)
     these.put("df1", exists ? stats::Value(*anova.df1 * *anova.epsilonGg) : none);
     these.put("df2", exists ? stats::Value(*anova.df2 * *anova.epsilonGg) : none);
     these.putProbability("p", exists ? anova.pGg : none, anova.logPGg);
-    const stats::FTest test = stats::fitRatings(rowsOfCells(family.rows, family.cube)).condition;
+    const stats::FTest test = stats::conditionForOthers(stats::fitRatings(rowsOfCells(family.rows, family.cube)));
     alike.putText("generalises_to", textOf(Generalisation::FabricsLikeThese)).put("statistic", test.f).put("df1", test.df1);
     alike.put("df2", test.df2).putProbability("p", test.p, test.logP);
     return {these.json(), alike.json()};

@@ -154,7 +154,7 @@ const char* contentOf(const std::string& table)
     if (table == "answers") return "the answers, one row an answer";
     if (table == "participants") return "the participants, one row a participant";
     if (table == "progress") return "the progress, one row a running order";
-    if (table == "balance") return "the balance of the running orders";
+    if (table == "balance") return "the balance of other running orders that the same rules gave; those of the study are sealed";
     if (table == "flags") return "flags on the quality of the data";
     return "rounded means over all participants, one row a question and label";
 }

@@ -197,6 +197,23 @@ std::string today()
     return text;
 }
 
+/// A protocol may hold the folder of ready images, and with it the name of an account: public ones keep the last part.
+std::string publicProtocol(const std::string& json)
+{
+    auto protocol = ordered_json::parse(json, nullptr, false);
+    bool isChanged = false;
+    if (protocol.is_object() && protocol.contains("conditions") && protocol["conditions"].is_array())
+        for (auto& condition : protocol["conditions"]) {
+            if (!condition.is_object() || !condition.contains("images") || !condition["images"].is_string()) continue;
+            const std::filesystem::path place(condition["images"].get<std::string>());
+            const auto last = place.has_filename() ? place.filename() : place.parent_path().filename();
+            if (last == place) continue;
+            condition["images"] = last.string();
+            isChanged = true;
+        }
+    return isChanged ? protocol.dump(2) + "\n" : json;
+}
+
 void writeDataset(const Export& job, const ExportForm& form, const std::vector<ExportedTable>& tables,
                   const std::vector<CodebookColumn>& columns)
 {
@@ -212,7 +229,8 @@ void writeDataset(const Export& job, const ExportForm& form, const std::vector<E
     if (!dataset.hasMaterials) return;
     protocols::makeFolders(job.out / "materials", protocols::Sync::Later);
     for (const auto& version : job.store.protocolVersions())
-        write(job, ("materials/protocol-" + std::to_string(version.version) + ".json").c_str(), version.json);
+        write(job, ("materials/protocol-" + std::to_string(version.version) + ".json").c_str(),
+              form.isPublic ? publicProtocol(version.json) : version.json);
 }
 
 void writeOpen(const Export& job, const ExportForm& form)

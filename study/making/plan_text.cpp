@@ -233,7 +233,7 @@ std::string design(const StudyPlan& plan)
         text += "Phase " + std::to_string(i + 1) + ": " + counted(protocol.presentationsPerPhase(), "presentation") +
                 (protocol.phases[i].catchTrials == 0 ? ""
                                                      : " and " + counted(protocol.phases[i].catchTrials, "catch trial") +
-                                                           " with blank glass, which no analysis uses") +
+                                                           " with blank glass, which no analysis of conditions uses") +
                 "; questions " + reports::listed(ids) + "." + instructionsText(protocol.phases[i]) +
                 plannedAnchors(protocol, protocol.phases[i].anchors) + "\n";
     }

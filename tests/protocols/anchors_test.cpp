@@ -413,6 +413,15 @@ private Q_SLOTS:
         Protocol changed = kept;
         changed.phases[1].anchors.mismatched = 3;
         QCOMPARE(fixedPartsChanged(kept, changed), std::vector<std::string>{"phases"});
+        // Repetitions lie a block after their originals.
+        changed = kept;
+        ++changed.breakAfterPresentations;
+        QCOMPARE(fixedPartsChanged(kept, changed), std::vector<std::string>{"break_after"});
+        Protocol plain = kept;
+        for (Phase& phase : plain.phases) phase.anchors.repeated = 0;
+        changed = plain;
+        ++changed.breakAfterPresentations;
+        QVERIFY(fixedPartsChanged(plain, changed).empty());
     }
 
     void kindsHaveNames()

@@ -177,6 +177,21 @@ private Q_SLOTS:
         QCOMPARE(rest["comparisons"][0]["n"], 5);  // P01 has no fabric under both
     }
 
+    /// One fabric: the repeated-measures analysis stood there a second time, "for fabrics like these".
+    void oneFabricClaimsNothingAboutOthers()
+    {
+        StudyData data = builders::emptyStudy(8, 1, {"A", "B"}, {{"Q2", "", builders::onScale}});
+        for (std::size_t p = 0; p < data.participants.size(); ++p)
+            for (const int c : {0, 1})
+                data.responses.push_back(
+                    builders::rated(data.participants[p], "F01", data.conditions[static_cast<std::size_t>(c)], "Q2",
+                                    c == 0 ? 2 + 0.5 * static_cast<double>(p % 3) : 7 + 0.5 * static_cast<double>(p % 2)));
+        const StudyAnalysis analysis = reports::analyse(data, {.depth = reports::Depth::Quick});
+        const Json omnibus = reports::resultsJson(analysis)["omnibus"];
+        QVERIFY(omnibus[0]["p"].is_number() && omnibus[1]["p"].is_null());
+        QVERIFY(QString::fromStdString(omnibus[1]["why"]["p"]).startsWith("there is one fabric only"));
+    }
+
     /// t(399) = -1,200 and more: p has more than 300 zeros. A corrected p stood there as 0.
     void aPBelowTheSmallestDoubleIsNoZero()
     {

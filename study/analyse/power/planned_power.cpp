@@ -47,7 +47,7 @@ stats::PowerOptions powerOptionsOf(const protocols::Protocol& protocol, const Te
 std::string boundsWarning(const protocols::Protocol& protocol)
 {
     const stats::PowerOptions options = powerOptionsOf(protocol, testedQuestions(protocol));
-    if (!options.hasRatings || options.design.participants < 2) return {};
+    if (!options.hasRatings || options.design.participants < 2 || options.design.conditions < 2) return {};
     const stats::Value reached = stats::narrowestBounds(options);
     const auto [low, high] = protocol.equivalenceBounds;
     if (reached.exists() && *reached <= std::min(-low, high)) return {};

@@ -205,7 +205,7 @@ private Q_SLOTS:
         const database::StudyStore store({study.toStdString()}, database::StudyStore::Access::Read);
         const auto acts = actsOf(store);
         QCOMPARE(acts.size(), std::size_t{2});
-        QVERIFY(acts[0].path.ends_with("act1") && acts[1].path.ends_with("act2") && acts[1].kind == "export");
+        QVERIFY(acts[0].path.ends_with("act1") && acts[1].path.ends_with("act2") && acts[1].kind == database::personExport);
     }
 
     void aPrintedCommandQuotesAPathWithBlanks()

@@ -109,12 +109,11 @@ void ScaleTrainingPage::showAnchors()
         m_highAnchor->setText(high);
         return;
     }
-    const QString forLow = m_facts.hasOwnLowEnd ? tr("Let the participant touch your study's materials for this end (the usual "
-                                                     "ones: sandpaper, then silk). Say: “%1”")
-                                                : tr("Let the participant touch sandpaper, then silk. Say: “%1”");
+    const QString forLow = m_facts.hasOwnLowEnd
+                               ? tr("Let the participant touch your materials (usually sandpaper, then silk). Say: “%1”")
+                               : tr("Let the participant touch sandpaper, then silk. Say: “%1”");
     const QString forHigh =
-        m_facts.hasOwnHighEnd ? tr("Let the participant touch your study's materials for this end (the usual ones: two pieces of "
-                                   "the same fabric). Say: “%1”")
+        m_facts.hasOwnHighEnd ? tr("Let the participant touch your materials (usually two pieces of the same fabric). Say: “%1”")
                               : tr("Let the participant touch two pieces of the same fabric. Say: “%1”");
     m_lowAnchor->setText(forLow.arg(m_facts.sentence("say_unrelated", {{"number", low.toStdString()}})));
     m_highAnchor->setText(forHigh.arg(m_facts.sentence("say_same", {{"number", high.toStdString()}})));

@@ -4799,12 +4799,12 @@ Noch ist nichts gewählt.</translation>
         <translation>%1 Drücken Sie G, um das zu überspringen, wenn die Versuchsperson die Skala schon kennt.</translation>
     </message>
     <message>
-        <source>Let the participant touch your study&apos;s materials for this end (the usual ones: sandpaper, then silk). Say: “%1”</source>
-        <translation>Lassen Sie die Versuchsperson die Materialien Ihrer Studie für dieses Ende fühlen (üblich: Schleifpapier, dann Seide). Sagen Sie: „%1“</translation>
+        <source>Let the participant touch your materials (usually sandpaper, then silk). Say: “%1”</source>
+        <translation>Lassen Sie die Versuchsperson Ihre Materialien fühlen (üblich: Schleifpapier, dann Seide). Sagen Sie: „%1“</translation>
     </message>
     <message>
-        <source>Let the participant touch your study&apos;s materials for this end (the usual ones: two pieces of the same fabric). Say: “%1”</source>
-        <translation>Lassen Sie die Versuchsperson die Materialien Ihrer Studie für dieses Ende fühlen (üblich: zwei Proben desselben Stoffs). Sagen Sie: „%1“</translation>
+        <source>Let the participant touch your materials (usually two pieces of the same fabric). Say: “%1”</source>
+        <translation>Lassen Sie die Versuchsperson Ihre Materialien fühlen (üblich: zwei Proben desselben Stoffs). Sagen Sie: „%1“</translation>
     </message>
 </context>
 <context>

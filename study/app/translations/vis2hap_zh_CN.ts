@@ -4799,12 +4799,12 @@ Nothing is chosen yet.</source>
         <translation>%1如果参与者已掌握量表，按G跳过。</translation>
     </message>
     <message>
-        <source>Let the participant touch your study&apos;s materials for this end (the usual ones: sandpaper, then silk). Say: “%1”</source>
-        <translation>让参与者摸本研究为这一端准备的材料（通常是先砂纸，再丝绸），并说：“%1”</translation>
+        <source>Let the participant touch your materials (usually sandpaper, then silk). Say: “%1”</source>
+        <translation>让参与者摸本研究的材料（通常是先砂纸，再丝绸），并说：“%1”</translation>
     </message>
     <message>
-        <source>Let the participant touch your study&apos;s materials for this end (the usual ones: two pieces of the same fabric). Say: “%1”</source>
-        <translation>让参与者摸本研究为这一端准备的材料（通常是两块相同的布料），并说：“%1”</translation>
+        <source>Let the participant touch your materials (usually two pieces of the same fabric). Say: “%1”</source>
+        <translation>让参与者摸本研究的材料（通常是两块相同的布料），并说：“%1”</translation>
     </message>
 </context>
 <context>

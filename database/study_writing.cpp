@@ -160,7 +160,8 @@ std::string withCommitments(const std::string& payloadJson, const std::vector<Sa
     return payload.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-Slot enrolIn(const SqliteConnection& sqlite, const protocols::ParticipantId& participant, ParticipantKind kind)
+Slot enrolIn(const SqliteConnection& sqlite, const protocols::ParticipantId& participant, ParticipantKind kind,
+             std::optional<int> wanted)
 {
     Transaction transaction(sqlite);
     for (const Erasure& erasure : erasuresIn(sqlite))
@@ -182,8 +183,14 @@ Slot enrolIn(const SqliteConnection& sqlite, const protocols::ParticipantId& par
     }
     protocols::requireGoodNewId(participant.value, "a participant", sqlite.folder());
     const QVariant place = sqlite.value(
-        QStringLiteral("SELECT s.number FROM slots s WHERE NOT EXISTS (SELECT 1 FROM participants p WHERE p.slot = s.number AND "
-                       "p.state <> 'withdrawn') ORDER BY s.number LIMIT 1"));
+        QStringLiteral("SELECT s.number FROM slots s WHERE (s.number = ? OR ? = 0) AND NOT EXISTS (SELECT 1 FROM participants p "
+                       "WHERE p.slot = s.number AND p.state <> 'withdrawn') ORDER BY s.number LIMIT 1"),
+        {wanted.value_or(0), wanted.value_or(0)});
+    if (!place.isValid() && wanted)
+        throw protocols::badInput({"running order " + std::to_string(*wanted) + " is taken, or the study has none of this number",
+                                   sqlite.folder(),
+                                   "a free running order " + std::to_string(*wanted) + " for " + participant.value,
+                                   "use a study without other participants"});
     if (!place.isValid())
         throw protocols::workFailed({"all slots of the study are taken", sqlite.folder(), "a free slot for " + participant.value,
                                      "make a study with more participants"});

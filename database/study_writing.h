@@ -2,6 +2,7 @@
 // one transaction.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,8 +20,9 @@ std::vector<SaltedFact> salted(const std::vector<std::pair<std::string, std::str
 /// The payload with the commitments to the facts; as it is without facts.
 std::string withCommitments(const std::string& payloadJson, const std::vector<SaltedFact>& facts);
 
-/// As StudyStore::enrol.
-Slot enrolIn(const SqliteConnection& sqlite, const protocols::ParticipantId& participant, ParticipantKind kind);
+/// As StudyStore::enrol. `wanted`: this place instead of the next free one; throws badInput where it is taken or missing.
+Slot enrolIn(const SqliteConnection& sqlite, const protocols::ParticipantId& participant, ParticipantKind kind,
+             std::optional<int> wanted = {});
 
 /// As StudyStore::append.
 void appendTo(const SqliteConnection& sqlite, const StudyStore::Append& entry);

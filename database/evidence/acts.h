@@ -22,7 +22,7 @@ struct Act {
     std::string path;                ///< what was written; empty if nothing
     LogHead head;                    ///< of the log at that time
     std::string wallTime;            ///< set by recordAct where it is empty
-    std::string note = {};           ///< what the act found wrong; empty for most acts
+    std::string note = {};           ///< what the act found wrong, or whose data it handed over; empty for most acts
 };
 
 /// Kind of the act that hands the data of one person over; its note is the code of the participant.

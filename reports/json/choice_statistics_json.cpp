@@ -15,7 +15,7 @@ namespace reports {
 namespace {
 
 /// What a test generalises to that takes every answer as independent: nothing beyond the trials of the study.
-const std::string theseTrials = "these_trials", theseFabrics = "these_fabrics", fabricsLikeThese = "fabrics_like_these";
+const std::string theseTrials = "these_trials", theseFabrics = "these_fabrics";
 
 /// "third" for 1/3, as names have it; "1_over_7" where English has no short word.
 std::string fractionName(int alternatives)
@@ -88,7 +88,7 @@ Json modelPart(const StudyData&, const ChoiceAnalysis& choices)
 Json crossedModelPart(const StudyData&, const ChoiceAnalysis& choices)
 {
     Json part = crossedChoiceModelJson(choices.crossedModel);
-    part["generalises_to"] = fabricsLikeThese;
+    putGeneralisation(part, choices.crossedModel.leftOut);
     return part;
 }
 

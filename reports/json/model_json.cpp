@@ -147,4 +147,13 @@ Json choiceModelJson(const stats::ChoiceModel& fitted)
     return part;
 }
 
+void putGeneralisation(Json& part, const std::vector<stats::LeftOut>& leftOut)
+{
+    const std::string why = stats::whyNotForOthers(leftOut);
+    if (why.empty())
+        part["generalises_to"] = "fabrics_like_these";
+    else
+        putNull(part, "generalises_to", why);
+}
+
 }  // namespace reports

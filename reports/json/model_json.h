@@ -24,4 +24,7 @@ Json variancesJson(const stats::RatingModel& fitted);
 
 Json leaveOneFabricOutJson(const LeaveOneFabricOut& contrast);
 
+/// "generalises_to" of a model with participants and fabrics: "fabrics_like_these", or null where it saw one of them only.
+void putGeneralisation(Json& part, const std::vector<stats::LeftOut>& leftOut);
+
 }  // namespace reports

@@ -160,7 +160,7 @@ Json ratingStatistics(const StudyData& data, const RatingAnalysis& ratings)
     part["rm_anova"] = anovaPart(anova);
     part["friedman"] = friedmanPart(over ? over->friedman : ratings.friedman);
     part["lmm"] = ratingModelJson(ratings.model);
-    part["lmm"]["generalises_to"] = "fabrics_like_these";
+    putGeneralisation(part["lmm"], ratings.model.leftOut);
     part["pairwise_t_participant_means"] = comparisonsPart(over ? over->comparisons : ratings.comparisons);
     putEquivalences(part, data, over ? over->equivalences : ratings.equivalences);
     part["icc_conditions_by_participants"] = iccPart(anova);

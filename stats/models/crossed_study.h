@@ -38,8 +38,7 @@ struct RatingModel {
 /// left out are left out.
 RatingModel fitRatings(const CrossedStudy& study, const MixedModelOptions& options = {});
 
-/// Why a model without these effects holds for nobody and nothing else: it saw one participant, or one fabric. Empty where it saw
-/// several.
+/// Reason why the model holds for no other participants or fabrics: it saw one. Empty where it saw several.
 std::string whyNotForOthers(const std::vector<LeftOut>& leftOut);
 
 /// The test of all conditions as one for fabrics like these; none where whyNotForOthers() has a reason.

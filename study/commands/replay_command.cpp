@@ -12,6 +12,8 @@
 #include "database/disk/server_note.h"
 #include "database/keys.h"
 #include "database/server/study_move.h"
+#include "database/study_store.h"
+#include "database/study_writing.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/safe_text.h"
 #include "protocols/files/strict_json.h"
@@ -49,7 +51,7 @@ private:
 };
 
 /// By running order, and in one running order those who withdrew first: their successor then finds the place free. Scripts
-/// without one follow as they are named.
+/// without one follow, as they are named.
 void sortByPlace(std::vector<players::Script>& scripts)
 {
     std::ranges::stable_sort(scripts, {}, [](const players::Script& script) {
@@ -71,18 +73,26 @@ std::vector<players::Script> readScripts(const std::vector<std::string>& files, 
     return scripts;
 }
 
-/// A blinded script knows its trials by number only: in another running order its answers would belong to other images.
-void requireItsPlace(const SessionStore& store, const players::Script& script)
+/// A blinded script knows its trials by number only: in another running order its answers would belong to other images. A server
+/// gives out the next free place.
+void takePlace(SessionStore& store, const players::Script& script, const database::Slot& taken)
 {
-    if (!script.slot) return;
+    const auto refuse = [&](int other) {
+        throw protocols::badInput({"the answers of " + script.participant.value + " belong to running order " +
+                                       std::to_string(*script.slot) + ", not to " + std::to_string(other),
+                                   script.where, "a study in which that running order is free",
+                                   "take \"slot\" out of a script that names fabrics and conditions"});
+    };
+    if (script.slot && taken.state != SlotState::Free && taken.number != *script.slot) refuse(taken.number);
+    if (auto* own = dynamic_cast<StudyStore*>(&store); own != nullptr && script.slot) {
+        database::enrolIn(own->connection(), script.participant, ParticipantKind::Scripted, script.slot);
+        return;
+    }
     const auto slots = store.slots();
     const auto free = std::ranges::find(slots, SlotState::Free, &database::Slot::state);
-    const int next = free == slots.end() ? 0 : free->number;
-    if (next == *script.slot || next == 0) return;
-    throw protocols::badInput({"the answers of " + script.participant.value + " belong to running order " +
-                                   std::to_string(*script.slot) + ", and the next free one is " + std::to_string(next),
-                               script.where, "the scripts of all participants of that study, in a study without others",
-                               "replay them together; of a script that names fabrics and conditions, \"slot\" may be taken out"});
+    if (script.slot && taken.state == SlotState::Free && free != slots.end() && free->number != *script.slot)
+        refuse(free->number);
+    store.enrol(script.participant, ParticipantKind::Scripted);
 }
 
 constexpr int paperParticipants = 10;
@@ -174,8 +184,7 @@ void playDirectly(const std::vector<players::Script>& scripts, const std::filesy
         if (finishedAlready(slot, script)) continue;
         session::requireKeptProtocol(store);  // this and the station key before the participant takes a place
         rendering::PresentedImages& images = open.images();
-        if (slot.state == SlotState::Free) requireItsPlace(store, script);
-        store.enrol(script.participant, ParticipantKind::Scripted);
+        takePlace(store, script, slot);
         const auto logged = store.events(script.participant);
         session::VirtualClock clock;
         session::Driver driver(store, script.participant, ParticipantKind::Scripted, images, *display, clock, playing.operatedBy);
@@ -200,8 +209,7 @@ void playThroughWindow(const std::vector<players::Script>& scripts, const std::f
         if (finishedAlready(slot, script)) continue;
         session::requireKeptProtocol(store);  // this and the station key before the participant takes a place
         window.study()->images();
-        if (slot.state == SlotState::Free) requireItsPlace(store, script);
-        store.enrol(script.participant, ParticipantKind::Scripted);
+        takePlace(store, script, slot);
         const auto logged = store.events(script.participant);
         window.show();
         window.startSession(script.participant);

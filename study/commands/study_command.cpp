@@ -150,7 +150,9 @@ int amend(const Amendment& call)
     const auto changed = fixedPartsChanged(before, amended);
     if (!changed.empty())
         throw protocols::badInput({"the edit changes " + listed(changed) + ", which running orders and stimuli depend on",
-                                   file.string(), "changes of texts, times, breaks, bounds, contrasts, checklist or facts only",
+                                   file.string(),
+                                   "changes of texts, times, bounds, contrasts, checklist or facts only, and of breaks where no "
+                                   "presentation is repeated",
                                    "make a new study; `vis2hap study amend " + protocols::shellWord(call.study) +
                                        " --undo` restores the stored protocol"});
     std::vector<std::string> notes = participant::notesOnRecordings(before, amended);

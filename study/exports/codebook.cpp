@@ -55,7 +55,7 @@ constexpr ColumnMeaning answerMeanings[] = {
     {"rating", "number", "points of the scale", any, "on the scale of the question; empty for other questions"},
     {"seconds", "number", "s", above(0), "from the first touch, or from the question without one, to the entry of the answer"},
     {"ready_at", "whole number", nanoseconds, any,
-     "the question was ready: of a later question of a presentation, when the one before was answered"},
+     "when the question was ready; a later question of a presentation is ready when the one before is answered"},
     {"touched_at", "whole number", nanoseconds, any, "first touch; empty where none was stamped"},
     {"touched_by", "text", "", oneOf("display; operator"), "who stamped the first touch"},
     {"answered_at", "whole number", nanoseconds, any, "the answer was entered"},
@@ -104,7 +104,7 @@ constexpr ColumnMeaning progressMeanings[] = {
 
 constexpr ColumnMeaning balanceMeanings[] = {
     {"what", "text", "", any,
-     "what the rules of the running orders balance; of other orders than those of the study, which are sealed"},
+     "what the rules balance; the counts are those of other orders, because the orders of the study are sealed"},
     {"least", "whole number", "", any, "smallest count over what is balanced"},
     {"greatest", "whole number", "", any, "largest count over what is balanced"},
 };

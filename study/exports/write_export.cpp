@@ -197,20 +197,30 @@ std::string today()
     return text;
 }
 
-/// A protocol may hold the folder of ready images, and with it the name of an account: public ones keep the last part.
+/// Keeps the last part of a path; false where there is nothing to cut.
+bool cutToLastPart(ordered_json& value)
+{
+    if (!value.is_string()) return false;
+    const std::filesystem::path place(value.get<std::string>());
+    const auto last = place.has_filename() ? place.filename() : place.parent_path().filename();
+    if (last == place) return false;
+    value = last.string();
+    return true;
+}
+
+/// A protocol may hold paths of ready images and recordings, and with them the name of an account. Public ones keep the last part
+/// of each.
 std::string publicProtocol(const std::string& json)
 {
     auto protocol = ordered_json::parse(json, nullptr, false);
+    if (!protocol.is_object()) return json;
     bool isChanged = false;
-    if (protocol.is_object() && protocol.contains("conditions") && protocol["conditions"].is_array())
-        for (auto& condition : protocol["conditions"]) {
-            if (!condition.is_object() || !condition.contains("images") || !condition["images"].is_string()) continue;
-            const std::filesystem::path place(condition["images"].get<std::string>());
-            const auto last = place.has_filename() ? place.filename() : place.parent_path().filename();
-            if (last == place) continue;
-            condition["images"] = last.string();
-            isChanged = true;
-        }
+    if (protocol.contains("conditions") && protocol["conditions"].is_array())
+        for (auto& condition : protocol["conditions"])
+            if (condition.is_object() && condition.contains("images") && cutToLastPart(condition["images"])) isChanged = true;
+    if (protocol.contains("prompts") && protocol["prompts"].is_object())
+        for (auto& recording : protocol["prompts"])
+            if (cutToLastPart(recording)) isChanged = true;
     return isChanged ? protocol.dump(2) + "\n" : json;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <tuple>
 
@@ -229,11 +230,26 @@ void readAnswers(const std::vector<database::CurrentAnswer>& answers, const prot
     data.choicesRepeatedAnew = trays.questionsAnew();
 }
 
+/// Adds what was measured later in the same presentation: means over the time in contact.
+void addMotion(reports::TouchedPresentation& touch, const reports::FingerMotion& more)
+{
+    const auto joined = [&](std::optional<double>& mean, const std::optional<double>& other) {
+        if (mean && other)
+            mean = (*mean * touch.contactSeconds + *other * more.contactSeconds) / (touch.contactSeconds + more.contactSeconds);
+        else if (other)
+            mean = other;
+    };
+    joined(touch.speedMmPerS, more.speedMmPerS);
+    joined(touch.forceN, more.forceN);
+    touch.contactSeconds += more.contactSeconds;
+}
+
 /// The samples of each analysed presentation, as speed and force. Damaged ones are told in a stamp.
 void readTouches(const database::StudyStore& store, const Naming& naming, reports::StudyData& data)
 {
     const std::set<std::string> analysed(data.participants.begin(), data.participants.end());
     std::size_t unreadable = 0;
+    std::optional<std::tuple<protocols::ParticipantId, protocols::TrialNumber, int>> before;
     eachFingerRecord(store, {}, [&](const database::FingerRecord& record) {
         const auto named = naming.entries.find({record.participant, record.trial});
         const bool counts = !record.voided && analysed.contains(record.participant.value) && named != naming.entries.end() &&
@@ -245,6 +261,13 @@ void readTouches(const database::StudyStore& store, const Naming& naming, report
             return;
         }
         const reports::FingerMotion motion = reports::motionOf(record.samples);
+        const std::tuple presentation(record.participant, record.trial, record.attempt);
+        const bool goesOn = before == presentation;  // in another sitting, by another clock
+        before = presentation;
+        if (goesOn) {
+            addMotion(data.touches.back(), motion);
+            return;
+        }
         data.touches.push_back(
             {record.participant.value, named->second.condition, motion.contactSeconds, motion.speedMmPerS, motion.forceN});
     });

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "database/evidence/acts.h"
 #include "protocols/files/number_text.h"
 #include "protocols/usual_texts.h"
 #include "study/records/evidence/printed_page.h"
@@ -205,7 +206,8 @@ private:
     {
         Rows rows;
         for (const auto& copy : m_data["copies"]) {
-            const auto kind = m_texts.find("copy_" + fieldText(copy, "act"));
+            const std::string act = fieldText(copy, "act");
+            const auto kind = m_texts.find("copy_" + (act == database::personExport ? "export" : act));
             rows.push_back({readableTime(copy), kind == m_texts.end() ? fieldText(copy, "act") : kind->second,
                             fieldText(copy, "host") + ": " + fieldText(copy, "path")});
         }

@@ -359,9 +359,14 @@ private Q_SLOTS:
         for (std::size_t row = 1; row < first.size(); ++row)
             for (const char* column : {"participant", "trial", "fabric", "condition", "rating"})
                 QCOMPARE(cellAt(again, row, column), cellAt(first, row, column));
-        const auto refused = runProgram({"replay", alone, of + "-scripts/P03.json"});
+        // Nobody else's script is needed: that of an erased person is missing.
+        mustRun({"replay", alone, of + "-scripts/P03.json"});
+        mustRun({"verify", alone});
+        const auto place = mustRun({"study", "status", alone, "--json"}).out;
+        QCOMPARE(json::parse(place.toStdString())["slots"][1]["participant"], "P03");
+        const auto refused = runProgram({"replay", alone, of + "-scripts/P02.json", of + "-scripts/P01.json"});
         QCOMPARE(refused.exitCode, 2);
-        QVERIFY2(refused.err.contains("belong to running order 2, and the next free one is 1"), qPrintable(refused.err));
+        QVERIFY2(refused.err.contains("running order 2 is taken"), qPrintable(refused.err));
     }
 
     void theCodebookHasTheWordsOfALikertScale()

@@ -17,7 +17,7 @@ namespace database {
 constexpr const char* serverAct = "server";
 
 struct Act {
-    std::string kind;                ///< "export", "backup", "report", "unblind", "leak-check", "sign"
+    std::string kind;                ///< "export", "backup", "report", "unblind", "leak-check", "sign", personExport
     std::string who, program, host;  ///< account or --operator, program version, machine
     std::string path;                ///< what was written; empty if nothing
     LogHead head;                    ///< of the log at that time

@@ -101,7 +101,8 @@ const json wordsOnly = json::parse(R"([{"questions": ["Why"], "scale": {"min": 1
 json fortyConditions()
 {
     json conditions = json::array();
-    for (int c = 1; c <= 40; ++c) conditions.push_back({{"id", "mine" + std::to_string(c)}, {"images", "pictures"}});
+    for (int c = 1; c <= 40; ++c)
+        conditions.push_back({{"id", "mine" + std::to_string(c)}, {"images", "/home/anna.meier/pictures"}});
     return conditions;
 }
 
@@ -219,6 +220,9 @@ private Q_SLOTS:
             const auto said = mustRun({"export", of, "--public", "--format", format, "--out", of + "-" + format});
             QVERIFY2(said.out.contains(QString("%1 answers as %2").arg(rows).arg(format)), qPrintable(said.out));
         }
+        // A folder of ready images may name an account.
+        const QString protocol = bytesOf(of + "-psych-ds/materials/protocol-1.json");
+        QVERIFY(!protocol.contains("anna.meier") && protocol.contains("pictures") == (conditions == 40));
         const Dataset dataset = datasetIn("any size", (of + "-psych-ds").toStdString());
         const auto sameAnswers = csvRows(bytesOf(of + "-csv/answers.csv").toStdString());
         QVERIFY(sameAnswers && dataset.answers() == *sameAnswers);

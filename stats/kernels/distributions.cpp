@@ -137,6 +137,8 @@ TailProbability normalUpper(double z)
     return {both.p / 2, both.logP - std::numbers::ln2};
 }
 
+double normalLower(double z) { return std::erfc(-z / std::numbers::sqrt2) / 2; }
+
 double normalQuantile(double upperTail)
 {
     return bm::quantile(bm::complement(bm::normal_distribution<double, Quiet>(), upperTail));

@@ -17,9 +17,6 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// P(Z <= z); normalUpper() takes 100 times as long, for a logarithm that is not needed here.
-double normalLower(double z) { return std::erfc(-z / std::numbers::sqrt2) / 2; }
-
 double normalDensity(double z) { return std::exp(-z * z / 2) / std::sqrt(2 * std::numbers::pi); }
 
 /// Parameters: shift and slope of eta = shift + slope z, where z is the standardised level, and the lapse rate.

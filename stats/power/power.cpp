@@ -10,16 +10,20 @@
 namespace stats {
 namespace {
 
-double normalBelow(double z) { return 1 - normalUpper(z).p; }
-
 /// Density of s / sigma, where s^2 is a variance estimate with `df` degrees of freedom.
-double densityOfSd(double ratio, double df)
-{
-    if (ratio <= 0) return 0;
-    const double logarithm = (df / 2) * std::log(df / 2) + std::numbers::ln2 - std::lgamma(df / 2) + (df - 1) * std::log(ratio) -
-                             df * ratio * ratio / 2;
-    return std::exp(logarithm);
-}
+class DensityOfSd {
+public:
+    explicit DensityOfSd(double df) : m_df(df), m_logScale((df / 2) * std::log(df / 2) + std::numbers::ln2 - std::lgamma(df / 2))
+    {
+    }
+    double at(double ratio) const
+    {
+        return ratio > 0 ? std::exp(m_logScale + (m_df - 1) * std::log(ratio) - m_df * ratio * ratio / 2) : 0.0;
+    }
+
+private:
+    double m_df, m_logScale;
+};
 
 /// Integral from 0 to `end` by Simpson's rule.
 template <typename Function>
@@ -66,10 +70,11 @@ double equivalencePower(const EquivalencePlan& plan, double trueDifference)
     const double se = plan.sd / std::sqrt(plan.n);  // the true standard error; the observed one is ratio times it
     const double widest = (plan.high - plan.low) / (2 * t * se);
     const double mostRatio = 1 + 12 / std::sqrt(2 * df);  // beyond, the probability is below 1e-20
+    const DensityOfSd density(df);
     const auto inside = [&](double ratio) {
         const double low = (plan.low - trueDifference) / se + t * ratio;
         const double high = (plan.high - trueDifference) / se - t * ratio;
-        return low < high ? (normalBelow(high) - normalBelow(low)) * densityOfSd(ratio, df) : 0.0;
+        return low < high ? (normalLower(high) - normalLower(low)) * density.at(ratio) : 0.0;
     };
     return std::clamp(integral(inside, std::min(widest, mostRatio)), 0.0, 1.0);
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "database/evidence/acts.h"
 #include "protocols/files/errors.h"
 #include "protocols/secrets/signing.h"
 #include "study/records/evidence/data_sheet.h"
@@ -114,18 +115,27 @@ private Q_SLOTS:
     {
         QFETCH(const bool, answersToo);
         const auto folder = playedStudy();
+        const auto head = reading(folder).head();
+        QCOMPARE(recordAct(folder, {database::personExport, "Ada", "test", "here", "/out", head, {}, "P1"}), std::nullopt);
         // An empty text, NULL, {} and 0 count as no value.
         const auto valuesIn = [&](const ColumnWords& words) {
-            const std::string key = std::string(words.table) == "participants" ? "id" : "participant", column = words.column;
+            const std::string table = words.table, column = words.column;
+            const std::string ofP1 = table == "participants" ? "id = 'P1'"
+                                     : table == "acts"       ? "details LIKE '%\"P1\"%'"
+                                                             : "participant = 'P1'";
             RawSqlite raw(folder.database());
-            return std::stoi(raw.rows("SELECT COUNT(*) FROM " + std::string(words.table) + " WHERE " + key + " = 'P1' AND " +
-                                      column + " IS NOT NULL AND " + column + " NOT IN ('', '{}', 0)")
+            return std::stoi(raw.rows("SELECT COUNT(*) FROM " + table + " WHERE " + ofP1 + " AND " + column +
+                                      " IS NOT NULL AND " + column + " NOT IN ('', '{}', 0)")
                                  .front());
         };
         std::map<const ColumnWords*, int> before;
         for (const auto& words : columnWords())
             if (words.atErasure != AtErasure::NotPersonal) before[&words] = valuesIn(words);
         QVERIFY(before.size() > 40);
+        int handOvers = 0;
+        for (const auto& [words, count] : before)
+            if (std::string(words->table) == "acts") handOvers += count;
+        QCOMPARE(handOvers, 1);
         StudyStore({folder, StudyStore::Access::Write})
             .erase({protocols::ParticipantId("P1"), answersToo, "Ada", "on request", {}});
         for (const auto& [words, count] : before) {

@@ -1,5 +1,6 @@
 // vis2hap study new|status|plan|amend|sheets; preregister, data-sheet, signing-key and sign have files of their own
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -51,6 +52,14 @@ std::string listOf(const std::vector<database::FamiliarisationItem>& items)
     return text;
 }
 
+/// The last condition that the program renders itself; images for familiarisation are of this one.
+protocols::ConditionId conditionOfFamiliarisation(const protocols::Protocol& protocol)
+{
+    const auto& all = protocol.conditions;
+    const auto last = std::find_if(all.rbegin(), all.rend(), [&](const auto& id) { return !isOwnCondition(protocol, id); });
+    return last == all.rend() ? protocols::ConditionId() : *last;
+}
+
 making::MadeStudy madeWithProgress(const making::NewStudy& request, StageTimes& stages)
 {
     Progress images("friction images");
@@ -78,7 +87,8 @@ int makeNew(const making::NewStudy& request, StageTimes& stages, bool goesToServ
                 sittingsText(protocol.sittingsPerParticipant()).c_str(), protocol.secondsPerPresentation);
     std::printf("  %s\n", protocols::printable(records::displayResponseSentence(made.facts)).c_str());
     if (!made.facts.familiarisation.empty())
-        std::printf("  fabrics for familiarisation: %s\n", protocols::printable(listOf(made.facts.familiarisation)).c_str());
+        std::printf("  fabrics for familiarisation, under %s: %s\n", conditionOfFamiliarisation(protocol).value.c_str(),
+                    protocols::printable(listOf(made.facts.familiarisation)).c_str());
     std::printf("balance of other running orders by the same rules (those of this study are sealed):\n%s",
                 describe(made.balance).c_str());
     if (made.balanceWithEvenSlots)

@@ -168,6 +168,9 @@ MadeStudy makeStudy(const NewStudy& request, const StudyProgress& progress)
     for (std::string& remark : remarksOn(material.protocol)) made.warnings.push_back(std::move(remark));
     begin("images for familiarisation");
     const FamiliarisationImages familiarisation = familiarisationFor(request, material);
+    if (material.protocol.familiarisationFabrics > 0 && material.render.conditions.empty())
+        made.warnings.emplace_back(
+            "familiarisation_fabrics: all conditions are the laboratory's own, so that no image can be made of other fabrics");
 
     begin("running orders");
     const auto secret = request.keySeed ? protocols::SecretKey::ofSeed(*request.keySeed) : protocols::SecretKey::drawn();

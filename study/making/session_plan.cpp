@@ -23,6 +23,47 @@ using reports::counted;
 
 constexpr std::uint64_t shownSeed = 1;
 
+bool hasUsualText(const protocols::Question& question, const Phase& phase, const Protocol& protocol)
+{
+    return question.text ==
+           protocols::usualTextOf(question.id, phase.task, protocols::ProtocolEdition::Current, protocol.language);
+}
+
+/// Empty unless a number scale of a question of the lab's own keeps the usual words at both ends.
+std::string noteOnUsualEnds(const Protocol& protocol)
+{
+    for (const char* key : {"scale_low", "scale_high", "card_low", "card_high", "say_unrelated", "say_same"})
+        if (protocol.participantTexts.contains(key)) return {};
+    std::string ids;
+    for (const Phase& phase : protocol.phases)
+        for (const protocols::Question& question : phase.questions) {
+            const auto* rating = std::get_if<protocols::Rating>(&question.kind);
+            if (rating && rating->scale.labels.empty() && !hasUsualText(question, phase, protocol) &&
+                question.text != protocols::paperWordingOf(question.id))
+                ids += (ids.empty() ? "" : ", ") + question.id.value;
+        }
+    if (ids.empty()) return {};
+    return "participant_texts: the ends of the scale of " + ids + " are \"" + participantText(protocol, "scale_low") +
+           "\" and \"" + participantText(protocol, "scale_high") +
+           "\"; if these do not fit the question, write scale_low, scale_high, card_low, card_high, say_unrelated, say_same and "
+           "say_ends";
+}
+
+/// Empty unless a question has the paper's sentence where another kind of answer is asked for.
+std::string noteOnUsualQuestions(const Protocol& protocol)
+{
+    std::string ids;
+    for (const Phase& phase : protocol.phases)
+        for (const protocols::Question& question : phase.questions) {
+            const bool fits = question.id.value == "Q1" ? std::holds_alternative<protocols::ForcedChoice>(phase.task)
+                                                        : std::holds_alternative<protocols::Rating>(phase.task);
+            if (!fits && hasUsualText(question, phase, protocol)) ids += (ids.empty() ? "" : ", ") + question.id.value;
+        }
+    if (ids.empty()) return {};
+    return "question_texts: the usual sentence of " + ids +
+           " asks for another kind of answer than the phase; write one of your own";
+}
+
 std::string answersText(const protocols::AnswerKind& kind)
 {
     return std::visit(
@@ -175,7 +216,8 @@ ordered_json detectableEffects(const Protocol& protocol)
 
 std::vector<std::string> remarksOn(const Protocol& protocol)
 {
-    std::vector<std::string> remarks{analyse::boundsWarning(protocol), protocols::noteOnOwnEnds(protocol)};
+    std::vector<std::string> remarks{analyse::boundsWarning(protocol), protocols::noteOnOwnEnds(protocol),
+                                     noteOnUsualEnds(protocol), noteOnUsualQuestions(protocol)};
     std::erase(remarks, std::string());
     return remarks;
 }

@@ -20,7 +20,8 @@ nlohmann::ordered_json sessionPlan(const protocols::Protocol& protocol);
 nlohmann::ordered_json detectableEffects(const protocols::Protocol& protocol);
 
 /// What a sound protocol leaves in doubt: bounds of equivalence that its study can hardly meet, texts that its own ends of the
-/// scale still lack. `study new` prints these lines, too.
+/// scale still lack, usual words at the ends of an own question, usual questions that ask for another kind of answer. `study new`
+/// prints these lines, too.
 std::vector<std::string> remarksOn(const protocols::Protocol& protocol);
 
 /// The same object as lines for people.

@@ -170,6 +170,24 @@ StudyImages renderedOrKept(const NewStudy& request, const StudyMaterial& materia
     return rendered(request, material, key, facts, progress);
 }
 
+/// One line for each pair of conditions with the same images, of which at least one is the laboratory's own.
+std::vector<std::string> sameAsOwn(const StudyImages& images, const OwnImages& own)
+{
+    if (own.images.empty()) return {};
+    rendering::RenderedFabrics all;
+    for (const auto& [condition, byFabric] : images.byCondition) {
+        rendering::RenderedCondition one;
+        one.condition = condition;
+        one.images = byFabric;
+        all.conditions.push_back(std::move(one));
+    }
+    rendering::ImageFaults faults = imageFaults(all);
+    faults.flat.clear();
+    std::erase_if(faults.same,
+                  [&](const auto& same) { return !own.images.contains(same.first) && !own.images.contains(same.second); });
+    return describe(faults, all);
+}
+
 }  // namespace
 
 StudyImages imagesFor(const NewStudy& request, const StudyMaterial& material, const database::StudyFacts& facts,
@@ -178,6 +196,7 @@ StudyImages imagesFor(const NewStudy& request, const StudyMaterial& material, co
     StudyImages images = renderedOrKept(request, material, facts, progress);
     images.byCondition.insert(material.own.images.begin(), material.own.images.end());
     images.warnings.insert(images.warnings.end(), material.own.warnings.begin(), material.own.warnings.end());
+    for (std::string& line : sameAsOwn(images, material.own)) images.warnings.push_back(std::move(line));
     return images;
 }
 

@@ -12,6 +12,7 @@
 #include "protocols/files/markup_text.h"
 #include "protocols/files/number_text.h"
 #include "protocols/files/safe_text.h"
+#include "protocols/scale_drawing.h"
 #include "protocols/usual_texts.h"
 #include "study/records/stored_study.h"
 
@@ -210,12 +211,6 @@ Markup preparationPage(const database::StudyFacts& facts, const std::vector<Labe
                 printed);
 }
 
-/// Words stand at the ends of the sections, one a step.
-int sectionsOf(const protocols::RatingScale& scale)
-{
-    return scale.labels.size() > 1 ? static_cast<int>(scale.labels.size()) - 1 : scale.sections;
-}
-
 /// The line with its equal sections, and the words of its ends, each below its half of the line. Only the ends have numbers,
 /// because the participant memorises the rest.
 Markup scaleDrawing(const protocols::RatingScale& scale, const protocols::Protocol& protocol)
@@ -225,7 +220,7 @@ Markup scaleDrawing(const protocols::RatingScale& scale, const protocols::Protoc
                       protocols::escapedMarkup(participantText(protocol, "card_title")) +
                       "\">"
                       "<line x1=\"60\" y1=\"80\" x2=\"960\" y2=\"80\" stroke=\"#000\" stroke-width=\"5\"/>";
-    const int sections = sectionsOf(scale);
+    const int sections = drawnSections(scale);
     for (int mark = 0; mark <= sections; ++mark) {
         const std::string x = shortest(left + width * mark / sections);
         const bool isEnd = mark == 0 || mark == sections;
@@ -254,9 +249,13 @@ Markup scaleText(const protocols::Protocol& protocol, const protocols::RatingSca
                 protocols::filledText(sentence("card_high"), {{"number", "<b>" + number(scale.max) + "</b>"}}) + "<br>" +
                 protocols::filledText(sentence("card_between"), {{"step", number(scale.step)}}) + "</p>\n";
     else {
-        body += "<ol start=\"" + shortest(scale.min.inScaleUnits()) + "\">";
-        for (const auto& label : scale.labels) body += "<li>" + protocols::escapedMarkup(label) + "</li>";
-        body += "</ol>\n";
+        body += "<p>";
+        protocols::Tenths value = scale.min;
+        for (const auto& label : scale.labels) {
+            body += "<b>" + number(value) + "</b> " + protocols::escapedMarkup(label) + "<br>";
+            value.value += scale.step.value;
+        }
+        body += "</p>\n";
     }
     return body;
 }

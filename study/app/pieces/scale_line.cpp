@@ -5,22 +5,13 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "protocols/scale_drawing.h"
 #include "study/app/pieces/pieces.h"
 #include "study/app/state/rating_text.h"
 
 namespace study::app {
 
 using protocols::Tenths;
-
-namespace {
-
-/// Number of sections. A scale with words has one section between two neighbouring words.
-int sectionsOf(const protocols::RatingScale& scale)
-{
-    return scale.labels.size() > 1 ? static_cast<int>(scale.labels.size()) - 1 : scale.sections;
-}
-
-}  // namespace
 
 ScaleLine::ScaleLine(Use use, QWidget* parent) : QWidget(parent), m_use(use)
 {
@@ -86,7 +77,7 @@ void ScaleLine::paintEvent(QPaintEvent*)
     const double thick = std::max(2.0, fontMetrics().height() / 12.0);
     painter.setPen(QPen(palette().color(QPalette::WindowText), thick, Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(QPointF(where.left(), where.center().y()), QPointF(where.right(), where.center().y()));
-    const int sections = sectionsOf(m_scale);
+    const int sections = drawnSections(m_scale);
     for (int border = 0; border <= sections; ++border) {
         const double x = where.left() + where.width() * border / sections;
         const bool isEnd = border == 0 || border == sections;

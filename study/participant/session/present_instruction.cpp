@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "protocols/files/typed_number.h"
+#include "protocols/scale_drawing.h"
 #include "protocols/usual_texts.h"
 #include "study/session/session_moves.h"
 
@@ -111,6 +112,7 @@ private:
     {
         ScaleTask task;
         task.scale = scale;
+        task.scale.sections = drawnSections(scale);
         task.low = endText(scale.min, scale, "scale_low");
         task.high = endText(scale.max, scale, "scale_high");
         task.asked = view.placeToName;

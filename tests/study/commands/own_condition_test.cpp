@@ -97,9 +97,12 @@ private Q_SLOTS:
 
     void aStudyOfOwnImagesAloneNeedsNoRecording()
     {
-        write("alone.json", QByteArray(protocolText).replace("\"h\", {", "{").replace("[\"quality\", \"h\"], ", ""));
+        write("alone.json", QByteArray(protocolText)
+                                .replace("\"h\", {", "{")
+                                .replace("[\"quality\", \"h\"], ", "")
+                                .replace("\"planned\"", "\"familiarisation_fabrics\": 1, \"planned\""));
         const auto made = newStudy("alone", "alone.json");
-        QVERIFY2(made.exitCode == 0, qPrintable(made.err));
+        QVERIFY2(made.exitCode == 0 && made.err.contains("no image can be made of other fabrics"), qPrintable(made.err));
         mustRun({"simulate", path("alone")});
         mustRun({"unblind", path("alone"), "--who", "tester", "--why", "test"});
         mustRun({"report", path("alone"), "--out", path("alone-report")});
@@ -137,6 +140,16 @@ private Q_SLOTS:
         const auto made = newStudy("flat", "flat.json");
         QCOMPARE(made.exitCode, 0);
         QVERIFY2(made.err.contains("the image of F01 under answers-2 has one level"), qPrintable(made.err));
+    }
+
+    /// One folder named twice, by a slip: the study would compare a condition with itself.
+    void conditionsWithTheSameImagesAreNamed()
+    {
+        write("twice.json", QByteArray(protocolText).replace("lab/noise", "lab/stripes"));
+        const auto made = newStudy("twice", "twice.json");
+        QCOMPARE(made.exitCode, 0);
+        QVERIFY2(made.err.contains("conditions answers-2 and quality give the same image for F01, F02, F03, F04, F05"),
+                 qPrintable(made.err));
     }
 
     void idsThatMeanSomethingElseAreRefused_data()

@@ -98,6 +98,24 @@ private Q_SLOTS:
         QVERIFY(faulty.exitCode == 2 && !faulty.out.contains('\x1b'));
     }
 
+    /// Q1 gets the paper's sentence, also where the phase asks something else; own questions get the paper's ends.
+    void usualTextsThatMayNotFitAreNamed()
+    {
+        const auto said = support::mustRun(
+            {"protocol", "check",
+             written(
+                 "numbered.json",
+                 R"({"schema":"vis2hap.protocol/1","name":"Numbered","participants":10,"fabrics":7,"conditions":["v_grey","h&f"],
+            "question_texts":{"R":"How rough does the screen feel?"},
+            "phases":[{"questions":["Q1"],"same_different":true},{"questions":["R"],"scale":{"min":0,"max":10}}]})")});
+        QVERIFY2(said.out.contains("note: question_texts: the usual sentence of Q1 asks for another kind of answer"),
+                 qPrintable(said.out));
+        QVERIFY2(said.out.contains("note: participant_texts: the ends of the scale of R are \"unrelated\" and"),
+                 qPrintable(said.out));
+        const auto paper = support::mustRun({"protocol", "check", QString(VIS2HAP_SOURCE_DIR "/protocols/vis2hap.json")});
+        QVERIFY2(!paper.out.contains("_texts"), qPrintable(paper.out));
+    }
+
     void everyExampleIsSoundAndShown()
     {
         int examples = 0;

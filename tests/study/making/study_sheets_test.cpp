@@ -129,6 +129,18 @@ private Q_SLOTS:
         QVERIFY(!page.section("<svg", 1).section("</svg>", 0, 0).contains("unlike"));
     }
 
+    /// Each word has its own number, also where a step is not 1 and the first number is below 0.
+    void theCardNumbersEachWord()
+    {
+        const QByteArray steps = QByteArray(ratings)
+                                     .replace("\"min\":1,\"max\":5,\"step\":1", "\"min\":-5,\"max\":5,\"step\":2.5")
+                                     .replace("like the piece of fabric <that> lies there", "the same");
+        const QString page = sheet(steps.constData(), "scale-card.html");
+        QVERIFY2(
+            page.contains("<p><b>-5</b> unlike the piece<br><b>-2.5</b> a<br><b>0</b> b<br><b>2.5</b> c<br><b>5</b> the same"),
+            qPrintable(page));
+    }
+
     void theHeadOfTheLogHasTheWidestColumn()
     {
         static const QRegularExpression millimetres("<col style=\"width:(\\d+)mm\">");

@@ -187,12 +187,13 @@ private Q_SLOTS:
     void aScaleWithWordsIsAskedByItsWords()
     {
         protocols::Protocol likert = protocol();
-        likert.phases.back().task = protocols::Rating{{Tenths{10}, Tenths{30}, Tenths{10}, 2, {"no", "perhaps", "yes"}}};
+        likert.phases.back().task = protocols::Rating{{Tenths{10}, Tenths{30}, Tenths{10}, 9, {"no", "perhaps", "yes"}}};
         View view = at(ScaleTraining{});
         view.placeToName = Tenths{20};
         const auto scale = instructionFor(view, likert).scale.value();
         QCOMPARE(scale.tap, std::string("Tap the place of 2, perhaps."));
         QCOMPARE(scale.high, std::string("3, yes"));
+        QCOMPARE(scale.scale.sections, 2);  // one mark a word, as in the window and on the card
     }
 
     void aNumberThatDoesNotFitIsRefused_data()

@@ -35,7 +35,7 @@ namespace evaluation = study::evaluation;
 constexpr unsigned mostThreads = 16;  ///< each thread holds its own maps and spectra
 
 struct EvaluateCall {
-    std::string dataset, model, split = "sample", quality = "balanced";
+    std::string dataset, model, split, quality = "balanced";
     std::vector<std::string> against;
     std::optional<std::uint64_t> splitSeed;
     std::optional<int> samples;
@@ -67,7 +67,8 @@ std::vector<std::filesystem::path> picturesOf(const std::string& place)
     for (std::filesystem::recursive_directory_iterator entry(place), end; entry != end; ++entry)
         if (rendering::fabrics::isHidden(entry->path()))
             entry.disable_recursion_pending();
-        else if (entry->is_regular_file() && std::ranges::find(endings, entry->path().extension().string()) != endings.end())
+        else if (const std::string ending = rendering::fabrics::lowerCase(entry->path().extension().string());
+                 entry->is_regular_file() && std::ranges::find(endings, ending) != endings.end())
             files.push_back(entry->path());
     if (files.empty())
         throw protocols::badInput({"there are no pictures", place, "PNG, JPEG or TIFF files", "name another folder"});
@@ -140,7 +141,7 @@ int evaluate(const EvaluateCall& call, const CLI::App& command, StageTimes times
     evaluation::EvaluationRequest request;
     request.model = call.model;
     request.against.assign(call.against.begin(), call.against.end());
-    request.split = splits.at(call.split);
+    if (!call.split.empty()) request.split = splits.at(call.split);
     request.splitSeed = call.splitSeed;
     request.quality = rendering::models::qualityNamed(call.quality);
     request.samplesPerFabric = call.samples;
@@ -198,9 +199,9 @@ void addEvaluate(CLI::App& app, Action& action)
     command
         ->add_option("--split", call->split,
                      "sample: the paper's split; location: no place occurs in both training and test; "
-                     "fabric: fabrics held out from training; augmented: copies of a sample in every part")
-        ->check(CLI::IsMember({"sample", "location", "fabric", "augmented"}))
-        ->capture_default_str();
+                     "fabric: fabrics held out from training; augmented: copies of a sample in every part (default: location "
+                     "for a model that was trained by it, else sample)")
+        ->check(CLI::IsMember({"sample", "location", "fabric", "augmented"}));
     command->add_option("--split-seed", call->splitSeed, "seed of the split (default: that of the model)");
     command->add_option("--quality", call->quality, "quality of the generators")
         ->check(CLI::IsMember({"fast", "balanced", "accurate"}))

@@ -25,7 +25,7 @@ using nlohmann::ordered_json;
 using rendering::fabrics::Dataset;
 
 constexpr const char* leaveOneOutName = "train";
-constexpr std::size_t fewestFabrics = 2;
+constexpr std::size_t fewestFabrics = 2, fewestPhotographs = 3;
 
 std::string textOf(const std::vector<std::string>& words)
 {
@@ -44,20 +44,38 @@ std::vector<std::string> wordsOf(const LeaveOneOutCall& call, const std::string&
 }
 
 /// True for a model that this very training has finished. Throws badInput for another model in its place.
-bool isFinished(const fs::path& model, const std::vector<std::string>& words)
+bool isFinished(const fs::path& model, const std::vector<std::string>& words, const std::string& datasetHash)
 {
     if (!fs::exists(model)) return false;
     const auto card = rendering::models::readModelCardFields(model);
+    if (card.datasetHash != datasetHash)
+        throw protocols::badInput({"the data set has changed since this model was trained", model.string(),
+                                   "a model of the data set as it is", "name another folder with --out, or leave --resume out"});
     if (card.summary.trainingCommand == textOf(words)) return true;
     throw protocols::badInput({"another training wrote this model", model.string(), "a model of: " + textOf(words),
                                "name another folder with --out, or leave --resume out"});
 }
 
-evaluation::LeftOutFabric trainedWithout(const LeaveOneOutCall& call, const Dataset& dataset, const std::string& fabric)
+/// The test of a fabric takes the testing part of its photographs, which must not be empty.
+void requirePhotographs(const Dataset& dataset)
+{
+    for (const auto& fabric : dataset.fabrics) {
+        const std::size_t count = sampleIndices(dataset, fabric.id, rendering::fabrics::Modality::Visual).size();
+        if (count >= fewestPhotographs) continue;
+        throw protocols::badInput(
+            {"fabric " + fabric.id.value + " has too few photographs to be tested (" + std::to_string(count) + ")",
+             dataset.folder.string(), "at least " + std::to_string(fewestPhotographs) + " photographs of each fabric",
+             "import more, or train on a data set without this fabric"});
+    }
+}
+
+/// `datasetHash`: of the data set as it is; needed where `call` resumes.
+evaluation::LeftOutFabric trainedWithout(const LeaveOneOutCall& call, const Dataset& dataset, const std::string& datasetHash,
+                                         const std::string& fabric)
 {
     const fs::path model = fs::path(call.folder) / (fabric + ".safetensors");
     std::vector<std::string> words = wordsOf(call, fabric, model);
-    if (!call.resume || !isFinished(model, words)) {
+    if (!call.resume || !isFinished(model, words, datasetHash)) {
         if (call.resume && fs::exists(model.string() + ".checkpoint")) words.emplace_back("--resume");
         rendering::models::runGeneratorProgram(words, fs::path(call.folder) / (fabric + ".txt"),
                                                rendering::models::trainingLimits());
@@ -103,7 +121,9 @@ int leaveOneOut(const LeaveOneOutCall& call)
     if (dataset.fabrics.size() < fewestFabrics)
         throw protocols::badInput({"the data set has too few fabrics to leave one out", call.dataset,
                                    "at least " + std::to_string(fewestFabrics) + " fabrics", "name another data set"});
+    requirePhotographs(dataset);
     fs::create_directories(call.folder);
+    const std::string datasetHash = call.resume ? rendering::fabrics::hashOf(dataset) : std::string();
     evaluation::LeaveOneOut result{dataset.name, {}};
     ordered_json values = ordered_json::object();
     const std::size_t own = share.sizeOf(dataset.fabrics.size());
@@ -112,7 +132,7 @@ int leaveOneOut(const LeaveOneOutCall& call)
         for (std::size_t i = 0; i < own; ++i) {
             const std::string fabric = dataset.fabrics[share.item(i)].id.value;
             progress.show(static_cast<int>(i), static_cast<int>(own), "without " + fabric);
-            result.fabrics.push_back(trainedWithout(call, dataset, fabric));
+            result.fabrics.push_back(trainedWithout(call, dataset, datasetHash, fabric));
             values[fabric] = leftOutJson(result.fabrics.back());
         }
         progress.show(static_cast<int>(own), static_cast<int>(own));

@@ -74,16 +74,31 @@ std::vector<protocols::FabricId> heldOutFabrics(const fabrics::Dataset& dataset,
     return found;
 }
 
+/// Another split than that of the training would test photographs whose validation chose the weights.
+SplitKind usualSplit(const models::ModelCardFields& card)
+{
+    return !card.architecture.sees && card.split == nameOf(SplitKind::Location) ? SplitKind::Location : SplitKind::Sample;
+}
+
+/// A note where the test may hold samples of the validation part of the model's training; else empty.
+std::string noteOnValidation(const PlanRequest& plan, const models::ModelCardFields& card)
+{
+    if (card.architecture.sees || card.datasetHash.empty() || plan.split == SplitKind::Fabric) return {};
+    if (nameOf(plan.split) == card.split && plan.seed == card.splitSeed) return {};
+    return "the model was trained with --split " + card.split + " and --split-seed " + std::to_string(card.splitSeed) +
+           "; of its data set, some test samples here may have chosen its weights, as validation";
+}
+
 PlanRequest planRequest(const fabrics::Dataset& dataset, const EvaluationRequest& request, const std::vector<OpenModel>& opened)
 {
     PlanRequest plan;
-    plan.split = request.split;
+    plan.split = request.split.value_or(usualSplit(opened.front().card));
     plan.seed = request.splitSeed.value_or(opened.front().card.splitSeed);
     plan.samplesPerFabric = request.samplesPerFabric;
     plan.threads = request.threads;
     for (const OpenModel& model : opened)
         plan.trainedOn.insert(model.card.summary.trainingSampleHashes.begin(), model.card.summary.trainingSampleHashes.end());
-    if (request.split == SplitKind::Fabric) plan.heldOut = heldOutFabrics(dataset, opened.front());
+    if (plan.split == SplitKind::Fabric) plan.heldOut = heldOutFabrics(dataset, opened.front());
     return plan;
 }
 
@@ -229,7 +244,8 @@ Evaluation evaluate(const fabrics::Dataset& dataset, const EvaluationRequest& re
 {
     const auto opened = openModels(request);
     const PlanRequest planned = planRequest(dataset, request, opened);
-    const TestPlan plan = testPlan(dataset, planned, report);
+    TestPlan plan = testPlan(dataset, planned, report);
+    if (std::string note = noteOnValidation(planned, opened.front().card); !note.empty()) plan.notes.push_back(std::move(note));
     const auto& architecture = opened.front().card.architecture;
     const MeasuredSignals measured(dataset, architecture.mmPerPixel, architecture.traceMmPerSample);
     const Controls controls = fitControls(dataset, measured, plan, planned, report);
@@ -239,7 +255,7 @@ Evaluation evaluate(const fabrics::Dataset& dataset, const EvaluationRequest& re
 
     Evaluation evaluation;
     addFacts(dataset, opened, context, evaluation);
-    evaluation.split = request.split;
+    evaluation.split = planned.split;
     evaluation.splitSeed = planned.seed;
     evaluation.boundsFraction = request.boundsFraction;
     evaluation.rangeMm = rangeOf(pairs);

@@ -62,8 +62,8 @@ struct ModelUsed {
 struct EvaluationRequest {
     std::filesystem::path model;                 ///< empty: the shipped weights
     std::vector<std::filesystem::path> against;  ///< further models to compare with
-    SplitKind split = SplitKind::Sample;
-    std::optional<std::uint64_t> splitSeed;  ///< none: the seed of the model's training
+    std::optional<SplitKind> split;              ///< none: location for a model trained by it, else sample
+    std::optional<std::uint64_t> splitSeed;      ///< none: the seed of the model's training
     rendering::models::Quality quality = rendering::models::Quality::Balanced;
     std::optional<int> samplesPerFabric;
     double boundsFraction = 0.10;  ///< equivalence bounds as a fraction of the measured grand mean

@@ -38,6 +38,9 @@ struct SurfacePair {
 /// By light, then by fabric.
 using SurfacePairs = std::map<std::string, std::map<protocols::FabricId, std::vector<SurfacePair>>>;
 
+/// The program's own words for light whose side is withheld, as if nobody knew it.
+bool hasSeveralLamps(const std::string& light) { return light == "two_lamps" || light == "three_lamps" || light == "four_lamps"; }
+
 SurfacePairs pairsOf(const fabrics::Dataset& dataset)
 {
     std::map<std::pair<protocols::FabricId, int>, fabrics::SamplePlace> places;
@@ -51,7 +54,7 @@ SurfacePairs pairsOf(const fabrics::Dataset& dataset)
             const bool isListed = place != places.end();
             pairs[isListed ? place->second.light : ""][fabric.id].push_back(
                 {index, isListed ? fabrics::photographPitch(dataset, place->second) : dataset.cameraMmPerPixel,
-                 isListed && place->second.light == "one_lamp" ? place->second.lightDeg : std::nullopt});
+                 isListed && !hasSeveralLamps(place->second.light) ? place->second.lightDeg : std::nullopt});
         }
     return pairs;
 }

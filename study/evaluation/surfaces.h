@@ -58,8 +58,8 @@ bool hasSurfaces(const rendering::fabrics::Dataset& dataset);
 
 /// Compares the photographs that have a surface: at most `request.samplesPerFabric` of a fabric and light (4 if not set), evenly
 /// spread over its places. Fabrics that the model was trained on stay in, and are marked: their figures also measure memory. The
-/// ridge regression learns from all other fabrics under the same light. Photographs with the light
-/// "one_lamp" tell the generators its side (samples.csv, light_deg); all others do not, as if nobody knew it. Points without a
+/// ridge regression learns from all other fabrics under the same light. Photographs tell the generators the side of their lamp
+/// (samples.csv, light_deg); those with "two_lamps" to "four_lamps" do not, as if nobody knew it. Points without a
 /// measured height are left out. Throws badInput for a surface of another size than its photograph, and for one of which hardly
 /// anything was measured.
 SurfaceReport evaluateSurfaces(const rendering::fabrics::Dataset& dataset, const EvaluationRequest& request,

@@ -115,7 +115,7 @@ void requirePhotographs(const fabrics::Dataset& dataset)
                                "visual/*.png of at least one fabric", "import photographs with `vis2hap import photos`"});
 }
 
-void requireSomethingLeft(const fabrics::Dataset& dataset, const TestPlan& plan, const PlanRequest& request)
+void requireSomethingLeft(const fabrics::Dataset& dataset, const TestPlan& plan)
 {
     if (!plan.pairs.empty()) return;
     const int trainedOn = sum(plan.leaks.trainedOn) + sum(plan.leaks.placeTrainedOn);
@@ -125,8 +125,7 @@ void requireSomethingLeft(const fabrics::Dataset& dataset, const TestPlan& plan,
                       : "the testing part of the split is empty (fewer than three places or samples cannot be split 8:1:1)";
     throw protocols::badInput(
         {"no test photograph is left: " + left, dataset.folder.string(), "photographs that the model was not trained on",
-         request.split == SplitKind::Location ? "use the --split-seed of the model's training, or --split sample"
-                                              : "use the --split-seed of the model's training, or another data set"});
+         "use the --split and the --split-seed of the model's training (its card names them), or another data set"});
 }
 
 }  // namespace
@@ -155,7 +154,7 @@ TestPlan testPlan(const fabrics::Dataset& dataset, const PlanRequest& request, c
     plan.fabrics = byFabric(dataset, samples, request);
     for (std::size_t i = 0; i < plan.fabrics.size(); ++i)
         addPairs(plan, i, dataset.pairing == fabrics::Pairing::Aligned, request);
-    requireSomethingLeft(dataset, plan, request);
+    requireSomethingLeft(dataset, plan);
     if (!plan.leaks.placesKnown)
         plan.notes.push_back(request.split == SplitKind::Location
                                  ? "samples.csv does not give every place; a sample without one counts as a separate place"

@@ -197,9 +197,11 @@ private:
         const torch::NoGradGuard noGradient;
         for (NamedTensor& one : tensorsOf({}, m_best)) copyInto(one.tensor, run.tensors.at(next++));
         state = std::move(run.state);
-        const auto choice = nlohmann::json::parse(state.validationBefore);
-        m_candidates = choice.value("candidates", m_candidates);
-        if (state.bestStep > 0) m_kept = {state.bestStep, choice.value("share", 1.0), state.bestDistance};
+        // null until the first look
+        if (const auto choice = nlohmann::json::parse(state.validationBefore); choice.is_object()) {
+            m_candidates = choice.value("candidates", m_candidates);
+            if (state.bestStep > 0) m_kept = {state.bestStep, choice.value("share", 1.0), state.bestDistance};
+        }
         m_out << "resumed at step " << state.step << std::endl;
     }
 

@@ -87,6 +87,7 @@ void offerTraining(CLI::App& app, const std::string& command)
     train->add_option("--validate-every", options.validateEvery, "steps (default 250)");
     train->add_option("--patience", options.patience,
                       "number of validations without a better one after which training stops (default 12)");
+    train->add_option("--stop-at", options.stopAt, "step to stop at, though the learning rate falls over all --steps");
     train->add_option("--validation-pairs", options.validationPairs, "number of pairs for the validation figures (default 60)");
     train->add_option("--threads", options.threads, "default: all threads of the machine");
     train->callback([call, steps, minutes, command] {

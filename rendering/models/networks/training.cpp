@@ -32,6 +32,8 @@ void checkOptions(const TrainingOptions& options)
     if (options.steps.has_value() == options.minutes.has_value())
         refuse("both or neither of --steps and --minutes were given", "one of them");
     if (options.steps && *options.steps < 1) refuse("--steps is " + std::to_string(*options.steps), "at least 1");
+    if (options.stopAt && (*options.stopAt < 1 || !options.steps || *options.stopAt > *options.steps))
+        refuse("--stop-at is " + std::to_string(*options.stopAt), "from 1 to --steps, which must be given");
     if (options.minutes && !(*options.minutes > 0)) refuse("--minutes is not positive", "minutes of wall time");
     if (options.crop < 32 || options.crop > largestCrop || options.crop % 16 != 0)
         refuse("--crop is " + std::to_string(options.crop), "a multiple of 16 from 32 to " + std::to_string(largestCrop));
@@ -53,6 +55,7 @@ std::string fingerprint(const TrainingOptions& options, const TrainingData& data
         text += "|" + std::to_string(number);
     text += "|" + std::to_string(options.learningRate) + "|" + nameOf(options.objective) + "|" + nameOf(options.split) + "|" +
             (options.steps ? "steps " + std::to_string(*options.steps) : "minutes " + std::to_string(*options.minutes));
+    if (options.stopAt) text += "|stop at " + std::to_string(*options.stopAt);
     for (const protocols::FabricId& id : options.heldOut) text += "|" + id.value;
     protocols::CanonicalBytes files;
     for (const std::string& hash : data.trainingHashes) files << hash;
@@ -113,7 +116,7 @@ public:
             ++state.step;
             state.elapsedS = before + std::chrono::duration<double>(steady_clock::now() - started).count();
             m_lines.step(state.step, fractionDone(state), losses, remainingS(state));
-            const bool last = fractionDone(state) >= 1;
+            const bool last = isAtEnd(state);
             if (state.step % stepsPerLogRow == 0)
                 log.losses(state.step, std::vector<NamedValue>{{"discriminator", losses.discriminator},
                                                                {"generators", losses.generators},
@@ -139,10 +142,12 @@ private:
                                      "finite losses", kept + "train again with a smaller --learning-rate"});
     }
 
-    bool ended(const Checkpoint& state) const
+    bool isAtEnd(const Checkpoint& state) const
     {
-        return fractionDone(state) >= 1 || state.validationsWithoutBetter >= m_options.patience;
+        return fractionDone(state) >= 1 || (m_options.stopAt && state.step >= *m_options.stopAt);
     }
+
+    bool ended(const Checkpoint& state) const { return isAtEnd(state) || state.validationsWithoutBetter >= m_options.patience; }
 
     nlohmann::ordered_json figures(Generators& generators) const
     {
@@ -182,8 +187,8 @@ private:
 
     double remainingS(const Checkpoint& state) const
     {
-        const double fraction = fractionDone(state);
-        return m_options.steps ? state.elapsedS / fraction * (1 - fraction) : *m_options.minutes * 60 - state.elapsedS;
+        if (!m_options.steps) return *m_options.minutes * 60 - state.elapsedS;
+        return state.elapsedS / state.step * (m_options.stopAt.value_or(*m_options.steps) - state.step);
     }
 
     void finish(AdversarialTraining& training, const Checkpoint& state)

@@ -30,6 +30,7 @@ struct TrainingOptions {
     std::filesystem::path out;      ///< weights file; the model card is written beside it
     std::optional<int> steps;       ///< exactly one of steps and minutes is set
     std::optional<double> minutes;  ///< wall time of the optimisation
+    std::optional<int> stopAt;      ///< step after which training ends, though the learning rate falls over all of `steps`
     std::uint64_t seed = 1;
     std::uint64_t splitSeed = 1;
     SplitBy split = SplitBy::Location;

@@ -29,7 +29,11 @@ int exitCodeWithin(const ProcessLimits& limits, const std::vector<std::string>& 
                    const std::optional<std::filesystem::path>& output)
 {
     const int status = LimitedProcess(secondProgram(), arguments, ownEnvironment(), output, limits).wait();
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+    if (WIFSIGNALED(status))
+        throw protocols::environmentFault({"vis2hap-nn was ended by signal " + std::to_string(WTERMSIG(status)), secondProgram(),
+                                           "enough memory for it",
+                                           "close other programs and try again; an interrupted training goes on with --resume"});
+    return WEXITSTATUS(status);
 }
 
 /// Throws environmentFault where the program cannot be loaded. The loader's own messages are long, so a silent trial run with

@@ -81,6 +81,28 @@ private Q_SLOTS:
         QVERIFY(std::stoi(options.at("--patience")) >= 6000 / 250);  // no early stop: a validation every 250 steps
     }
 
+    /// The learning rate falls over all steps that were asked for, also where the model stopped before them.
+    void aControlOfAnEarlyStopStopsThere()
+    {
+        ModelCardFields model = trained(6000), control = trained(6000);
+        model.steps = control.steps = 4000;
+        model.summary.trainingCommand += " --validate-every 100";
+        const auto list = controlOptions(model);
+        std::map<std::string, std::string> options(list.begin(), list.end());
+        QCOMPARE(options.at("--steps"), std::string("6000"));
+        QCOMPARE(options.at("--stop-at"), std::string("4000"));
+        QCOMPARE(options.at("--validate-every"), std::string("100"));
+        control.summary.trainingCommand = "vis2hap train cloths --out c.safetensors --steps 4000 --validate-every 100";
+        QCOMPARE(trainingDifferences(model, control),
+                 std::vector<std::string>{"a learning rate that falls over 4,000 steps (the model: 6,000)"});
+        model.summary.trainingCommand = "vis2hap train cloths --out m.safetensors --minutes 30";
+        model.trainingMinutes = 20;
+        const auto timed = controlOptions(model);
+        options = {timed.begin(), timed.end()};
+        QCOMPARE(options.at("--steps"), std::string("6000"));
+        for (const auto& [name, value] : controlOptions(trained(6000))) QVERIFY(name != "--stop-at");
+    }
+
     /// Networks for any cloth train on drawn fabrics, without a split and to the last step, at twice the usual learning rate.
     void controlOfDrawnFabricsNeedsNoSplit()
     {
@@ -89,7 +111,7 @@ private Q_SLOTS:
         control.summary.trainingCommand += " --learning-rate 0.002 --l1-only";
         QVERIFY(trainingDifferences(model, control).empty());
         QCOMPARE(trainingDifferences(trained(2500), control),
-                 (std::vector<std::string>{"other networks", "another learning rate"}));
+                 (std::vector<std::string>{"other networks", "another learning rate", "another interval between validations"}));
         const auto list = controlOptions(control);
         const std::map<std::string, std::string> options(list.begin(), list.end());
         QCOMPARE(options.at("--steps"), std::string("2500"));

@@ -222,9 +222,17 @@ private Q_SLOTS:
         QCOMPARE(nlohmann::json::parse(cardAt("again.safetensors").validationJson).at("held_out_trained_on").get<int>(), 8);
     }
 
+    /// The first look at the weights comes after a quarter of the steps: before the first checkpoint, or after it.
+    void killedAdaptationResumesToTheSameWeights_data()
+    {
+        QTest::addColumn<QString>("count");
+        for (const char* count : {"6", "14"}) QTest::newRow(count) << count;
+    }
     void killedAdaptationResumesToTheSameWeights()
     {
-        const QStringList steps{"--steps", "6"};
+        QFETCH(QString, count);
+        for (const char* model : {"whole", "broken"}) QFile::remove(m_folder.filePath(QString(model) + ".safetensors"));
+        const QStringList steps{"--steps", count};
         const Ended whole = runNetworks(adaptation(at("tiny.safetensors"), "whole.safetensors", steps));
         QVERIFY2(whole.exitCode == 0, qPrintable(whole.errors));
         QProcess broken;

@@ -278,6 +278,14 @@ private Q_SLOTS:
         QStringList longer = call("whole");
         longer[longer.indexOf("--steps") + 1] = "3";
         QCOMPARE(support::runProgram(longer + QStringList{"--resume"}).exitCode, 2);
+        // Nor are those of the data set as it was before.
+        QVERIFY(QFile::remove(at("fabrics/F01/visual/009.png")));
+        isRefused(call("whole") + QStringList{"--resume"}, "the data set has changed");
+        QFile::remove(at("whole/F01.safetensors"));
+        for (int index = 2; index < 9; ++index) QFile::remove(at(QString("fabrics/F02/visual/00%1.png").arg(index)));
+        QVERIFY(QFile::remove(at("fabrics/F02/visual/009.png")));
+        isRefused(call("few"), "fabric F02 has too few photographs");
+        QVERIFY(!QFile::exists(at("few")));
     }
 };
 

@@ -10,6 +10,7 @@
 #include <opencv2/core.hpp>
 
 #include "protocols/files/sha256.h"
+#include "rendering/fabrics/dataset_hash.h"
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
 #include "rendering/fabrics/sample_places.h"
 #include "rendering/models/model_card_fields.h"
@@ -93,6 +94,7 @@ private Q_SLOTS:
         m_dataset = makeProceduralFabrics(m_root / "aligned", options);
         m_dataset = readDataset(m_root / "aligned");
         m_request.model = card("plain", {});
+        m_request.split = SplitKind::Sample;
     }
 
     void init() { m_dataset = readDataset(m_root / "aligned"); }
@@ -235,6 +237,21 @@ private Q_SLOTS:
         QVERIFY(contains(refusalOf([&] { evaluate(m_dataset, request, {}, flatAnswers); }), "none of the fabrics"));
     }
 
+    /// Another split than that of the training would test photographs whose validation chose the weights.
+    void theSplitIsThatOfTheModelUnlessToldOtherwise()
+    {
+        EvaluationRequest request = m_request;
+        request.model = card("located", {}, hashOf(m_dataset));
+        const Evaluation other = evaluate(m_dataset, request, {}, flatAnswers);
+        QVERIFY(contains(evaluationText(other), "trained with --split location and --split-seed 1"));
+        request.split.reset();
+        const Evaluation usual = evaluate(m_dataset, request, {}, flatAnswers);
+        QVERIFY(usual.split == SplitKind::Location && usual.splitSeed == 1);
+        QVERIFY(!contains(evaluationText(usual), "may have chosen its weights"));
+        request.model.clear();  // the shipped weights saw drawn fabrics
+        QVERIFY(evaluate(m_dataset, request, {}, flatAnswers).split == SplitKind::Sample);
+    }
+
     void otherModelsAreEvaluatedToo()
     {
         EvaluationRequest request = m_request;
@@ -292,12 +309,13 @@ private Q_SLOTS:
 
 private:
     /// Writes the card of a model without weights, which these tests never open.
-    fs::path card(const std::string& name, const std::vector<std::string>& heldOut)
+    fs::path card(const std::string& name, const std::vector<std::string>& heldOut, const std::string& datasetHash = {})
     {
         rendering::models::ModelCardFields fields;
         fields.summary.name = name;
         fields.splitSeed = 1;
         fields.heldOut = heldOut;
+        fields.datasetHash = datasetHash;
         fields.validationJson = "{}";
         const fs::path model = m_root / (name + ".safetensors");
         write(rendering::models::cardOf(model), rendering::models::cardText(fields));

@@ -90,6 +90,11 @@ private Q_SLOTS:
         QVERIFY2(checked.out.contains("not_cloth: 2") && !checked.out.contains("unreadable"), qPrintable(checked.out));
         std::filesystem::remove_all(path("strange/F02/visual/.Trash-1000").toStdString());
         std::filesystem::remove(path("strange/F02/visual/._000.png").toStdString());
+        std::filesystem::copy(path("strange/F02/visual/000.png").toStdString(),
+                              path("strange/F02/visual/DSC_1.PNG").toStdString());
+        const auto ofCamera = mustRun({"evaluate", path("strange/F02/visual"), "--cloth-check"});
+        QVERIFY2(ofCamera.out.contains("not_cloth: 3"), qPrintable(ofCamera.out));
+        std::filesystem::remove(path("strange/F02/visual/DSC_1.PNG").toStdString());
         const auto cloth = mustRun({"evaluate", m_fabrics + "/F01/visual", "--cloth-check", "--json"});
         const auto json = nlohmann::json::parse(cloth.out.toStdString());
         QCOMPARE(json.at("pictures").at(0).at("likeness").get<std::string>(), std::string("cloth"));

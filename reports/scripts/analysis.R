@@ -15,6 +15,7 @@
 #   - t, F, chi squared: 1;
 #   - standard deviations, which are compared as variances: 1 % of the residual variance (of 1 for log odds);
 #   - p values and odds ratios, which are compared as logarithms: 1.
+options(contrasts = c("contr.treatment", "contr.poly"), scipen = 0, OutDec = ".")  # a .Rprofile may have set others
 tolerances <- c(linear = 1e-5, logistic = 1e-3, ordinal = 1e-3)
 many <- if ("all" %in% commandArgs(trailingOnly = TRUE)) Inf else 1
 mostAnswers <- many * c(linear = 10000, logistic = 5000, ordinal = 2000)

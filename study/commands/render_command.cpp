@@ -7,6 +7,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/number_text.h"
+#include "protocols/files/place_lock.h"
 #include "protocols/files/safe_text.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/composition/earlier_render.h"
@@ -108,6 +109,22 @@ rendering::JoinedRender savedJson(const fs::path& out, const std::string& json)
                             : rendering::JoinedRender{json, {}};
 }
 
+/// Writes images and JSON beside those of earlier calls. Another call into the same folder waits.
+rendering::JoinedRender written(const fs::path& out, const rendering::RenderedFabrics& rendering, const std::string& json)
+{
+    protocols::makeFolders(out);
+    const protocols::PlaceLock lock(out);
+    try {
+        auto saved = savedJson(out, json);
+        writeRendering(out, rendering, saved.json);
+        return saved;
+    } catch (...) {
+        std::error_code ignored;
+        fs::remove(out, ignored);  // only where it is empty
+        throw;
+    }
+}
+
 /// How often each signal was computed, and what the cache gave.
 std::string foundText(const rendering::RenderedFabrics& rendering)
 {
@@ -166,8 +183,7 @@ int render(const RenderCall& call, StageTimes stages)
         renderFabrics(dataset, request, [&](int done, int total, const std::string& what) { progress.show(done, total, what); });
     if (!call.evenStrange) refuseOtherThings(rendering);
     stages.begin("checking and writing");
-    const auto saved = savedJson(call.out, renderJson(dataset, request, rendering));
-    writeRendering(call.out, rendering, saved.json);
+    const auto saved = written(call.out, rendering, renderJson(dataset, request, rendering));
     if (sheet) looking::writeContactSheet(call.sheet, *sheet);
     for (const auto& warning : saved.warnings) std::fprintf(stderr, "warning: %s\n", protocols::printable(warning).c_str());
     for (const auto& warning : rendering::shadingWarnings(rendering))

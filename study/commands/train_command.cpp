@@ -14,6 +14,7 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/safe_text.h"
+#include "protocols/files/utf8.h"
 #include "rendering/fabrics/dataset.h"
 #include "rendering/models/cloth/cloth_check.h"
 #include "rendering/models/fair_control.h"
@@ -54,6 +55,8 @@ std::vector<PassedOption> passedOptions()
         {"--checkpoint-every", "steps between checkpoints (default 100)", ""},
         {"--validate-every", "steps between validations (default 250)", ""},
         {"--patience", "stop after this many validations without improvement (default 12)", ""},
+        {"--stop-at",
+         "step to stop at, though the learning rate falls over all --steps (a control of a model that stopped early)", ""},
         {"--validation-pairs", "number of pairs for validation (default 60)", ""},
         {"--from",
          "with DATASET: adapt this model to the data set, for 10 minutes unless told otherwise; with --drawn: start from it", ""},
@@ -128,8 +131,8 @@ bool adapts(const TrainCall& call) { return !call.drawn && !valueOf(call, "--fro
 void refuseOptionsOfNewNetworks(const TrainCall& call)
 {
     std::string given;
-    for (const char* name :
-         {"--split", "--crop", "--channels", "--patience", "--validation-pairs", "--validate-every", "--towards", "--way"})
+    for (const char* name : {"--split", "--crop", "--channels", "--patience", "--stop-at", "--validation-pairs",
+                             "--validate-every", "--towards", "--way"})
         if (given.empty() && !valueOf(call, name).empty()) given = name;
     for (const auto& [wanted, name] :
          {std::pair{call.reference, "--reference"}, {call.l1Only, "--l1-only"}, {!call.controlOf.empty(), "--control-of"}})
@@ -167,7 +170,7 @@ std::vector<std::string> argumentsOf(const TrainCall& call)
                                    "train", "a data set, or --drawn for fabrics that are drawn without end",
                                    "give one of them; scans join drawn fabrics by --scans DATASET"});
     if (call.drawn)
-        refuseOptions(call, {"--split", "--split-seed", "--patience", "--validation-pairs"}, "together with --drawn",
+        refuseOptions(call, {"--split", "--split-seed", "--patience", "--stop-at", "--validation-pairs"}, "together with --drawn",
                       "a training of a data set, whose samples are split");
     else
         refuseOptions(call, {"--processes", "--rank", "--master", "--wait"}, "together with DATASET",
@@ -194,6 +197,9 @@ std::vector<std::string> argumentsOf(const TrainCall& call)
         if (wanted) arguments.emplace_back(name);
     if (!call.controlOf.empty())
         for (std::string& argument : optionsOfControl(call)) arguments.push_back(std::move(argument));
+    for (const std::string& argument : arguments)  // the model card keeps them
+        if (protocols::firstByteThatIsNotUtf8(argument))
+            throw protocols::badInput({"the path is not UTF-8", argument, "a path in UTF-8", "rename the folder or file"});
     return arguments;
 }
 

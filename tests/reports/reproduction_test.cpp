@@ -386,6 +386,22 @@ private Q_SLOTS:
         QVERIFY2(code == 0 && isReproduced(said), qPrintable(said));
     }
 
+    /// Sum contrasts are common in psychology; the script weights coefficients of treatment contrasts.
+    void theUsersOwnOptionsChangeNoNumber()
+    {
+        if (!has("Rscript")) QSKIP("R is not installed, so its script is not run");
+        QTemporaryDir place;
+        const fs::path folder(place.path().toStdString());
+        reports::writeReproduction(reports::analyse(reports::readAnswersCsv(smallStudy()), {.depth = reports::Depth::Quick}),
+                                   folder);
+        protocols::writeWholeFile(folder / "profile.R",
+                                  "options(contrasts = c('contr.sum', 'contr.poly'), scipen = -5, OutDec = ',')\n");
+        auto environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("R_PROFILE_USER", place.filePath("profile.R"));
+        const auto [code, said] = ran("Rscript", "analysis.R", folder, environment);
+        QVERIFY2(code == 0 && isReproduced(said), qPrintable(said));
+    }
+
     void modelsAreLeftOutWithoutTheirPackages()
     {
         if (!has("Rscript")) QSKIP("R is not installed, so its script is not run");

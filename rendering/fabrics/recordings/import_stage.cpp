@@ -4,6 +4,9 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/id_rule.h"
+#include "protocols/files/place_lock.h"
+#include "protocols/files/utf8.h"
+#include "protocols/files/whole_file.h"
 #include "rendering/fabrics/dataset_json.h"
 
 namespace rendering::fabrics {
@@ -17,6 +20,15 @@ bool isNewOrEmpty(const fs::path& folder)
 {
     std::error_code problem;
     return !fs::exists(folder, problem) || (fs::is_directory(folder, problem) && fs::is_empty(folder, problem));
+}
+
+/// The files that an import reads first and writes whole again at its end.
+std::string stateOf(const fs::path& folder)
+{
+    std::string state;
+    for (const char* name : {"samples.csv", "dataset.json"})
+        if (fs::exists(folder / name)) state += protocols::readWholeFile(folder / name) + '\0';
+    return state;
 }
 
 Dataset begunAt(const fs::path& folder)
@@ -44,6 +56,7 @@ void requireReadable(const Dataset& dataset, const fs::path& folder)
 ImportStage::ImportStage(const fs::path& out)
     : m_out(protocols::folderPath(out)),
       m_isNew(isNewOrEmpty(m_out)),
+      m_before(m_isNew ? std::string() : stateOf(m_out)),
       m_dataset(m_isNew ? begunAt(m_out) : readDataset(m_out)),
       m_draft(m_out, protocols::Earlier::FilesJoined)
 {
@@ -51,6 +64,9 @@ ImportStage::ImportStage(const fs::path& out)
 
 FabricId ImportStage::fabricFor(const std::string& name, const std::optional<FabricId>& wanted)
 {
+    if (protocols::firstByteThatIsNotUtf8(name))
+        throw protocols::badInput({"the name of the fabric is not UTF-8", name, "a folder or file with a name in UTF-8",
+                                   "rename it, such as with convmv, and import it again"});
     auto& fabrics = m_dataset.fabrics;
     const auto found = std::find_if(fabrics.begin(), fabrics.end(),
                                     [&](const FabricInfo& info) { return wanted ? info.id == *wanted : info.name == name; });
@@ -114,6 +130,10 @@ fs::path ImportStage::addFile(const std::string& name) { return m_draft.file(nam
 void ImportStage::commit()
 {
     requireReadable(m_dataset, m_out);
+    const protocols::PlaceLock lock(m_out);
+    if (stateOf(m_out) != m_before)
+        throw protocols::environmentFault({"another program changed the data set during this import", m_out.string(),
+                                           "one import into a data set at a time", "import again; nothing was added"});
     std::vector<SamplePlace> places = m_isNew ? std::vector<SamplePlace>{} : readSamplePlaces(m_dataset);
     places.insert(places.end(), m_added.begin(), m_added.end());
     m_dataset.folder = m_draft.path();

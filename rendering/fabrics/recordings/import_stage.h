@@ -53,12 +53,13 @@ public:
     std::filesystem::path addFile(const std::string& name);
 
     /// Moves all files into the data set, dataset.json last. Throws badInput, and changes nothing, where that
-    /// file could not be read again. Throws environmentFault.
+    /// file could not be read again. Throws environmentFault, also where another program changed the data set in between.
     void commit();
 
 private:
     std::filesystem::path m_out;
     bool m_isNew;
+    std::string m_before;  ///< samples.csv and dataset.json as they were read
     Dataset m_dataset;
     protocols::FolderDraft m_draft;
     std::vector<SamplePlace> m_added;

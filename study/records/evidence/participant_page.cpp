@@ -23,13 +23,17 @@ std::string fieldText(const ordered_json& row, const char* key)
     return value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 
-/// "2026-11-22 14:03:11 UTC" for an ISO 8601 time: a reader needs no milliseconds.
+/// "2026-11-22 14:03:11 UTC", or "2026-11-22 15:03:11 (UTC+01:00)", for an ISO 8601 time: a reader needs no milliseconds.
 std::string readableTime(const ordered_json& row, const char* key = "time")
 {
     const std::string whole = fieldText(row, key);
     std::string time = whole.substr(0, 19);
     if (time.size() == 19 && time[10] == 'T') time[10] = ' ';
-    return whole.ends_with('Z') || whole.ends_with("+00:00") ? time + " UTC" : time;
+    if (whole.ends_with('Z') || whole.ends_with("+00:00")) return time + " UTC";
+    constexpr std::size_t offsetLength = 6;  // +01:00
+    const std::string offset = whole.size() > 19 + offsetLength ? whole.substr(whole.size() - offsetLength) : "";
+    const bool isOffset = !offset.empty() && (offset[0] == '+' || offset[0] == '-') && offset[3] == ':';
+    return isOffset ? time + " (UTC" + offset + ")" : time;
 }
 
 using Values = protocols::TextsByKey;

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "rendering/fabrics/dataset_check.h"
+#include "rendering/fabrics/recordings/import_stage.h"
 #include "tests/rendering/fabric_files.h"
 #include "tests/support/colour_tiff.h"
 
@@ -206,6 +207,28 @@ private Q_SLOTS:
         QVERIFY(faultsOfDataset(m_out).empty());
         for (const auto& entry : fs::directory_iterator(m_out))
             QVERIFY2(!contains(entry.path().string(), "unfinished"), entry.path().c_str());
+    }
+
+    /// Each import writes samples.csv and dataset.json whole: the later one would remove what the earlier one added.
+    void aSecondImportAtTheSameTimeIsRefused()
+    {
+        writePng(m_in / "Wool_1.png", speckled(20, 24, CV_8UC3));
+        import(ImportKind::Photos, {m_in});
+        ImportStage slow(m_out);
+        writePng(slow.addSample(slow.fabricFor("Linen", {}), Modality::Visual).file, speckled(20, 24, CV_8UC3, 3));
+        writePng(m_in / "Aida_1.png", speckled(20, 24, CV_8UC3, 9));
+        import(ImportKind::Photos, {m_in});
+        QVERIFY(contains(refusalOf([&] { slow.commit(); }), "another program changed the data set during this import"));
+        QCOMPARE(readDataset(m_out).fabrics.size(), std::size_t(2));
+        QVERIFY(faultsOfDataset(m_out).empty());
+    }
+
+    /// Such a name was stored with another sign, so that the next import made a second fabric of it.
+    void aNameThatIsNotUtf8IsRefused()
+    {
+        writePng(m_in / "wei\xDF_1.png", speckled(20, 24, CV_8UC3));
+        QVERIFY(contains(refusalOf([&] { import(ImportKind::Photos, {m_in}); }), "the name of the fabric is not UTF-8"));
+        QVERIFY(!fs::exists(m_out));
     }
 
     void allMayBePutIntoOneFabric()

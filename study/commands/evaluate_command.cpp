@@ -200,7 +200,7 @@ void addEvaluate(CLI::App& app, Action& action)
         ->add_option("--split", call->split,
                      "sample: the paper's split; location: no place occurs in both training and test; "
                      "fabric: fabrics held out from training; augmented: copies of a sample in every part (default: location "
-                     "for a model that was trained by it, else sample)")
+                     "for a model that was so trained on this data set, else sample)")
         ->check(CLI::IsMember({"sample", "location", "fabric", "augmented"}));
     command->add_option("--split-seed", call->splitSeed, "seed of the split (default: that of the model)");
     command->add_option("--quality", call->quality, "quality of the generators")

@@ -9,7 +9,7 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/safe_text.h"
-#include "rendering/fabrics/dataset.h"
+#include "rendering/fabrics/sample_places.h"
 #include "rendering/models/model_card_fields.h"
 #include "rendering/models/process/child_process.h"
 #include "stats/kernels/threads.h"
@@ -25,7 +25,7 @@ using nlohmann::ordered_json;
 using rendering::fabrics::Dataset;
 
 constexpr const char* leaveOneOutName = "train";
-constexpr std::size_t fewestFabrics = 2, fewestPhotographs = 3;
+constexpr std::size_t fewestFabrics = 2;
 
 std::string textOf(const std::vector<std::string>& words)
 {
@@ -59,14 +59,16 @@ bool isFinished(const fs::path& model, const std::vector<std::string>& words, co
 /// The test of a fabric takes the testing part of its photographs, which must not be empty.
 void requirePhotographs(const Dataset& dataset)
 {
-    for (const auto& fabric : dataset.fabrics) {
-        const std::size_t count = sampleIndices(dataset, fabric.id, rendering::fabrics::Modality::Visual).size();
-        if (count >= fewestPhotographs) continue;
-        throw protocols::badInput(
-            {"fabric " + fabric.id.value + " has too few photographs to be tested (" + std::to_string(count) + ")",
-             dataset.folder.string(), "at least " + std::to_string(fewestPhotographs) + " photographs of each fabric",
-             "import more, or train on a data set without this fabric"});
-    }
+    namespace fabrics = rendering::fabrics;
+    std::set<protocols::FabricId> tested;
+    for (const auto& [place, part] : fabrics::splitBySample(dataset, 1))
+        if (place.modality == fabrics::Modality::Visual && part == fabrics::Part::Testing) tested.insert(place.fabric);
+    for (const auto& fabric : dataset.fabrics)
+        if (!tested.contains(fabric.id))
+            throw protocols::badInput({"fabric " + fabric.id.value + " has too few photographs to be tested",
+                                       dataset.folder.string(),
+                                       "photographs of at least three groups (samples.csv) of each fabric",
+                                       "import more, or train on a data set without this fabric"});
 }
 
 /// `datasetHash`: of the data set as it is; needed where `call` resumes.

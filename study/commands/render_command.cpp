@@ -90,9 +90,8 @@ rendering::Percentiles percentilesFrom(const std::string& text)
     return {*low, *high};
 }
 
-void writeRendering(const fs::path& out, const rendering::RenderedFabrics& rendering, const std::string& json)
+void writeRendering(protocols::FolderDraft& draft, const rendering::RenderedFabrics& rendering, const std::string& json)
 {
-    protocols::FolderDraft draft(out, protocols::Earlier::FilesJoined);
     for (const auto& condition : rendering.conditions)
         for (const auto& [fabric, image] : condition.images)
             rendering::writePng(draft.file(fs::path(fabric.value) / (protocols::fileNameOf(condition.condition) + ".png")), image,
@@ -112,17 +111,15 @@ rendering::JoinedRender savedJson(const fs::path& out, const std::string& json)
 /// Writes images and JSON beside those of earlier calls. Another call into the same folder waits.
 rendering::JoinedRender written(const fs::path& out, const rendering::RenderedFabrics& rendering, const std::string& json)
 {
-    protocols::makeFolders(out);
     const protocols::PlaceLock lock(out);
-    try {
-        auto saved = savedJson(out, json);
-        writeRendering(out, rendering, saved.json);
-        return saved;
-    } catch (...) {
-        std::error_code ignored;
-        fs::remove(out, ignored);  // only where it is empty
-        throw;
-    }
+    const bool isNew = !fs::exists(out);
+    auto saved = savedJson(out, json);
+    protocols::FolderDraft draft(out, protocols::Earlier::FilesJoined);
+    if (isNew && fs::exists(out))
+        throw protocols::environmentFault(
+            {"another program made the folder at the same time", out.string(), "one of them at a time", "render again"});
+    writeRendering(draft, rendering, saved.json);
+    return saved;
 }
 
 /// How often each signal was computed, and what the cache gave.

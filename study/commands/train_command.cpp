@@ -271,12 +271,12 @@ void addTrain(CLI::App& app, Action& action)
     auto* controlOf = command
                           ->add_option("--control-of", call->controlOf,
                                        "train the L1-only control of this model: with its steps, seed, split, held-out fabrics, "
-                                       "batch and networks")
+                                       "batch, validations and networks")
                           ->excludes(steps)
                           ->excludes(reference)
                           ->excludes(l1Only);
     for (const char* taken : {"--minutes", "--seed", "--hold-out", "--split", "--split-seed", "--batch", "--crop", "--channels",
-                              "--learning-rate", "--patience"})
+                              "--learning-rate", "--patience", "--validate-every", "--stop-at"})
         controlOf->excludes(command->get_option(taken));
     command->add_flag(
         "--leave-one-out", call->leaveOneOut,

@@ -74,25 +74,37 @@ std::vector<protocols::FabricId> heldOutFabrics(const fabrics::Dataset& dataset,
     return found;
 }
 
-/// Another split than that of the training would test photographs whose validation chose the weights.
-SplitKind usualSplit(const models::ModelCardFields& card)
+/// Whether the model was trained on, or adapted to, this very data set.
+bool isOfDataset(const models::ModelCardFields& card, const std::string& datasetHash)
 {
-    return !card.architecture.sees && card.split == nameOf(SplitKind::Location) ? SplitKind::Location : SplitKind::Sample;
+    return !card.datasetHash.empty() && card.datasetHash == datasetHash;
 }
 
-/// A note where the test may hold samples of the validation part of the model's training; else empty.
-std::string noteOnValidation(const PlanRequest& plan, const models::ModelCardFields& card)
+/// The split of the model's training where that was on this data set: any other would test photographs that chose its weights.
+SplitKind usualSplit(const models::ModelCardFields& card, const std::string& datasetHash)
 {
-    if (card.architecture.sees || card.datasetHash.empty() || plan.split == SplitKind::Fabric) return {};
-    if (nameOf(plan.split) == card.split && plan.seed == card.splitSeed) return {};
-    return "the model was trained with --split " + card.split + " and --split-seed " + std::to_string(card.splitSeed) +
-           "; of its data set, some test samples here may have chosen its weights, as validation";
+    const bool isByLocation = !card.architecture.sees && card.split == nameOf(SplitKind::Location);
+    return isByLocation && isOfDataset(card, datasetHash) ? SplitKind::Location : SplitKind::Sample;
 }
 
-PlanRequest planRequest(const fabrics::Dataset& dataset, const EvaluationRequest& request, const std::vector<OpenModel>& opened)
+/// A note where the test may hold samples that chose the weights of this model: the validation part of a training, or what an
+/// adaptation held out. Else empty.
+std::string noteOnValidation(const PlanRequest& plan, const models::ModelCardFields& card, const std::string& datasetHash)
+{
+    if (!isOfDataset(card, datasetHash)) return {};
+    const std::string& name = card.summary.name;
+    if (card.architecture.sees)
+        return "samples that the adaptation of " + name + " held out chose its weights, and may be tested here";
+    if (plan.split == SplitKind::Fabric || (nameOf(plan.split) == card.split && plan.seed == card.splitSeed)) return {};
+    return name + " was trained with --split " + card.split + " and --split-seed " + std::to_string(card.splitSeed) +
+           ": under another split, test samples may have chosen its weights";
+}
+
+PlanRequest planRequest(const fabrics::Dataset& dataset, const EvaluationRequest& request, const std::vector<OpenModel>& opened,
+                        const std::string& datasetHash)
 {
     PlanRequest plan;
-    plan.split = request.split.value_or(usualSplit(opened.front().card));
+    plan.split = request.split.value_or(usualSplit(opened.front().card, datasetHash));
     plan.seed = request.splitSeed.value_or(opened.front().card.splitSeed);
     plan.samplesPerFabric = request.samplesPerFabric;
     plan.threads = request.threads;
@@ -243,9 +255,12 @@ Evaluation evaluate(const fabrics::Dataset& dataset, const EvaluationRequest& re
                     const Generate& generate)
 {
     const auto opened = openModels(request);
-    const PlanRequest planned = planRequest(dataset, request, opened);
+    const std::string datasetHash = fabrics::hashOf(dataset);
+    const PlanRequest planned = planRequest(dataset, request, opened, datasetHash);
     TestPlan plan = testPlan(dataset, planned, report);
-    if (std::string note = noteOnValidation(planned, opened.front().card); !note.empty()) plan.notes.push_back(std::move(note));
+    for (const OpenModel& model : opened)
+        if (std::string note = noteOnValidation(planned, model.card, datasetHash); !note.empty())
+            plan.notes.push_back(std::move(note));
     const auto& architecture = opened.front().card.architecture;
     const MeasuredSignals measured(dataset, architecture.mmPerPixel, architecture.traceMmPerSample);
     const Controls controls = fitControls(dataset, measured, plan, planned, report);

@@ -62,7 +62,7 @@ struct ModelUsed {
 struct EvaluationRequest {
     std::filesystem::path model;                 ///< empty: the shipped weights
     std::vector<std::filesystem::path> against;  ///< further models to compare with
-    std::optional<SplitKind> split;              ///< none: location for a model trained by it, else sample
+    std::optional<SplitKind> split;              ///< none: location where the model was so trained on this set, else sample
     std::optional<std::uint64_t> splitSeed;      ///< none: the seed of the model's training
     rendering::models::Quality quality = rendering::models::Quality::Balanced;
     std::optional<int> samplesPerFabric;

@@ -125,7 +125,7 @@ void requireSomethingLeft(const fabrics::Dataset& dataset, const TestPlan& plan)
                       : "the testing part of the split is empty (fewer than three places or samples cannot be split 8:1:1)";
     throw protocols::badInput(
         {"no test photograph is left: " + left, dataset.folder.string(), "photographs that the model was not trained on",
-         "use the --split and the --split-seed of the model's training (its card names them), or another data set"});
+         "use the --split and --split-seed of the model's training (its card names them), another --split, or other data"});
 }
 
 }  // namespace

@@ -45,8 +45,7 @@ std::string noteOnUsualEnds(const Protocol& protocol)
     if (ids.empty()) return {};
     return "participant_texts: the ends of the scale of " + ids + " are \"" + participantText(protocol, "scale_low") +
            "\" and \"" + participantText(protocol, "scale_high") +
-           "\"; if these do not fit the question, write scale_low, scale_high, card_low, card_high, say_unrelated, say_same and "
-           "say_ends";
+           "\"; where these do not fit, write scale_low, scale_high, card_low, card_high, say_unrelated, say_same and say_ends";
 }
 
 /// Empty unless a question has the paper's sentence where another kind of answer is asked for.

@@ -64,13 +64,13 @@ ImportStage::ImportStage(const fs::path& out)
 
 FabricId ImportStage::fabricFor(const std::string& name, const std::optional<FabricId>& wanted)
 {
-    if (protocols::firstByteThatIsNotUtf8(name))
-        throw protocols::badInput({"the name of the fabric is not UTF-8", name, "a folder or file with a name in UTF-8",
-                                   "rename it, such as with convmv, and import it again"});
     auto& fabrics = m_dataset.fabrics;
     const auto found = std::find_if(fabrics.begin(), fabrics.end(),
                                     [&](const FabricInfo& info) { return wanted ? info.id == *wanted : info.name == name; });
     if (found != fabrics.end()) return found->id;
+    if (protocols::firstByteThatIsNotUtf8(name))
+        throw protocols::badInput({"the name of the fabric is not UTF-8", name, "a folder or file with a name in UTF-8",
+                                   "rename it, such as with convmv, and import it again"});
     if (wanted) protocols::requireGoodNewId(wanted->value, "a fabric", "--fabric");
     FabricId id = wanted.value_or(FabricId());
     for (int number = 1; id.empty(); ++number) {

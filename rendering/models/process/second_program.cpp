@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <optional>
 
@@ -31,8 +32,8 @@ int exitCodeWithin(const ProcessLimits& limits, const std::vector<std::string>& 
     const int status = LimitedProcess(secondProgram(), arguments, ownEnvironment(), output, limits).wait();
     if (WIFSIGNALED(status))
         throw protocols::environmentFault({"vis2hap-nn was ended by signal " + std::to_string(WTERMSIG(status)), secondProgram(),
-                                           "enough memory for it",
-                                           "close other programs and try again; an interrupted training goes on with --resume"});
+                                           WTERMSIG(status) == SIGKILL ? "enough memory for it" : "a program that ends by itself",
+                                           "try again, a training with --resume"});
     return WEXITSTATUS(status);
 }
 
@@ -42,7 +43,8 @@ void requireLoadable()
 {
     ProcessLimits limits = trainingLimits();
     limits.time = std::chrono::minutes(5);
-    if (exitCodeWithin(limits, {"--help"}, "/dev/null") != 0) throw cannotStart();
+    const int status = LimitedProcess(secondProgram(), {"--help"}, ownEnvironment(), "/dev/null", limits).wait();
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw cannotStart();
 }
 
 }  // namespace

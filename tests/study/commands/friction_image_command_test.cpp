@@ -3,11 +3,13 @@
 #include <QDir>
 #include <QFile>
 #include <QImage>
+#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "protocols/files/place_lock.h"
 #include "tests/rendering/stroke_text.h"
 #include "tests/support/program.h"
 
@@ -76,6 +78,22 @@ private Q_SLOTS:
             QCOMPARE(refused.exitCode, 2);
         }
         QVERIFY(!QFile::exists(path("never/render.json")));
+    }
+
+    /// Each call writes render.json whole: what another one wrote in between would vanish.
+    void aRenderWaitsForAnotherOneIntoTheSameFolder()
+    {
+        mustRun({"render", m_fabrics, "--condition", "f", "--out", path("shared")});
+        QProcess second;
+        {
+            const protocols::PlaceLock lock(path("shared").toStdString());
+            second.start(VIS2HAP_PROGRAM, {"render", m_fabrics, "--condition", "v_grey", "--out", path("shared")});
+            QVERIFY(!second.waitForFinished(3000));
+            QVERIFY(!readJson(path("shared/render.json"))["conditions"].contains("v_grey"));
+        }
+        QVERIFY(second.waitForFinished(60000) && second.exitCode() == 0);
+        for (const char* condition : {"f", "v_grey"})
+            QVERIFY(readJson(path("shared/render.json"))["conditions"].contains(condition));
     }
 
     void sixteenBitsAndDitheringAreOptions()

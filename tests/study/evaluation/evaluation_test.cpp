@@ -10,7 +10,6 @@
 #include <opencv2/core.hpp>
 
 #include "protocols/files/sha256.h"
-#include "rendering/fabrics/dataset_hash.h"
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
 #include "rendering/fabrics/sample_places.h"
 #include "rendering/models/model_card_fields.h"
@@ -243,11 +242,19 @@ private Q_SLOTS:
         EvaluationRequest request = m_request;
         request.model = card("located", {}, hashOf(m_dataset));
         const Evaluation other = evaluate(m_dataset, request, {}, flatAnswers);
-        QVERIFY(contains(evaluationText(other), "trained with --split location and --split-seed 1"));
+        QVERIFY(contains(evaluationText(other), "located was trained with --split location and --split-seed 1"));
+        EvaluationRequest beside = m_request;
+        beside.against = {request.model};
+        QVERIFY(contains(evaluationText(evaluate(m_dataset, beside, {}, flatAnswers)), "located was trained with --split"));
+        beside.model = card("of another set", {}, std::string(64, 'a'));
+        beside.against.clear();
+        beside.split.reset();
+        const Evaluation unknown = evaluate(m_dataset, beside, {}, flatAnswers);
+        QVERIFY(unknown.split == SplitKind::Sample && !contains(evaluationText(unknown), "chosen its weights"));
         request.split.reset();
         const Evaluation usual = evaluate(m_dataset, request, {}, flatAnswers);
         QVERIFY(usual.split == SplitKind::Location && usual.splitSeed == 1);
-        QVERIFY(!contains(evaluationText(usual), "may have chosen its weights"));
+        QVERIFY(!contains(evaluationText(usual), "chosen its weights"));
         request.model.clear();  // the shipped weights saw drawn fabrics
         QVERIFY(evaluate(m_dataset, request, {}, flatAnswers).split == SplitKind::Sample);
     }

@@ -255,7 +255,8 @@ Evaluation evaluate(const fabrics::Dataset& dataset, const EvaluationRequest& re
                     const Generate& generate)
 {
     const auto opened = openModels(request);
-    const std::string datasetHash = fabrics::hashOf(dataset);
+    const bool anyHasSet = std::ranges::any_of(opened, [](const OpenModel& model) { return !model.card.datasetHash.empty(); });
+    const std::string datasetHash = anyHasSet ? fabrics::hashOf(dataset) : std::string();  // reads every file
     const PlanRequest planned = planRequest(dataset, request, opened, datasetHash);
     TestPlan plan = testPlan(dataset, planned, report);
     for (const OpenModel& model : opened)

@@ -51,7 +51,7 @@ int plannedSteps(const ModelCardFields& card)
     double planned = usualSteps;
     if (steps) planned = *steps;
     if (minutes) planned = card.trainingMinutes > 0 ? card.steps * *minutes / card.trainingMinutes : card.steps;
-    return std::max(card.steps, static_cast<int>(std::min(planned, 1e9)));
+    return std::max(card.steps, static_cast<int>(std::clamp(planned, 0.0, 1e9)));  // a card may state any number
 }
 
 /// 6000 becomes "6,000".

@@ -1,7 +1,9 @@
 // Summary of a weights file, and the path of the weights that come with the program.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,8 @@ struct ModelCard {
     std::string sha256;  ///< hash of the weights file
     bool trainedOnProceduralSet = false;
     std::vector<std::string> trainingSampleHashes;  ///< SHA-256 of every training file, sorted
+    /// Seeds of the drawn fabrics that this training and those before it saw. Cards of 0.6.0 and before know only their own.
+    std::set<std::uint64_t> drawnSeeds;
     std::string trainingCommand;
 };
 ModelCard readModelCard(const std::filesystem::path& model);

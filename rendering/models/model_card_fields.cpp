@@ -127,6 +127,17 @@ bool sensible(const Architecture& a)
                mostSeedParameters;
 }
 
+/// Older cards do not list them; their networks for any cloth drew fabrics by the seed of the training.
+std::set<std::uint64_t> drawnSeedsIn(const ordered_json& json, const ModelCardFields& card)
+{
+    if (!json.contains("drawn_seeds"))
+        return card.architecture.sees ? std::set<std::uint64_t>{card.seed} : std::set<std::uint64_t>();
+    std::set<std::uint64_t> seeds;
+    for (const ordered_json& seed : json.at("drawn_seeds").get_ref<const ordered_json::array_t&>())
+        seeds.insert(protocols::wholeOf<std::uint64_t>(seed));
+    return seeds;
+}
+
 protocols::Error notUsable(const std::filesystem::path& card, const std::string& why)
 {
     return protocols::badInput({"the model card cannot be used: " + why, card.string(), std::string("a card of schema ") + schema,
@@ -161,6 +172,7 @@ std::string cardText(const ModelCardFields& card)
                       {"architecture", architectureJson(card.architecture)},
                       {"validation", ordered_json::parse(card.validationJson)}};
     if (!card.fromHash.empty()) json["from"] = {{"name", card.fromName}, {"sha256", card.fromHash}};
+    if (!card.summary.drawnSeeds.empty()) json["drawn_seeds"] = card.summary.drawnSeeds;
     json["training_sample_hashes"] = card.summary.trainingSampleHashes;
     return json.dump(1) + "\n";
 }
@@ -202,6 +214,7 @@ ModelCardFields readModelCardFields(const std::filesystem::path& model)
         if (kind != architectureKind && kind != seeingKind)
             throw notUsable(file, "its networks differ from those of this program");
         card.architecture = architectureFrom(json.at("architecture"));
+        card.summary.drawnSeeds = drawnSeedsIn(json, card);
         card.validationJson = json.at("validation").dump();
     } catch (const ordered_json::exception& fault) {
         throw notUsable(file, fault.what());

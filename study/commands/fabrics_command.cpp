@@ -1,6 +1,7 @@
 // vis2hap fabrics make|check
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -10,6 +11,8 @@
 #include "rendering/fabrics/drawn/drawn_dataset.h"
 #include "rendering/fabrics/drawn/drawn_friction.h"
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
+#include "rendering/models/drawn_memory.h"
+#include "rendering/models/model_card_fields.h"
 #include "study/commands/command_line.h"
 #include "study/commands/parts/progress.h"
 
@@ -28,6 +31,15 @@ struct MakeCall {
     }
 };
 
+/// Says where the weights that come with the program were trained on these very fabrics.
+void noteOnMemory(const rendering::fabrics::Dataset& dataset)
+{
+    namespace models = rendering::models;
+    if (!std::filesystem::exists(models::cardOf(models::shippedModel()))) return;
+    const std::string note = models::noteOnDrawnFabrics(dataset, models::readModelCard(models::shippedModel()));
+    if (!note.empty()) std::printf("note: %s\n", note.c_str());
+}
+
 int makeDrawn(const MakeCall& call)
 {
     rendering::fabrics::DrawnOptions options;
@@ -40,6 +52,7 @@ int makeDrawn(const MakeCall& call)
     std::printf("%s: %zu drawn fabrics with %d photographs, presses and strokes each; law of friction: %s\n",
                 protocols::printable(call.folder).c_str(), dataset.fabrics.size(), options.samples,
                 rendering::fabrics::frictionLaw().c_str());
+    noteOnMemory(dataset);
     return 0;
 }
 

@@ -17,6 +17,7 @@
 #include <iostream>
 #include <memory>
 #include <new>
+#include <opencv2/core.hpp>
 
 #include "database/server/server_link.h"
 #include "protocols/files/errors.h"
@@ -206,6 +207,19 @@ protocols::Error faultOf(const std::filesystem::filesystem_error& error)
                                         "check the path, its permissions and the free space"});
 }
 
+int failedForMemory()
+{
+    std::fputs("vis2hap: the memory is used up; close other programs or use smaller input\n", stderr);
+    return static_cast<int>(ExitCode::Environment);
+}
+
+int failedUnexpectedly(const std::exception& error)
+{
+    std::fprintf(stderr, "vis2hap: unexpected failure: %s; report it with the command that you ran\n",
+                 protocols::printable(error.what()).c_str());
+    return static_cast<int>(ExitCode::WorkFailed);
+}
+
 int exitCodeOf(int argc, char** argv)
 {
     try {
@@ -218,12 +232,11 @@ int exitCodeOf(int argc, char** argv)
         std::fprintf(stderr, "vis2hap: %s\n", fault.what());
         return static_cast<int>(fault.exitCode());
     } catch (const std::bad_alloc&) {
-        std::fputs("vis2hap: the memory is used up; close other programs or use smaller input\n", stderr);
-        return static_cast<int>(ExitCode::Environment);
+        return failedForMemory();
+    } catch (const cv::Exception& error) {
+        return error.code == cv::Error::StsNoMem ? failedForMemory() : failedUnexpectedly(error);
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "vis2hap: unexpected failure: %s; report it with the command that you ran\n",
-                     protocols::printable(error.what()).c_str());
-        return static_cast<int>(ExitCode::WorkFailed);
+        return failedUnexpectedly(error);
     }
 }
 

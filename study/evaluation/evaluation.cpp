@@ -4,6 +4,7 @@
 
 #include "protocols/files/errors.h"
 #include "rendering/fabrics/sample_places.h"
+#include "rendering/models/drawn_memory.h"
 #include "rendering/models/fair_control.h"
 #include "stats/kernels/threads.h"
 #include "study/evaluation/predictions.h"
@@ -261,6 +262,9 @@ Evaluation evaluate(const fabrics::Dataset& dataset, const EvaluationRequest& re
     TestPlan plan = testPlan(dataset, planned, report);
     for (const OpenModel& model : opened)
         if (std::string note = noteOnValidation(planned, model.card, datasetHash); !note.empty())
+            plan.notes.push_back(std::move(note));
+    for (const OpenModel& model : opened)
+        if (std::string note = models::noteOnDrawnFabrics(dataset, model.card.summary); !note.empty())
             plan.notes.push_back(std::move(note));
     const auto& architecture = opened.front().card.architecture;
     const MeasuredSignals measured(dataset, architecture.mmPerPixel, architecture.traceMmPerSample);

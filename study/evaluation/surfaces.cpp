@@ -10,6 +10,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/number_text.h"
 #include "rendering/fabrics/sample_places.h"
+#include "rendering/models/drawn_memory.h"
 #include "rendering/models/model_card_fields.h"
 #include "rendering/models/photograph_at_pitch.h"
 #include "rendering/signals/grey.h"
@@ -342,6 +343,7 @@ SurfaceReport evaluateSurfaces(const fabrics::Dataset& dataset, const Evaluation
     options.friction = false;
     const models::ModelCardFields card = models::readModelCardFields(options.model);
     surfaces.model = card.summary.name;
+    surfaces.memory = models::noteOnDrawnFabrics(dataset, card.summary);
     const SurfacePairs pairs = pairsOf(dataset);
     if (pairs.empty())
         throw protocols::badInput({"no photograph has its surface", dataset.folder.string(), "F01/surface/000.tiff",
@@ -386,6 +388,7 @@ nlohmann::ordered_json surfacesJson(const SurfaceReport& surfaces)
     return {{"schema", "vis2hap.evaluation/1"},
             {"dataset", surfaces.dataset},
             {"model", surfaces.model},
+            {"notes", surfaces.memory.empty() ? nlohmann::ordered_json::array() : nlohmann::ordered_json{surfaces.memory}},
             {"surfaces", rows},
             {"surface_means", means}};
 }
@@ -395,6 +398,7 @@ std::string surfacesText(const SurfaceReport& surfaces)
     std::string text = "Relief of photographs against the surface that they show: model \"" + surfaces.model + "\" on \"" +
                        surfaces.dataset +
                        "\"\n  correlation pixel by pixel; ridge: 15 x 15 pixels, fitted on the other fabrics\n";
+    if (!surfaces.memory.empty()) text += "  MEMORY: " + surfaces.memory + "\n";
     for (const auto& rows : byLight(surfaces)) {
         const SurfaceRow& first = *rows.front();
         text += "\n" + (first.light.empty() ? std::string("light unknown") : first.light) + ", " +

@@ -48,6 +48,7 @@ struct SourceSummary {
 struct SurfaceReport {
     std::string dataset, model;
     std::vector<SurfaceRow> rows;  ///< by light, then in the order of the fabrics
+    std::string memory = {};       ///< a note where training drew the fabrics of this data set; else empty
 };
 
 /// One source over `rows`, high-passed at 16 px or at 4 mm. Fabrics without a known scale have no correlation at 4 mm.

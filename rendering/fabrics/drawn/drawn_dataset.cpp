@@ -1,6 +1,8 @@
 #include "rendering/fabrics/drawn/drawn_dataset.h"
 
+#include <charconv>
 #include <cmath>
+#include <string_view>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
@@ -20,7 +22,8 @@ namespace fs = std::filesystem;
 using protocols::Random;
 using protocols::Sync;
 
-constexpr double drawnAreaMm = 1000;  // Places are drawn from a square with this side.
+constexpr std::string_view drawnSetName = "drawn fabrics, seed ";  // The seed follows.
+constexpr double drawnAreaMm = 1000;                               // Places are drawn from a square with this side.
 constexpr int mostDrawnFabrics = 10000;
 
 /// A construction that is ready to be sampled.
@@ -56,7 +59,7 @@ Dataset describeDrawn(const fs::path& folder, const DrawnOptions& options)
 {
     Dataset dataset;
     dataset.folder = folder;
-    dataset.name = "drawn fabrics, seed " + std::to_string(options.seed);
+    dataset.name = std::string(drawnSetName) + std::to_string(options.seed);
     dataset.tactileMmPerPixel = tactileMmPerPixel;
     dataset.tactileCalibration = "tactile-calibration.json";
     dataset.pairing = options.pairing;
@@ -185,6 +188,16 @@ Dataset makeDrawnFabrics(const fs::path& folder, const DrawnOptions& options, co
     draft.putInPlace();
     dataset.folder = folder;
     return dataset;
+}
+
+std::optional<std::uint64_t> drawnSeedOf(const Dataset& dataset)
+{
+    if (!dataset.procedural || !dataset.name.starts_with(drawnSetName)) return std::nullopt;
+    const std::string_view digits = std::string_view(dataset.name).substr(drawnSetName.size());
+    std::uint64_t seed = 0;
+    const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), seed);
+    if (fault != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
+    return seed;
 }
 
 }  // namespace rendering::fabrics

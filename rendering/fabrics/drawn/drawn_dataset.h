@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 
 #include "rendering/fabrics/dataset.h"
 
@@ -25,5 +26,8 @@ struct DrawnOptions {
 /// Calls `progress(done, total)` from one thread at a time.
 Dataset makeDrawnFabrics(const std::filesystem::path& folder, const DrawnOptions& options,
                          const std::function<void(int, int)>& progress = {});
+
+/// The seed of a data set that makeDrawnFabrics() wrote, from its name; nullopt for any other.
+std::optional<std::uint64_t> drawnSeedOf(const Dataset& dataset);
 
 }  // namespace rendering::fabrics

@@ -9,6 +9,8 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
+#include "rendering/fabrics/drawn/drawn_dataset.h"
+#include "rendering/models/drawn_memory.h"
 #include "rendering/models/lab/lab_steps.h"
 #include "rendering/models/lab/lab_table.h"
 #include "rendering/models/seeing/checkpoint.h"
@@ -70,6 +72,10 @@ public:
           m_architecture(m_start.architecture),
           m_lab(readLabCloth(dataset, m_start.architecture, {.splitSeed = options.splitSeed, .heldOut = options.heldOut}))
     {
+        if (fabrics::drawnSeedOf(dataset) == options.seed)
+            throw protocols::badInput({"this training would draw the very fabrics that it holds out",
+                                       "--seed " + std::to_string(options.seed), "another seed than that of the data set",
+                                       "give another --seed"});
         m_options.side = m_start.architecture.crop;
         if (scans != nullptr) takeScans(*scans);
         m_datasetHash = fabrics::hashOf(dataset);
@@ -116,6 +122,8 @@ private:
         for (const LabPhotograph& photograph : m_lab.photographs) registered += photograph.reliefMm.empty() ? 0 : 1;
         for (const std::string& note : m_lab.notes) m_out << note << "\n";
         m_out << memoryOf(heldOutAmong(m_lab, m_start.summary.trainingSampleHashes), m_start.summary.name);
+        if (const std::string note = noteOnDrawnFabrics(m_dataset, m_start.summary); !note.empty())
+            m_out << "MEMORY: " << note << ".\n";
         m_out << "adapting " << m_start.summary.name << " to \"" << m_dataset.name
               << "\": " << countOf(m_lab.photographsOf(LabPart::Training).size(), "photograph") << " of "
               << countOf(fabrics, "fabric")
@@ -379,6 +387,8 @@ private:
         addTrainingHashes(card, m_start.summary.trainingSampleHashes);
         addTrainingHashes(card, hashesOf(m_scans));
         addTrainingHashes(card, m_lab.trainingHashes);
+        card.summary.drawnSeeds = m_start.summary.drawnSeeds;
+        card.summary.drawnSeeds.insert(m_options.seed);
         card.architecture = m_architecture;
         card.seed = m_options.seed;
         card.splitSeed = m_options.splitSeed;

@@ -224,6 +224,7 @@ private:
         for (const protocols::FabricId& id : m_options.heldOut) card.heldOut.push_back(id.value);
         card.datasetName = m_dataset != nullptr ? m_dataset->name : "drawn fabrics";
         card.datasetHash = m_scansHash;
+        card.summary.drawnSeeds.insert(m_options.seed);
         addTrainingHashes(card, hashesOf(m_scans));
         write(training, std::move(card), state.step);
     }
@@ -243,6 +244,7 @@ private:
             card.fromHash = m_start->summary.sha256;
             card.summary.trainedOnProceduralSet = card.summary.trainedOnProceduralSet && m_start->summary.trainedOnProceduralSet;
             addTrainingHashes(card, m_start->summary.trainingSampleHashes);
+            card.summary.drawnSeeds.insert(m_start->summary.drawnSeeds.begin(), m_start->summary.drawnSeeds.end());
         }
         TrainingLog log(logOf(m_options.out), step > 0 ? std::optional(step) : std::nullopt);
         card.validationJson = validate(training, step, log).dump();

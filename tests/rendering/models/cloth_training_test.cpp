@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
+#include <set>
 
 #include "protocols/files/sha256.h"
 #include "rendering/fabrics/drawn/drawn_dataset.h"
@@ -200,15 +201,16 @@ private Q_SLOTS:
         QVERIFY2(other.errors.contains("the two models have other networks"), qPrintable(other.errors));
     }
 
-    void theCardNamesTheFilesOfItsScansAndOfTheModelsBeforeIt()
+    void theCardNamesTheFilesAndSeedsOfTheModelsBeforeIt()
     {
-        const auto saw = [&](const char* name) {
-            return models::readModelCardFields(at(name).toStdString()).summary.trainingSampleHashes;
-        };
-        const auto modelThatSaw = [&](const char* name, std::vector<std::string> hashes) {
+        using Seeds = std::set<std::uint64_t>;
+        const auto saw = [&](const char* name) { return models::readModelCard(at(name).toStdString()).trainingSampleHashes; };
+        const auto drew = [&](const char* name) { return models::readModelCard(at(name).toStdString()).drawnSeeds; };
+        const auto modelThatSaw = [&](const char* name, std::vector<std::string> hashes, Seeds seeds) {
             QFile::copy(at("model.safetensors"), at(name));
             models::ModelCardFields card = models::readModelCardFields(at("model.safetensors").toStdString());
             card.summary.trainingSampleHashes = std::move(hashes);
+            card.summary.drawnSeeds = std::move(seeds);
             QFile file(QString::fromStdString(models::cardOf(at(name).toStdString()).string()));
             QVERIFY(file.open(QIODevice::WriteOnly));
             file.write(QByteArray::fromStdString(models::cardText(card)));
@@ -217,8 +219,9 @@ private Q_SLOTS:
             const Outcome outcome = run(arguments);
             QVERIFY2(outcome.exitCode == 0, qPrintable(outcome.errors));
         };
-        modelThatSaw("lab.safetensors", {"00aa11", "ff22"});
-        modelThatSaw("another.safetensors", {"0123", "ff22"});
+        QVERIFY((drew("model.safetensors") == Seeds{5}));
+        modelThatSaw("lab.safetensors", {"00aa11", "ff22"}, {40});
+        modelThatSaw("another.safetensors", {"0123", "ff22"}, {2});
         trained(smallRun("after-lab.safetensors", 1, {"--from", at("lab.safetensors")}));
         QCOMPARE(saw("after-lab.safetensors"), (std::vector<std::string>{"00aa11", "ff22"}));
         std::vector<std::string> expected = makeScans(at("scans").toStdString());
@@ -232,6 +235,8 @@ private Q_SLOTS:
         expected.push_back("0123");
         std::ranges::sort(expected);
         QCOMPARE(saw("mixed.safetensors"), expected);
+        QVERIFY((drew("after-scans.safetensors") == Seeds{5, 40}));
+        QVERIFY((drew("mixed.safetensors") == Seeds{2, 5, 40}));
     }
 
     void trainingStartsFromAModelAndPrintsItsFiguresFirst()

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "protocols/files/canonical_bytes.h"
 #include "protocols/files/foreign/foreign_table.h"
@@ -123,8 +124,9 @@ private Q_SLOTS:
         const Ended ended = runNetworks(
             adaptation(QString::fromStdString(models::shippedModel().string()), "adapted.safetensors", {"--steps", "2"}));
         QVERIFY2(ended.exitCode == 0, qPrintable(ended.errors));
-        for (const char* line : {"held-out places: ", "held-out fabrics F0", "shipped abilities, on 32 drawn fabrics", "before",
-                                 "worse by at most", "This lab measures", "wrote "})
+        for (const char* line :
+             {"MEMORY: vis2hap was trained on fabrics that seed 31 draws", "held-out places: ", "held-out fabrics F0",
+              "shipped abilities, on 32 drawn fabrics", "before", "worse by at most", "This lab measures", "wrote "})
             QVERIFY2(ended.output.contains(line), qPrintable(ended.output));
 
         const models::ModelCardFields card = cardAt("adapted.safetensors"),
@@ -198,6 +200,20 @@ private Q_SLOTS:
                 trained += known ? 1 : 0;
             }
         QCOMPARE(trained, 13);
+    }
+
+    /// The lab's fabrics are drawn by seed 31, as half of the cloth of such a training would be.
+    void theSeedOfTheLabsOwnDrawnFabricsIsRefused()
+    {
+        QStringList call = adaptation(at("tiny.safetensors"), "same.safetensors", {"--steps", "1"});
+        call[call.indexOf("--seed") + 1] = "31";
+        const Ended same = runNetworks(call);
+        QCOMPARE(same.exitCode, 2);
+        QVERIFY2(same.errors.contains("would draw the very fabrics that it holds out") && same.errors.contains("--seed 31") &&
+                     same.errors.count('\n') == 1,
+                 qPrintable(same.errors));
+        QVERIFY((cardAt("adapted.safetensors").summary.drawnSeeds == std::set<std::uint64_t>{1, 3, 31}));
+        QVERIFY((cardAt("with-scans.safetensors").summary.drawnSeeds == std::set<std::uint64_t>{1, 3}));
     }
 
     /// The gain of a model that knows what is held out is memory.

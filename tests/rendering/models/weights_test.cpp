@@ -9,6 +9,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
+#include <set>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
@@ -101,6 +102,28 @@ private Q_SLOTS:
         const auto validation = nlohmann::ordered_json::parse(card.validationJson);
         QVERIFY(validation.at("friction_error").get<double>() < validation.at("friction_constant_error").get<double>());
         QVERIFY(validation.at("relief_correlation").get<double>() > 0.4);
+    }
+
+    /// A data set of drawn fabrics that has one of these seeds tests memory.
+    void aCardNamesTheSeedsOfItsDrawnFabrics()
+    {
+        using Seeds = std::set<std::uint64_t>;
+        QVERIFY((models::readModelCard(models::shippedModel()).drawnSeeds == Seeds{1, 31}));
+        QVERIFY(models::readModelCard(models::earlierModel()).drawnSeeds.empty());
+
+        const std::string sound = bytesOf(models::cardOf(models::shippedModel()));
+        const std::string listed = "[\n  1,\n  31\n ]";
+        const std::size_t place = sound.find(listed), key = sound.find(" \"drawn_seeds\"");
+        QVERIFY(place != std::string::npos && key < place);
+        std::string older = sound;
+        older.erase(key, place + listed.size() + 2 - key);
+        write(models::cardOf(model()), older);
+        QVERIFY((models::readModelCard(model()).drawnSeeds == Seeds{31}));
+        for (const char* wrong : {"[-1]", "[1.5]", "[\"1\"]", "7"}) {
+            write(models::cardOf(model()), std::string(sound).replace(place, listed.size(), wrong));
+            const QString fault = faultOfGenerating();
+            QVERIFY2(fault.startsWith("2 ") && fault.contains("the model card cannot be used"), qPrintable(fault));
+        }
     }
 
     /// Version 0.5.0 stored known photographs and fabrics in its card. Such cards are read; what they remember is not.

@@ -57,8 +57,24 @@ private Q_SLOTS:
         const auto untold = json::parse(support::mustRun(call).out.toStdString());
         QVERIFY(told["notes"].dump().find("told the fibre of 3 of 3 fabrics") != std::string::npos);
         QVERIFY(untold["notes"].dump().find("fibre") == std::string::npos);
+        QVERIFY(untold["notes"].dump().find("trained on") == std::string::npos);
         QVERIFY(told["speakers"][0]["mean_friction"] != untold["speakers"][0]["mean_friction"]);
         QCOMPARE(told["speakers"][0]["sq_mm"].get<double>(), untold["speakers"][0]["sq_mm"].get<double>());
+    }
+
+    void aDataSetOfTheFabricsOfTheTrainingIsNamed()
+    {
+        const QString known = m_folder.filePath("known");
+        const QString note = "vis2hap was trained on fabrics that seed 31 draws";
+        const auto made = support::mustRun({"fabrics", "make", known, "--drawn", "3", "--samples", "3", "--seed", "31"});
+        QVERIFY2(made.out.contains("\nnote: " + note), qPrintable(made.out));
+        const QStringList call{"evaluate", known, "--samples", "1", "--quality", "fast"};
+        const auto text = support::mustRun(call).out;
+        QVERIFY2(text.contains("MEMORY: " + note) && text.contains("note: " + note), qPrintable(text));
+        const auto read = json::parse(support::mustRun(call + QStringList{"--json"}).out.toStdString());
+        QVERIFY(read["notes"].dump().find(note.toStdString()) != std::string::npos);
+        const auto other = support::mustRun({"fabrics", "make", m_folder.filePath("other"), "--drawn", "1", "--seed", "32"});
+        QVERIFY(!other.out.contains("note:"));
     }
 
     void badCallsAreRefusedInOneLine_data()

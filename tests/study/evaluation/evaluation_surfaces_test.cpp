@@ -185,6 +185,23 @@ private Q_SLOTS:
     }
 
     /// Before, a model's own training fabrics looked like any others.
+    void drawnFabricsOfATrainingAreNamed()
+    {
+        makeSet(2, {});
+        m_dataset.procedural = true;
+        for (const auto& [name, isKnown] : {std::pair{"drawn fabrics, seed 31", true},
+                                            {"drawn fabrics, seed 3", false},
+                                            {"drawn fabrics, seed 31st", false},
+                                            {"drawn fabrics, seed ", false},
+                                            {"scans", false}}) {
+            m_dataset.name = name;
+            const auto surfaces = evaluateSurfaces(m_dataset, {}, {}, knowsAll());
+            const QString text = QString::fromStdString(surfacesText(surfaces));
+            QVERIFY2(text.contains("MEMORY: vis2hap was trained on fabrics that seed 31 draws") == isKnown, qPrintable(text));
+            QCOMPARE(surfacesJson(surfaces).at("notes").size(), std::size_t(isKnown ? 1 : 0));
+        }
+    }
+
     void fabricsThatTheModelWasTrainedOnAreMarked()
     {
         makeSet(fabricCount, {});

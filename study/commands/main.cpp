@@ -24,6 +24,7 @@
 #include "protocols/files/open_files.h"
 #include "protocols/files/safe_text.h"
 #include "protocols/files/temporary_folder.h"
+#include "protocols/process/blas_threads.h"
 #include "protocols/process/kept_memory.h"
 #include "protocols/process/owner_only.h"
 #include "protocols/process/whole_number_options.h"
@@ -190,6 +191,7 @@ int run(int argc, char** argv)
     std::setlocale(LC_NUMERIC, "C");  // Qt has set the user's locale, in which C functions may read 5.4 as 5
     if (action.handlesStudy) keepToOneself();
     protocols::keepFreedMemory();
+    protocols::useOneBlasThread();
     explanation.begin(app);
     const int code = action.work();
     explanation.end();

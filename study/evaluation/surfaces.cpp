@@ -16,6 +16,7 @@
 #include "rendering/signals/grey.h"
 #include "rendering/signals/shape_from_shading.h"
 #include "stats/kernels/descriptive.h"
+#include "stats/kernels/threads.h"
 #include "study/evaluation/leaks.h"
 #include "study/evaluation/pixel_ridge.h"
 
@@ -88,17 +89,23 @@ cv::Mat surfaceOf(const fabrics::Dataset& dataset, const protocols::FabricId& fa
 
 using SumsOfFabric = std::map<protocols::FabricId, RidgeSums>;
 
-SumsOfFabric ridgeSums(const fabrics::Dataset& dataset, const std::map<protocols::FabricId, std::vector<SurfacePair>>& pairs)
+SumsOfFabric ridgeSums(const fabrics::Dataset& dataset, const std::map<protocols::FabricId, std::vector<SurfacePair>>& pairs,
+                       unsigned threads)
 {
-    SumsOfFabric sums;
-    for (const auto& [fabric, all] : pairs) {
+    std::vector<protocols::FabricId> ids;
+    for (const auto& [fabric, all] : pairs) ids.push_back(fabric);
+    std::vector<RidgeSums> own(ids.size());
+    stats::onThreads(ids.size(), threads, [&](std::size_t i) {
+        const std::vector<SurfacePair>& all = pairs.at(ids[i]);
         const int each = std::max(1, ridgeSamplesPerFabric / static_cast<int>(all.size()));
         for (const SurfacePair& pair : all) {
-            const cv::Mat photograph = fabrics::readPhotograph(dataset, fabric, pair.index);
-            sums[fabric].add(photograph, surfaceOf(dataset, fabric, pair.index, photograph, {{}, photograph.size()}), each,
-                             static_cast<std::uint64_t>(pair.index));
+            const cv::Mat photograph = fabrics::readPhotograph(dataset, ids[i], pair.index);
+            own[i].add(photograph, surfaceOf(dataset, ids[i], pair.index, photograph, {{}, photograph.size()}), each,
+                       static_cast<std::uint64_t>(pair.index));
         }
-    }
+    });
+    SumsOfFabric sums;
+    for (std::size_t i = 0; i < ids.size(); ++i) sums.emplace(ids[i], std::move(own[i]));
     return sums;
 }
 
@@ -352,7 +359,7 @@ SurfaceReport evaluateSurfaces(const fabrics::Dataset& dataset, const Evaluation
     int total = 0, done = 0;
     for (const auto& [light, ofFabric] : pairs) total += static_cast<int>(ofFabric.size());
     for (const auto& [light, ofFabric] : pairs) {
-        const SumsOfFabric sums = ridgeSums(dataset, ofFabric);
+        const SumsOfFabric sums = ridgeSums(dataset, ofFabric, request.threads);
         for (const auto& fabric : dataset.fabrics) {
             const auto own = ofFabric.find(fabric.id);
             if (own == ofFabric.end()) continue;

@@ -15,7 +15,7 @@ struct ModelCard {
     std::string sha256;  ///< hash of the weights file
     bool trainedOnProceduralSet = false;
     std::vector<std::string> trainingSampleHashes;  ///< SHA-256 of every training file, sorted
-    /// Seeds of the drawn fabrics that this training and those before it saw. Cards of 0.6.0 and before know only their own.
+    /// Seeds by which this training and those before it drew fabrics themselves. Cards of 0.6.0 and before know only their own.
     std::set<std::uint64_t> drawnSeeds;
     std::string trainingCommand;
 };

@@ -192,7 +192,7 @@ Dataset makeDrawnFabrics(const fs::path& folder, const DrawnOptions& options, co
 
 std::optional<std::uint64_t> drawnSeedOf(const Dataset& dataset)
 {
-    if (!dataset.procedural || !dataset.name.starts_with(drawnSetName)) return std::nullopt;
+    if (!dataset.name.starts_with(drawnSetName)) return std::nullopt;
     const std::string_view digits = std::string_view(dataset.name).substr(drawnSetName.size());
     std::uint64_t seed = 0;
     const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), seed);

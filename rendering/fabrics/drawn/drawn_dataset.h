@@ -27,7 +27,7 @@ struct DrawnOptions {
 Dataset makeDrawnFabrics(const std::filesystem::path& folder, const DrawnOptions& options,
                          const std::function<void(int, int)>& progress = {});
 
-/// The seed of a data set that makeDrawnFabrics() wrote, from its name; nullopt for any other.
+/// The seed of a data set that makeDrawnFabrics() wrote, from its name, which imports keep; nullopt for any other.
 std::optional<std::uint64_t> drawnSeedOf(const Dataset& dataset);
 
 }  // namespace rendering::fabrics

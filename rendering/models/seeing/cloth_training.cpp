@@ -90,6 +90,9 @@ public:
         if (writes()) log.emplace(logOf(m_options.out), m_options.resume ? std::optional(state.step) : std::nullopt);
         m_out << "training on drawn fabrics of family " << m_options.seed << " and " << m_scans.size() << " pictures of scans"
               << std::endl;
+        if (m_start && m_start->summary.drawnSeeds.contains(m_options.seed))
+            m_out << "note: " << m_start->summary.name << " was trained on the fabrics of family " << m_options.seed
+                  << " already, so they are shown again; another --seed draws new ones" << std::endl;
         if (log && m_start && !m_options.resume) validate(training, state.step, *log);
         const steady_clock::time_point started = steady_clock::now();
         const double before = state.elapsedS;

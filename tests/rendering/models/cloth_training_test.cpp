@@ -249,6 +249,12 @@ private Q_SLOTS:
         const double before = nlohmann::json::parse(start.toStdString()).at("relief_correlation").get<double>();
         QVERIFY2(std::abs(first.at("relief_correlation").get<double>() - before) < 0.02, qPrintable(outcome.output));
         QCOMPARE(outcome.output.count("validation "), 2);
+        const QString again = "note: model was trained on the fabrics of family 5 already";
+        QVERIFY2(outcome.output.contains(again), qPrintable(outcome.output));
+        QStringList call = smallRun("new-fabrics.safetensors", 1, {"--from", at("model.safetensors")});
+        call[call.indexOf("--seed") + 1] = "6";
+        const QString fresh = run(call).output;
+        QVERIFY2(fresh.contains("training on drawn fabrics of family 6") && !fresh.contains("already"), qPrintable(fresh));
     }
 
     void checkpointOfOtherSettingsIsRefused()

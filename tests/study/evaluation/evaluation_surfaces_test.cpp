@@ -188,7 +188,6 @@ private Q_SLOTS:
     void drawnFabricsOfATrainingAreNamed()
     {
         makeSet(2, {});
-        m_dataset.procedural = true;
         for (const auto& [name, isKnown] : {std::pair{"drawn fabrics, seed 31", true},
                                             {"drawn fabrics, seed 3", false},
                                             {"drawn fabrics, seed 31st", false},

@@ -1,7 +1,11 @@
 #include "study/app/app.h"
 
 #include <QApplication>
+#include <cstdio>
+#include <filesystem>
 
+#include "protocols/files/safe_text.h"
+#include "study/app/kept_settings.h"
 #include "study/app/language/below.h"
 #include "study/app/main_window.h"
 #include "study/app/pages/monitor_window.h"
@@ -11,8 +15,19 @@ namespace study::app {
 
 std::shared_ptr<QSettings> userSettings()
 {
-    return std::make_shared<QSettings>(QSettings::IniFormat, QSettings::UserScope, QStringLiteral("vis2hap"),
-                                       QStringLiteral("vis2hap"));
+    const auto opened = [] {
+        return std::make_shared<QSettings>(QSettings::IniFormat, QSettings::UserScope, QStringLiteral("vis2hap"),
+                                           QStringLiteral("vis2hap"));
+    };
+    try {
+        const std::string aside = setUnreadableAside(opened()->fileName());
+        if (!aside.empty()) std::fprintf(stderr, "warning: %s\n", aside.c_str());
+    } catch (const std::filesystem::filesystem_error& fault) {
+        std::fprintf(stderr, "warning: the settings of the window can be neither read nor renamed (%s)\n",
+                     protocols::printable(fault.what()).c_str());
+        return nullptr;
+    }
+    return opened();
 }
 
 namespace {

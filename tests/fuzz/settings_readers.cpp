@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "rendering/display/test_patterns.h"
+#include "study/app/kept_settings.h"
 #include "study/app/state/key_bindings.h"
 #include "study/app/state/recent_studies.h"
 #include "study/app/state/tried_display.h"
@@ -29,6 +30,7 @@ void requireUsable(const KeyBindings& keys)
 
 void readSettings(const fs::path& file)
 {
+    setUnreadableAside(QString::fromStdString(file.string()));
     QSettings settings(QString::fromStdString(file.string()), QSettings::IniFormat);
     const KeyBindings keys = rememberedKeys(&settings);
     requireUsable(keys);

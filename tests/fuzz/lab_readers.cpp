@@ -18,6 +18,7 @@
 #include "rendering/response/response_file.h"
 #include "rendering/response/response_table.h"
 #include "rendering/signals/tactile/calibration.h"
+#include "study/commands/server/station_requests.h"
 #include "study/players/planted_effects.h"
 #include "tests/fuzz/inputs.h"
 
@@ -26,6 +27,7 @@ namespace fuzz {
 namespace {
 
 namespace fs = std::filesystem;
+using study::commands::StationRequest;
 
 const protocols::Protocol& plantedProtocol()
 {
@@ -176,6 +178,39 @@ void readDriverLines(const std::string& bytes)
     } while (given < sent.size());
 }
 
+/// Requests of the bytes, given in parts of that many bytes.
+std::vector<StationRequest> requestsIn(std::string_view sent, std::size_t part)
+{
+    study::commands::StationRequests requests;
+    std::vector<StationRequest> all;
+    for (std::size_t given = 0; given < sent.size(); given += part) {
+        requests.add(sent.substr(given, part));
+        while (auto request = requests.next()) all.push_back(std::move(*request));
+    }
+    return all;
+}
+
+/// The bytes of a station, in parts as readDriverLines() takes them. The same requests come out as of the whole, and what they
+/// hold was sent in this order.
+void readStationRequests(const std::string& bytes)
+{
+    if (bytes.empty()) throw protocols::badInput({"no bytes", "", "", ""});
+    const std::string_view sent = std::string_view(bytes).substr(1);
+    const std::size_t part = bytes[0] == 0 ? bytes.size() : static_cast<unsigned char>(bytes[0]);
+    const std::vector<StationRequest> all = requestsIn(sent, part);
+    require(all == requestsIn(sent, bytes.size()), "other requests, because the bytes came in parts");
+    std::size_t begin = 0;
+    for (const StationRequest& request : all) {
+        const std::string& held = request.kind == StationRequest::Kind::Ticket ? request.ticket : request.line;
+        const std::size_t found = sent.find(held, begin);
+        require(found != std::string_view::npos, "a request that was not sent");
+        begin = found + held.size();
+        require(request.ticket.size() <= study::commands::StationRequests::longestTicket, "a ticket of too many bytes");
+        require(request.line.size() <= study::commands::StationRequests::longestLine + 1, "a line that is too long");
+    }
+    if (all.empty() || all.back().kind >= StationRequest::Kind::NoTicket) throw protocols::badInput({"no request", "", "", ""});
+}
+
 }  // namespace
 
 std::vector<Reader> labReaders(const fs::path& folder)
@@ -219,6 +254,15 @@ std::vector<Reader> labReaders(const fs::path& folder)
          readDriverLines,
          {},
          2 * rendering::DriverLines::longest},
+        {"station-requests",
+         {std::string(1, '\0') +
+              "{\"type\":\"hello\",\"id\":1}\r\n{\"type\":\"show\",\"id\":7,\"bytes\":4}\n{\"a\n{\"type\":\"clear\",\"id\":2}\n",
+          "\x05{\"type\":\"show\",\"id\":8,\"bytes\":1030}\n" + std::string(1030, '\n') + "{\"type\":\"status\",\"id\":-1}\n",
+          "\xff{\"type\":\"show\",\"id\":1,\"bytes\":0}\n{\"type\":\"show\",\"id\":3,\"bytes\":67108864}\nabc",
+          "\x30{\"type\":\"hello\"" + std::string(study::commands::StationRequests::longestLine, ' ') + "}\nb\n"},
+         readStationRequests,
+         {},
+         2 * study::commands::StationRequests::longestLine},
         {"server-address",
          {"postgresql://ada@lab.example:5433/lab?study=stripes&sslmode=verify-full", "postgresql://[::1]/lab",
           "postgresql:///lab?host=/run/postgresql", "postgresql://a%40b@h/d%20e?study=x&application_name=%F0%9F%98%80",

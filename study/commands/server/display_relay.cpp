@@ -27,6 +27,7 @@
 #include "rendering/display/driver_link.h"
 #include "rendering/display/driver_messages.h"
 #include "rendering/display/stimulus_bank.h"
+#include "study/commands/server/station_requests.h"
 
 namespace study::commands {
 
@@ -37,8 +38,6 @@ using std::chrono::steady_clock;
 
 constexpr auto devicePatience = std::chrono::seconds(2);
 constexpr auto serverPatience = std::chrono::milliseconds(1500);  // the station waits 2 s for a reply
-constexpr std::size_t longestTicket = 1024;
-constexpr std::uint64_t largestImage = 64U << 20;  // that a station may send in place of a ticket; more cannot be meant
 constexpr const char* ticketsOnly = "this display takes tickets only";
 constexpr std::size_t longestReason = 200;
 
@@ -244,74 +243,41 @@ private:
         return false;
     }
 
-    /// False at the end of file, and for what is no message.
+    /// False at the end of file, for what is no request, and where nobody takes a message.
     bool takeFromStation()
     {
         std::array<char, 65536> chunk{};
         const ssize_t got = ::read(m_station, chunk.data(), chunk.size());
         if (got <= 0) return got < 0 && (errno == EINTR || errno == EAGAIN || errno == EWOULDBLOCK);
-        m_incoming.append(chunk.data(), static_cast<std::size_t>(got));
-        dropImage();
-        for (std::size_t end = m_incoming.find('\n'); end != std::string::npos; end = m_incoming.find('\n')) {
-            const auto request = messageIn(m_incoming.substr(0, end));
-            if (request.is_null()) {
-                noteEnd("sends what is no message");
-                return false;
-            }
-            m_isGreeted = true;
-            m_lastRequest = steady_clock::now();
-            const auto id = request.value("id", ordered_json(0));
-            if (request.at("type") == "hello" && id.is_number_integer()) m_openHello = id.get<std::int64_t>();
-            if (request.at("type") == "show") {
-                const Taken taken = takeShow(request, end + 1);
-                if (taken != Taken::Whole) return taken == Taken::InPart;
-                continue;
-            }
-            if (!sendToDevice(m_incoming.substr(0, end + 1))) return false;
-            if (request.at("type") == "clear") m_isShowing = false;
-            m_incoming.erase(0, end + 1);
-        }
-        return m_incoming.size() <= rendering::DriverLines::longest;
+        m_requests.add({chunk.data(), static_cast<std::size_t>(got)});
+        while (const auto request = m_requests.next())
+            if (!answer(*request)) return false;
+        return true;
     }
 
-    enum class Taken { Whole, InPart, Not };
-
-    /// A request to show what follows its line, which ends at `begin`. InPart: the rest of the ticket is still to come. Not: what
-    /// follows cannot be told from lines, or nobody takes the reply.
-    Taken takeShow(const ordered_json& request, std::size_t begin)
+    bool answer(const StationRequest& request)
     {
-        const auto id = request.value("id", ordered_json(0)), bytes = request.value("bytes", ordered_json());
-        const std::uint64_t size = bytes.is_number_unsigned() ? bytes.get<std::uint64_t>() : largestImage + 1;
-        if (!id.is_number_integer() || size > largestImage) {
+        using Kind = StationRequest::Kind;
+        if (request.kind == Kind::NoMessage || request.kind == Kind::TooLong) {
+            noteEnd(request.kind == Kind::TooLong ? "sends a line that is too long" : "sends what is no message");
+            return false;
+        }
+        m_isGreeted = true;
+        m_lastRequest = steady_clock::now();
+        if (request.kind == Kind::NoTicket) {
             noteEnd("sends what is no ticket");
-            if (id.is_number_integer()) fail(id.get<std::int64_t>(), ticketsOnly);
-            return Taken::Not;
+            if (request.id) fail(*request.id, ticketsOnly);
+            return false;
         }
-        if (size > longestTicket) {
-            m_incoming.erase(0, begin);
-            return refuseImage(id.get<std::int64_t>(), size) ? Taken::Whole : Taken::Not;
+        if (request.kind == Kind::Image) {
+            std::fprintf(stderr, "vis2hap: the station sent an image; %s\n", ticketsOnly);
+            return fail(request.id.value(), ticketsOnly);
         }
-        if (m_incoming.size() < begin + size) return Taken::InPart;
-        const std::string ticket = m_incoming.substr(begin, size);
-        m_incoming.erase(0, begin + size);
-        return show(id.get<std::int64_t>(), ticket) ? Taken::Whole : Taken::Not;
-    }
-
-    /// An image, such as a test pattern, in place of a ticket. Its bytes are no lines. False where the station is gone.
-    bool refuseImage(std::int64_t id, std::size_t bytes)
-    {
-        std::fprintf(stderr, "vis2hap: the station sent an image; %s\n", ticketsOnly);
-        m_imageLeft = bytes;
-        dropImage();
-        return fail(id, ticketsOnly);
-    }
-
-    /// Drops what came of a refused image.
-    void dropImage()
-    {
-        const std::size_t dropped = std::min(m_imageLeft, m_incoming.size());
-        m_incoming.erase(0, dropped);
-        m_imageLeft -= dropped;
+        if (request.kind == Kind::Ticket) return show(request.id.value(), request.ticket);
+        if (request.isHello && request.id) m_openHello = request.id;
+        if (!sendToDevice(request.line)) return false;
+        if (request.isClear) m_isShowing = false;
+        return true;
     }
 
     /// False where the device or the station does not take its message.
@@ -332,8 +298,7 @@ private:
     int m_station;
     TicketImages& m_images;
     rendering::DriverLink m_device;
-    std::string m_incoming;
-    std::size_t m_imageLeft = 0;                                   ///< bytes of a refused image that are still to come
+    StationRequests m_requests;
     std::optional<std::int64_t> m_openHello;                       ///< the station's hello, until the device answers it
     bool m_isGreeted = false;                                      ///< a request came
     bool m_isShowing = false;                                      ///< an image was sent to the device and not cleared since

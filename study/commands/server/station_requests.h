@@ -15,7 +15,7 @@ struct StationRequest {
         Passed,     ///< a request that the device itself answers
         Ticket,     ///< a request to show the image of a ticket
         Image,      ///< a request to show an image, whose bytes are dropped: this display takes tickets only
-        NoTicket,   ///< a request to show, where nobody knows how many bytes follow; ends the requests
+        NoTicket,   ///< a request to show without an id, or without a count of bytes that can be meant; ends the requests
         NoMessage,  ///< a line that is no message, nested too deeply or names a key twice; ends the requests
         TooLong     ///< a line without an end within `longestLine` bytes; ends the requests
     };

@@ -5,9 +5,11 @@
 #include <QTcpSocket>
 #include <QTemporaryDir>
 #include <QTest>
+#include <cstdio>
 #include <map>
 #include <opencv2/core.hpp>
 #include <random>
+#include <utility>
 
 #include "database/keys.h"
 #include "database/server/server_connection.h"
@@ -35,7 +37,6 @@ class ServedDisplay {
 public:
     ServedDisplay(const std::string& address, const QString& driver)
     {
-        m_process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
         m_process.start(VIS2HAP_PROGRAM,
                         {"display", "serve", QString::fromStdString(address), "--port", "0", "--display", driver});
         while (m_process.state() != QProcess::NotRunning && !m_process.canReadLine()) m_process.waitForReadyRead(1000);
@@ -45,11 +46,15 @@ public:
     {
         m_process.kill();
         m_process.waitForFinished();
+        std::fputs(qPrintable(errorText()), stderr);
     }
+    /// What it wrote to its standard error until now.
+    const QString& errorText() { return m_errors += QString::fromUtf8(m_process.readAllStandardError()); }
     std::string specification;
 
 private:
     QProcess m_process;
+    QString m_errors;
 };
 
 /// What a station with a shell can note down about one presentation.
@@ -309,12 +314,18 @@ void OwnDisplayTest::theFirstTicketAfterAnEndedConnectionIsShown()
 void OwnDisplayTest::otherProgramsDoNotKeepTheStationOut()
 {
     studyOnServer("crowded", "display");
-    const ServedDisplay served(m_server->address("crowded", "device"), referenceAt(m_folder.filePath("crowded-device")));
+    ServedDisplay served(m_server->address("crowded", "device"), referenceAt(m_folder.filePath("crowded-device")));
     const auto port = QString::fromStdString(served.specification.substr(served.specification.rfind(':') + 1)).toUShort();
-    QTcpSocket nesting, silent;
-    nesting.connectToHost("127.0.0.1", port);
-    nesting.write(R"({"type":"show","bytes":1,"id":)" + QByteArray(30000, '[') + QByteArray(30000, ']') + "}\n");
-    QTRY_COMPARE(nesting.state(), QAbstractSocket::UnconnectedState);
+    const QByteArray nested = R"({"type":"show","bytes":1,"id":)" + QByteArray(30000, '[') + QByteArray(30000, ']') + "}\n";
+    for (const auto& [bytes, end] :
+         {std::pair{nested, "sends what is no message"}, std::pair{QByteArray(200000, 'x'), "sends a line that is too long"}}) {
+        QTcpSocket other;
+        other.connectToHost("127.0.0.1", port);
+        other.write(bytes);
+        QTRY_COMPARE(other.state(), QAbstractSocket::UnconnectedState);
+        QTRY_VERIFY2(served.errorText().contains(end), qPrintable(served.errorText()));
+    }
+    QTcpSocket silent;
     silent.connectToHost("127.0.0.1", port);
     QVERIFY(silent.waitForConnected());
     std::unique_ptr<rendering::HapticDisplay> display;

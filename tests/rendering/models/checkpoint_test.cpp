@@ -79,14 +79,14 @@ private Q_SLOTS:
 
     void checkpointLoadsAfterKillsDuringItsWriting()
     {
-        constexpr int kills = 40;
+        constexpr int kills = 20;
         static const QRegularExpression resumed("resumed at step (\\d+)");
         killedWhileWriting(false, 300000);
         for (const QString& file : unfinished()) QFile::remove(m_folder.filePath(file));
         QVERIFY(QFile::exists(text("model.safetensors") + ".checkpoint"));
         int last = 0, interrupted = 0;
         for (int i = 0; i < kills; ++i) {
-            const QString output = killedWhileWriting(true, i * 37 % 1500);
+            const QString output = killedWhileWriting(true, i * 74 % 1500);
             const QRegularExpressionMatch match = resumed.match(output);
             QVERIFY2(match.hasMatch(), qPrintable(QString("kill %1: %2").arg(i).arg(output)));
             QVERIFY(match.captured(1).toInt() >= last);

@@ -1,5 +1,4 @@
 // Keys that operators choose, barcode scanners, and the latency task, in the real window.
-#include <QDir>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -9,10 +8,8 @@
 #include <QTreeWidget>
 #include <cmath>
 
-#include "study/app/kept_settings.h"
 #include "study/app/pages/setup/keys_page.h"
 #include "study/app/pages/setup/latency_page.h"
-#include "tests/support/program.h"
 #include "tests/support/typed_answers.h"
 
 using namespace study::app;
@@ -495,69 +492,6 @@ private Q_SLOTS:
         QCOMPARE(field.textCursor().position(), 16);
         holdKey(open, Qt::Key_Backspace, "\b");
         QCOMPARE(field.toPlainText(), QString(16, ' '));
-    }
-
-    void settingsThatHoldObjectsAreKnown_data()
-    {
-        QTest::addColumn<QByteArray>("ini");
-        QTest::addColumn<bool>("isUnreadable");
-        const auto row = [](const char* name, const QByteArray& ini, bool isUnreadable) {
-            QTest::newRow(name) << ini << isUnreadable;
-        };
-        row("picture", "[extraKeys]\nvoid=@Variant(\\0\\0\\0\\x49)\n", true);
-        row("in a list", "recentStudies=/tmp/a, @Variant(\\0\\0\\0\\x49)\n", true);
-        row("time", "a = \"@DateTime(\\0\\0)\"\n", true);
-        row("numbered letters", "a=\\x40Va\\162iant(\\0)\n", true);
-        row("number of 17 bits", "a=\\x10040Variant(\\0)\n", true);
-        row("unknown escapes", "a=@V\\qariant\\x(\\0)\n", true);
-        row("two lines", "a=@Var\\\r\niant(\\0)\n", true);
-        row("own values", "recentStudies=@Invalid()\ndarkRoom=true\n\n[display]\nmmPerPixel=0.05\nspecification=@@Variant(a)\n",
-            false);
-        row("path", "recentStudies=/home/ann@lab/Variant(2), \"/home/@Variant(1)\"\n", false);
-        row("empty", "", false);
-    }
-    void settingsThatHoldObjectsAreKnown()
-    {
-        QFETCH(const QByteArray, ini);
-        QFETCH(const bool, isUnreadable);
-        QCOMPARE(namesObjects(ini), isUnreadable);
-    }
-
-    void hugeSettingsAreSetAsideAndOwnOnesStay()
-    {
-        const QString file = filePath("some.ini");
-        QVERIFY(setUnreadableAside(file).empty());  // there is none
-        for (const qint64 size : {largestSettings, largestSettings + 1}) {
-            QFile written(file);
-            QVERIFY(written.open(QIODevice::WriteOnly) && written.write(QByteArray(size, '\n')) == size);
-            written.close();
-            QCOMPARE(setUnreadableAside(file).empty(), size == largestSettings);
-            QCOMPARE(QFile::exists(file), size == largestSettings);
-        }
-        QCOMPARE(QFile(file + ".unreadable").size(), largestSettings + 1);
-    }
-
-    /// Outside of a window Qt ends the program where a setting holds a picture; a long list takes all memory.
-    void aCommandRunsBesideSettingsThatHoldObjects()
-    {
-        const auto folder = newStudy();
-        QVERIFY(QDir().mkpath(filePath("config/vis2hap")));
-        const QString file = filePath("config/vis2hap/vis2hap.ini");
-        const QByteArray ini = "[General]\nlanguage=@Variant(\\0\\0\\0\\x49)\n";
-        QFile written(file);
-        QVERIFY(written.open(QIODevice::WriteOnly) && written.write(ini) == ini.size());
-        written.close();
-        const QStringList call{"study", "sheets", QString::fromStdString(folder.folder.string()), "--out"};
-        const QStringList place{"XDG_CONFIG_HOME=" + filePath("config")};
-        const auto ended = support::runProgram(call + QStringList{filePath("sheets")}, place);
-        QVERIFY2(ended.exitCode == 0, qPrintable(ended.err));
-        QVERIFY2(ended.err.contains("warning: the settings of the window were not read, because a value holds an object") &&
-                     ended.err.contains(file + ".unreadable"),
-                 qPrintable(ended.err));
-        QFile aside(file + ".unreadable");
-        QVERIFY(!QFile::exists(file) && aside.open(QIODevice::ReadOnly));
-        QCOMPARE(aside.readAll(), ini);
-        QCOMPARE(support::mustRun(call + QStringList{filePath("again")}, place).err, QString());
     }
 };
 

@@ -68,7 +68,8 @@ private Q_SLOTS:
                           data + "/tactile-reference.png", "--mm-per-pixel", "0.05", "--out", at("C.json")});
         run("height", {data + "/F01/tactile/001.png", "--calibration", data + "/tactile-calibration.json", "--background",
                        data + "/tactile-reference.png", "--out", at("H.tiff")});
-        run("train", {data, "--steps", "1", "--out", at("M.safetensors")});
+        run("train", {data, "--steps", "1", "--channels", "4", "--crop", "64", "--batch", "2", "--validation-pairs", "4", "--out",
+                      at("M.safetensors")});
         run("evaluate", {data, "--model", at("M.safetensors"), "--quality", "fast"});
         run("render", {data, "--fabric", "F01", "--condition", "h,v_grey", "--out", at("R")});
         run("stroke", {at("R/F01/h.png"), "--csv", at("s.csv")});

@@ -361,6 +361,7 @@ private Q_SLOTS:
         QCOMPARE(ended.exitCode, 2);
         QVERIFY2(ended.err.contains(named), qPrintable(ended.err));
         QCOMPARE(ended.messages().size(), 1);
+        QVERIFY2(!ended.err.contains("so far"), qPrintable(ended.err));  // before any work
     }
 
 private:

@@ -51,10 +51,6 @@ void addSignalPeers(std::vector<BenchRow>& rows)
 
 void addRecordings(std::vector<BenchRow>& rows, const BenchOptions& options)
 {
-    if (!std::filesystem::is_directory(options.recordings))
-        throw protocols::badInput({"there is no folder of recordings", options.recordings.string(),
-                                   "the folders that README describes under \"Bench on recordings\"",
-                                   "check the path of --data"});
     auto recordings = benchRecordings(options.recordings, looking::decodeByQt, options.begins);
     if (options.skipped)
         for (const auto& line : recordings.skipped) options.skipped(line);
@@ -100,6 +96,14 @@ const std::vector<std::string>& benchStages()
         return all;
     }();
     return names;
+}
+
+void requireRecordings(const std::filesystem::path& folder)
+{
+    if (!std::filesystem::is_directory(folder))
+        throw protocols::badInput({"there is no folder of recordings", folder.string(),
+                                   "the folders that README describes under \"Bench on recordings\"",
+                                   "check the path of --data"});
 }
 
 std::vector<BenchRow> benchStage(const std::string& stage, const BenchOptions& options)

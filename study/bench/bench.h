@@ -20,7 +20,10 @@ struct BenchOptions {
 /// "signals", "perception", "fabrics", "statistics", "session" and "generators", in the order of a whole run.
 const std::vector<std::string>& benchStages();
 
-/// The rows of one stage. "session" needs a QApplication. Throws badInput for a missing folder of recordings.
+/// Throws badInput where there is no such folder. It is for the beginning, because the first row takes seconds.
+void requireRecordings(const std::filesystem::path& folder);
+
+/// The rows of one stage. "session" needs a QApplication.
 std::vector<BenchRow> benchStage(const std::string& stage, const BenchOptions& options);
 
 }  // namespace study::bench

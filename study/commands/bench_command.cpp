@@ -172,6 +172,7 @@ int runBench(const BenchCall& call)
     for (const auto& file : {call.svg, call.page})
         if (!file.empty()) protocols::requireWritable(file);
     auto options = call.options;
+    if (!options.recordings.empty()) bench::requireRecordings(options.recordings);
     RunningPart running;
     options.begins = [&running](const std::string& part) { running.show(part); };
     options.skipped = [&running](const std::string& line) {

@@ -86,7 +86,7 @@ private Q_SLOTS:
         QVERIFY(QFile::exists(text("model.safetensors") + ".checkpoint"));
         int last = 0, interrupted = 0;
         for (int i = 0; i < kills; ++i) {
-            const QString output = killedWhileWriting(true, i * 74 % 1500);
+            const QString output = killedWhileWriting(true, i * 75);
             const QRegularExpressionMatch match = resumed.match(output);
             QVERIFY2(match.hasMatch(), qPrintable(QString("kill %1: %2").arg(i).arg(output)));
             QVERIFY(match.captured(1).toInt() >= last);
